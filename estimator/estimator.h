@@ -1,0 +1,72 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "models/signals.h"
+
+namespace touchdown::estimator {
+
+/// How far a frame got: `kOk`, or the first stage that failed.
+enum class FrameStatus {
+  kOk,           ///< A pose that may be used.
+  kNoComponent,  ///< No connected component is large enough to be classified.
+  kNoCircle,     ///< No component was classified as a circle.
+  kNoH,          ///< No component was classified as a letter H.
+  kNoPair,       ///< No H satisfies the geometric constraint with a circle (Sec. IV-A.4).
+  kNoEllipse,    ///< The ring's outer boundary or the H gave no ellipse, or the ellipse gave no pose.
+  kOutlier,      ///< The pose jumps from the previous ones (Sec. IV-C.2).
+};
+
+/// "ok", "no_component", "no_circle", "no_h", "no_pair", "no_ellipse", "outlier".
+std::string_view Name(FrameStatus status);
+
+/// The body's pose as one frame gives it.
+struct VisionPose {
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  /// Of (p_WB in m, rotation vector in W in rad): the 1-sigma error that the estimator claims.
+  Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
+};
+
+/// What the estimator saw on its way: for drawing and for the logs, never for control.
+struct FrameTrace {
+  enum class Label { kCircle, kH, kOther };
+  struct Component {
+    int u = 0, v = 0, width = 0, height = 0;  ///< Bounding box, px.
+    Label label = Label::kOther;
+    double probability = 0.0;  ///< Posterior of `label`.
+  };
+  struct Ellipse {
+    Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< Undistorted px, at the camera's own focal length.
+    Eigen::Vector2d semi_axes = Eigen::Vector2d::Zero();
+    double angle = 0.0;  ///< Of the major axis, from +u towards +v, rad, (-pi/2, pi/2].
+  };
+  std::vector<Component> components;
+  std::optional<Ellipse> ring_outer, ring_inner, letter;
+};
+
+struct FrameEstimate {
+  models::Tick mid_exposure = 0;
+  FrameStatus status = FrameStatus::kNoComponent;
+  std::optional<VisionPose> pose;          ///< Present when kOk, and when kOutlier, where it must not be used.
+  std::optional<Eigen::Vector2d> pad_px;   ///< Centre of the detected pad, raw px; present from kNoEllipse on.
+  FrameTrace trace;
+};
+
+/// A strategy that turns camera frames into poses. It knows the camera, the pad and the mounting from its construction,
+/// and may remember earlier frames.
+class Estimator {
+ public:
+  virtual ~Estimator() = default;
+
+  /// `image` has the camera's size (throws std::invalid_argument otherwise). `gravity_B` is the unit vector pointing
+  /// down, in the body frame at mid-exposure, as the IMU has it. Frames come in the order of their exposure.
+  virtual FrameEstimate Estimate(const models::ImageView& image, models::Tick mid_exposure,
+                                 const Eigen::Vector3d& gravity_B) = 0;
+};
+
+}  // namespace touchdown::estimator

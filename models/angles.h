@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <numbers>
+
+namespace touchdown::models {
+
+inline constexpr double kPi = std::numbers::pi;
+
+constexpr double DegToRad(double deg) { return deg * (kPi / 180.0); }
+constexpr double RadToDeg(double rad) { return rad * (180.0 / kPi); }
+
+/// Tait-Bryan angles of a body in the world, radians: R_WB = Rz(yaw) Ry(pitch) Rx(roll). The paper's phi,
+/// theta and psi (Sec. III-D, Eq. 12).
+struct TaitBryan {
+  double roll = 0.0;   ///< (-pi, pi], about X forward; positive lowers the right side.
+  double pitch = 0.0;  ///< [-pi/2, pi/2], about Y left; positive lowers the nose.
+  double yaw = 0.0;    ///< (-pi, pi], about Z up; positive turns left.
+};
+
+/// R_WB of the given angles.
+Eigen::Matrix3d RotationFromTaitBryan(const TaitBryan& angles);
+
+/// The angles of R_WB. At pitch = +-90 deg, where roll and yaw turn about the same axis, roll is set to 0.
+TaitBryan TaitBryanFromRotation(const Eigen::Matrix3d& R_WB);
+
+/// The angle's equivalent in (-pi, pi].
+double WrapToPi(double angle);
+
+/// The angle's equivalent modulo pi in (-pi/2, pi/2]: what can be told of an H, which looks the same turned by
+/// 180 degrees (Sec. IV-C.3).
+double WrapToHalfPi(double angle);
+
+/// The shortest rotation R with R * from = to, for unit vectors, by Rodrigues' formula. For opposite vectors the
+/// axis is undefined: any one perpendicular to `from` is taken.
+Eigen::Matrix3d ShortestRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
+/// exp([phi]x): the rotation by |phi| radians about phi.
+Eigen::Matrix3d RotationExp(const Eigen::Vector3d& phi);
+
+/// The inverse of RotationExp: the rotation vector of R, its norm in [0, pi].
+Eigen::Vector3d RotationLog(const Eigen::Matrix3d& R);
+
+}  // namespace touchdown::models

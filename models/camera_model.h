@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+namespace touchdown::models {
+
+/// A pinhole camera with two radial distortion terms (Sec. IV-B; ROS `plumb_bob` with only k1 and k2).
+///
+/// Frame C: X right, Y down, Z forward, origin at the optical centre. Pixel centres lie on integer coordinates,
+/// so the image covers [-0.5, width - 0.5] x [-0.5, height - 0.5]. "Normalized" points are (x/z, y/z) in C.
+struct CameraModel {
+  int width_px = 640;
+  int height_px = 480;
+  double fx_px = 320.0;  ///< 320 px over 640 px: 90 degrees wide.
+  double fy_px = 320.0;
+  double cx_px = 319.5;
+  double cy_px = 239.5;
+  double k1 = -0.10;
+  double k2 = 0.01;
+
+  /// Throws InputError, without a file name, when the image is empty or over 16384 px, a focal length is not
+  /// positive, a number is not finite, or the distortion folds within the image (it could not be undone).
+  void Validate() const;
+
+  /// Ideal normalized point -> distorted normalized point: x (1 + k1 r^2 + k2 r^4).
+  Eigen::Vector2d Distort(const Eigen::Vector2d& ideal) const;
+
+  /// The inverse of Distort by Newton's method on the radius (Sec. IV-B). nullopt where no ideal point maps to
+  /// `distorted`, which does not happen inside the image of a valid camera.
+  std::optional<Eigen::Vector2d> Undistort(const Eigen::Vector2d& distorted) const;
+
+  /// Ideal radius up to which Distort grows, and so can be undone; infinity where it always grows.
+  double MonotonicRadius() const;
+
+  Eigen::Vector2d PixelFromNormalized(const Eigen::Vector2d& distorted) const;
+  Eigen::Vector2d NormalizedFromPixel(const Eigen::Vector2d& pixel) const;
+
+  /// The raw (distorted) pixel of a point given in C. nullopt where it lies behind the camera or beyond the
+  /// radius at which the distortion folds. The pixel may lie outside the image: see Contains.
+  std::optional<Eigen::Vector2d> Project(const Eigen::Vector3d& p_C) const;
+
+  /// Unit ray in C through a raw pixel. nullopt as for Undistort.
+  std::optional<Eigen::Vector3d> Ray(const Eigen::Vector2d& pixel) const;
+
+  bool Contains(const Eigen::Vector2d& pixel) const;
+
+  friend bool operator==(const CameraModel&, const CameraModel&) = default;
+};
+
+}  // namespace touchdown::models

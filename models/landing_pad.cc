@@ -1,0 +1,36 @@
+#include "models/landing_pad.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/error.h"
+
+namespace touchdown::models {
+
+void LandingPad::Validate() const {
+  for (const double size :
+       {outer_radius_m, ring_width_m, h_height_m, h_width_m, h_stroke_m, sheet_length_m, sheet_width_m}) {
+    if (!std::isfinite(size) || size <= 0.0) throw InputError("the pad's sizes must be positive and finite");
+  }
+  if (ring_width_m >= outer_radius_m) throw InputError("the pad's ring must be narrower than its radius");
+  if (2.0 * h_stroke_m >= h_width_m || h_stroke_m >= h_height_m) {
+    throw InputError("the pad's H must be wider than its two strokes and higher than its cross-bar");
+  }
+  if (std::hypot(h_height_m, h_width_m) / 2.0 >= inner_radius_m()) {
+    throw InputError("the pad's H must fit inside its ring with a white gap");
+  }
+  if (2.0 * outer_radius_m > std::min(sheet_length_m, sheet_width_m)) {
+    throw InputError("the pad's ring must fit on its sheet");
+  }
+}
+
+bool LandingPad::IsBlack(const Eigen::Vector2d& p_W) const {
+  const double radius = p_W.norm();
+  if (radius >= inner_radius_m() && radius <= outer_radius_m) return true;
+  const double x = std::abs(p_W.x()), y = std::abs(p_W.y());
+  const bool on_stroke = x <= h_height_m / 2.0 && y <= h_width_m / 2.0 && y >= h_width_m / 2.0 - h_stroke_m;
+  const bool on_bar = x <= h_stroke_m / 2.0 && y <= h_width_m / 2.0;
+  return on_stroke || on_bar;
+}
+
+}  // namespace touchdown::models

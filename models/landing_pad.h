@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace touchdown::models {
+
+/// The landing pad (Sec. III-B): a black ring around a black letter H, centred on a white sheet.
+///
+/// Frame W lies at the pad's centre, Z up. The H's long strokes run along X, its cross-bar along Y, and the
+/// sheet's long side along X.
+struct LandingPad {
+  double outer_radius_m = 0.090;
+  double ring_width_m = 0.016;
+  double h_height_m = 0.100;  ///< Length of the long strokes, along X.
+  double h_width_m = 0.056;   ///< Over both long strokes, along Y.
+  double h_stroke_m = 0.016;
+  double sheet_length_m = 0.297;  ///< Along X; A4.
+  double sheet_width_m = 0.210;   ///< Along Y.
+
+  double inner_radius_m() const { return outer_radius_m - ring_width_m; }
+
+  /// Throws InputError, without a file name, when a size is not finite and positive, the H does not fit inside
+  /// the ring with a white gap, or the ring does not fit on the sheet.
+  void Validate() const;
+
+  /// Whether the point of the sheet's plane, in W, lies on black.
+  bool IsBlack(const Eigen::Vector2d& p_W) const;
+
+  friend bool operator==(const LandingPad&, const LandingPad&) = default;
+};
+
+}  // namespace touchdown::models

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "models/angles.h"
+#include "models/time.h"
+#include "models/vehicle.h"
+
+namespace touchdown::models {
+
+/// An 8-bit grey image that somebody else owns. `stride` is in bytes, from a row to the next.
+struct ImageView {
+  const std::uint8_t* data = nullptr;
+  int width = 0;
+  int height = 0;
+  std::ptrdiff_t stride = 0;
+
+  const std::uint8_t* Row(int v) const { return data + v * stride; }
+  std::uint8_t At(int u, int v) const { return Row(v)[u]; }
+};
+
+/// An 8-bit grey image without padding between rows.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> pixels;
+
+  Image() = default;
+  Image(int width_px, int height_px, std::uint8_t value = 0)
+      : width(width_px),
+        height(height_px),
+        pixels(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px), value) {}
+
+  ImageView View() const { return {pixels.data(), width, height, width}; }
+  std::uint8_t* Row(int v) { return pixels.data() + static_cast<std::ptrdiff_t>(v) * width; }
+};
+
+/// What the camera delivers: an image, and when it was taken.
+struct CameraFrame {
+  Tick mid_exposure = 0;
+  Image image;
+};
+
+/// What the IMU delivers, in its own frame U.
+struct ImuSample {
+  Tick tick = 0;
+  Eigen::Vector3d specific_force_U = Eigen::Vector3d::Zero();  ///< m/s^2; +g along up at rest.
+  Eigen::Vector3d w_WU_U = Eigen::Vector3d::Zero();            ///< rad/s.
+};
+
+/// What the tracking system delivers: its own word on the body's pose (Sec. III-C).
+struct TrackedPose {
+  Tick tick = 0;
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+};
+
+/// What the controller knows of the vehicle.
+struct VehicleEstimate {
+  struct Motion {
+    Eigen::Vector3d p_WB = Eigen::Vector3d::Zero();  ///< m.
+    Eigen::Vector3d v_WB = Eigen::Vector3d::Zero();  ///< m/s.
+  };
+
+  Tick tick = 0;
+  TaitBryan attitude;                                ///< Roll, pitch: IMU. Yaw: vision, carried on by the gyro.
+  Eigen::Vector3d w_WB_B = Eigen::Vector3d::Zero();  ///< rad/s.
+  std::optional<Motion> motion;                      ///< nullopt until the pad has been seen once.
+  std::optional<Tick> pad_seen;                      ///< Mid-exposure of the newest frame whose pose was used.
+};
+
+/// What the controller asks of the motors: speeds in rad/s; 0 stops a motor.
+struct RotorCommand {
+  std::array<double, kRotorCount> speed_rad_s{};
+};
+
+}  // namespace touchdown::models
