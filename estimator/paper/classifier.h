@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+
+#include "estimator/estimator.h"
+
+namespace touchdown::estimator {
+
+struct Component;
+struct ComponentSet;
+
+inline constexpr int kPatternSide = 14;
+inline constexpr int kPatternSize = kPatternSide * kPatternSide;
+
+/// What the network sees of a component: kPatternSide rows of kPatternSide cells, from the top left, each the share of
+/// the cell that the component covers, in [0, 1].
+using Pattern = std::array<float, kPatternSize>;
+
+/// What the network says of a component (Sec. IV-A.3).
+struct Classification {
+  FrameTrace::Label label = FrameTrace::Label::kOther;  ///< The class of the largest posterior.
+  std::array<double, 3> posterior{};                    ///< Of kCircle, kH and kOther, in this order; sums to 1.
+};
+
+/// The component's own dark pixels, without those of other components in its bounding box, stretched from the bounding
+/// box to the pattern by area averaging. `component` is one of `set`'s.
+Pattern PatternOf(const ComponentSet& set, const Component& component);
+
+/// The compiled-in 196-20-3 perceptron: logistic hidden units, softmax output (Sec. IV-A.3).
+Classification Classify(const Pattern& pattern);
+
+/// Classify(PatternOf(set, component)).
+Classification Classify(const ComponentSet& set, const Component& component);
+
+}  // namespace touchdown::estimator
