@@ -11,8 +11,8 @@ Tick TimeBase::FromSeconds(double time_s) const { return std::llround(time_s * t
 
 Tick TimeBase::PeriodOf(int rate_hz) const {
   if (rate_hz <= 0 || ticks_per_s % rate_hz != 0) {
-    throw InputError("a rate of " + std::to_string(rate_hz) + " Hz does not divide the " +
-                     std::to_string(ticks_per_s) + " physics ticks of a second");
+    throw InputError("a rate of " + std::to_string(rate_hz) + " Hz does not divide the " + std::to_string(ticks_per_s) +
+                     " physics ticks of a second");
   }
   return ticks_per_s / rate_hz;
 }
