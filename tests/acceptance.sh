@@ -1,21 +1,53 @@
 #!/usr/bin/env bash
 # Flies the three flights for every seed and prints what they show, beside the paper's Table I.
 #   tests/acceptance.sh PROGRAM OUT_DIR JOBS SEED...
-# Exit status 1 when a flight does not pass. A flight that is already there is not flown again: remove OUT_DIR to start anew.
+# A flight that is already in OUT_DIR is not flown again: remove OUT_DIR to start anew. Exit status 1 when a flight did not pass.
 set -euo pipefail
 program=$(realpath "$1"); out=$2; jobs=$3; shift 3
-flights_dir=$(cd "$(dirname "$0")/../scenarios/flights" && pwd)
+scenarios=$(cd "$(dirname "$0")/../scenarios/flights" && pwd)
+flights=(disturbed_hover takeoff_hover_land landing)
 mkdir -p "$out"
 
-fly_one() {
-  local folder="$3/$1/seed_$2"
-  [ -f "$folder/result.json" ] && return 0
-  local status=0
-  "$4" fly "$5/$1.yaml" --seed "$2" --out "$folder" > "$3/$1.seed_$2.log" 2>&1 || status=$?
-  echo "$1 seed $2: exit $status"
-}
-export -f fly_one
-for flight in disturbed_hover takeoff_hover_land landing; do
-  for seed in "$@"; do echo "$flight $seed"; done
-done | xargs -P "$jobs" -L 1 bash -c 'fly_one "$0" "$1" "$2" "$3" "$4"' | sed 's/^/  /' &
-wait
+# Largest first, so that the last job is short.
+for flight in "${flights[@]}"; do
+  for seed in "$@"; do
+    [ -f "$out/$flight/seed_$seed/result.json" ] || printf '%s %s\n' "$flight" "$seed"
+  done
+done | program=$program out=$out scenarios=$scenarios xargs -r -P "$jobs" -L 1 bash -c '
+  mkdir -p "$out/$1"
+  status=0
+  "$program" fly "$scenarios/$1.yaml" --seed "$2" --out "$out/$1/seed_$2" > "$out/$1/seed_$2.log" 2>&1 || status=$?
+  printf "%-20s seed %-3s exit %s\n" "$1" "$2" "$status"' _
+
+# Rows: name, unit, metric, scale, the paper's hovering and autonomous figures (Table I).
+table='[
+  ["XY RMSE", "mm", "estimate.xy_rmse_m", 1000, 38.8, 33.7],
+  ["Z RMSE", "mm", "estimate.z_rmse_m", 1000, 5.7, 6.8],
+  ["3D RMSE", "mm", "estimate.xyz_rmse_m", 1000, 39.2, 34.4],
+  ["roll RMSE", "deg", "estimate.roll_rmse_deg", 1, 1.3, 1.4],
+  ["pitch RMSE", "deg", "estimate.pitch_rmse_deg", 1, 1.4, 1.5],
+  ["yaw RMSE", "deg", "estimate.yaw_rmse_deg", 1, 4.8, 2.7]]'
+failed=0
+for flight in "${flights[@]}"; do
+  results=("$out/$flight"/seed_*/result.json)
+  echo
+  jq -rs --arg flight "$flight" --argjson table "$table" '
+    def round2: . * 100 | round / 100;
+    def rms: (map(. * .) | add / length | sqrt);
+    def values($name): [.[].metrics[$name] // empty];
+    def span($name; $unit; $scale): values($name) | if length > 0 then
+      "  \($name): mean \(add / length * $scale | round2), min \(min * $scale | round2), max \(max * $scale | round2) \($unit)" else empty end;
+    . as $all |
+    "\($flight): \(map(select(.verdict == "pass")) | length) of \(length) passed",
+    ($table[] | . as [$label, $unit, $metric, $scale, $hover, $auto] | $all | values($metric) | select(length > 0) |
+      "  \($label): \(rms * $scale | round2) \($unit) (worst \(max * $scale | round2)); paper: \(
+        if $flight == "disturbed_hover" then $hover elif $flight == "takeoff_hover_land" then $auto else "-" end)"),
+    span("estimate.availability"; ""; 1), span("estimate.false_pads"; "frames"; 1),
+    span("flight.touchdown_xy_error_m"; "mm"; 1000), span("flight.touchdown_speed_m_s"; "m/s"; 1),
+    span("flight.touchdown_tilt_deg"; "deg"; 1), span("flight.touchdown_yaw_error_deg"; "deg"; 1),
+    span("flight.hover_xyz_rmse_m"; "mm"; 1000), span("flight.max_xy_offset_m"; "mm"; 1000),
+    (map(select(.verdict != "pass")) | .[] | "  FAILED seed \(.seed): \(.outcome), \([.checks[] | select(.pass | not) | .name] | join(", "))")
+  ' "${results[@]}"
+  jq -es 'all(.verdict == "pass")' "${results[@]}" > /dev/null || failed=1
+done
+exit $failed
