@@ -1,0 +1,124 @@
+#include "scenarios/study/classifier_training.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "models/error.h"
+#include "models/random_stream.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+Perceptron::Shape ShapeOf(std::span<const TrainingSample> training, std::span<const TrainingSample> validation,
+                          int hidden_units) {
+  if (training.empty() || validation.empty()) throw std::invalid_argument("training and validation need samples");
+  Perceptron::Shape shape{
+      .inputs = static_cast<int>(training.front().input.size()), .hidden = hidden_units, .outputs = 0};
+  for (const auto& samples : {training, validation}) {
+    for (const TrainingSample& sample : samples) {
+      if (static_cast<int>(sample.input.size()) != shape.inputs) {
+        throw std::invalid_argument("the samples' inputs differ in size");
+      }
+      shape.outputs = std::max(shape.outputs, sample.target + 1);
+    }
+  }
+  return shape;
+}
+
+void Shuffle(std::vector<std::size_t>& order, models::RandomStream& random) {
+  for (std::size_t i = order.size() - 1; i > 0; --i) {
+    std::swap(order[i], order[static_cast<std::size_t>(random.UniformInt(0, static_cast<int>(i)))]);
+  }
+}
+
+/// Gradient descent with momentum over one network.
+class Descent {
+ public:
+  Descent(Perceptron& network, const TrainingConfig& config)
+      : network_(network),
+        config_(config),
+        gradient_(network.parameters().size(), 0.0),
+        velocity_(network.parameters().size(), 0.0) {}
+
+  /// Takes one step on the mean gradient of the batch. Returns the sum of the samples' losses before it.
+  double Step(std::span<const TrainingSample> samples, std::span<const std::size_t> batch, double learning_rate) {
+    std::fill(gradient_.begin(), gradient_.end(), 0.0);
+    double loss = 0.0;
+    for (const std::size_t i : batch) loss += network_.Backpropagate(samples[i].input, samples[i].target, gradient_);
+    AddWeightDecay(static_cast<double>(batch.size()));
+    const double scale = learning_rate / static_cast<double>(batch.size());
+    const auto parameters = network_.parameters();
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      velocity_[i] = config_.momentum * velocity_[i] - scale * gradient_[i];
+      parameters[i] += velocity_[i];
+    }
+    return loss;
+  }
+
+ private:
+  void AddWeightDecay(double batch_size) {
+    const double* first = network_.parameters().data();
+    for (const auto& weights : {network_.hidden_weights(), network_.output_weights()}) {
+      const auto offset = static_cast<std::size_t>(weights.data() - first);
+      for (std::size_t i = 0; i < weights.size(); ++i) {
+        gradient_[offset + i] += config_.weight_decay * batch_size * weights[i];
+      }
+    }
+  }
+
+  Perceptron& network_;
+  const TrainingConfig& config_;
+  std::vector<double> gradient_;
+  std::vector<double> velocity_;
+};
+
+}  // namespace
+
+void TrainingConfig::Validate() const {
+  if (hidden_units < 1 || max_epochs < 1 || patience_epochs < 1 || batch_size < 1) {
+    throw InputError("hidden units, epochs, patience and batch size must be positive");
+  }
+  if (!(learning_rate > 0.0) || !(momentum >= 0.0 && momentum < 1.0) || !(weight_decay >= 0.0)) {
+    throw InputError("the learning rate must be positive, the momentum in [0, 1), the weight decay not negative");
+  }
+}
+
+double MeanLoss(const Perceptron& network, std::span<const TrainingSample> samples) {
+  double sum = 0.0;
+  for (const TrainingSample& sample : samples) {
+    sum -= std::log(std::max(network.Posteriors(sample.input)[static_cast<std::size_t>(sample.target)], 1e-300));
+  }
+  return sum / static_cast<double>(samples.size());
+}
+
+TrainingResult Train(std::span<const TrainingSample> training, std::span<const TrainingSample> validation,
+                     const TrainingConfig& config, std::uint64_t seed,
+                     const std::function<void(const EpochReport&)>& progress) {
+  config.Validate();
+  Perceptron network = Perceptron::Random(ShapeOf(training, validation, config.hidden_units), seed);
+  Descent descent(network, config);
+  models::RandomStream random(seed, "classifier.order");
+  std::vector<std::size_t> order(training.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+
+  TrainingResult best{.network = network.Rounded(), .best_epoch = 0, .validation_loss = MeanLoss(network, validation)};
+  for (int epoch = 1; epoch <= config.max_epochs && epoch - best.best_epoch <= config.patience_epochs; ++epoch) {
+    const double done = static_cast<double>(epoch - 1) / config.max_epochs;
+    const double learning_rate = config.learning_rate * (1.0 - 0.95 * done);
+    Shuffle(order, random);
+    double loss = 0.0;
+    for (std::size_t begin = 0; begin < order.size(); begin += static_cast<std::size_t>(config.batch_size)) {
+      const std::size_t count = std::min(static_cast<std::size_t>(config.batch_size), order.size() - begin);
+      loss += descent.Step(training, std::span(order).subspan(begin, count), learning_rate);
+    }
+    Perceptron rounded = network.Rounded();
+    const double validation_loss = MeanLoss(rounded, validation);
+    if (progress) progress({epoch, loss / static_cast<double>(training.size()), validation_loss});
+    if (validation_loss < best.validation_loss) best = {std::move(rounded), epoch, validation_loss};
+  }
+  return best;
+}
+
+}  // namespace touchdown::scenarios

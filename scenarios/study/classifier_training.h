@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "scenarios/study/classifier_network.h"
+
+namespace touchdown::scenarios {
+
+/// An input of the network and the class that it should be given.
+struct TrainingSample {
+  std::vector<float> input;
+  int target = 0;
+};
+
+/// Standard backpropagation: mini-batches in random order, gradient descent with momentum, 1-of-n targets,
+/// cross-entropy.
+struct TrainingConfig {
+  int hidden_units = 20;
+  int max_epochs = 200;
+  int patience_epochs = 30;  ///< Ends after so many epochs without a better validation loss.
+  int batch_size = 16;
+  double learning_rate = 0.05;  ///< On the batch's mean gradient; falls linearly to a twentieth at max_epochs.
+  double momentum = 0.9;
+  double weight_decay = 1e-4;  ///< Adds this times the weight to the gradient; biases are left alone.
+
+  /// Throws InputError when a count is not positive or a rate is out of its range.
+  void Validate() const;
+};
+
+struct EpochReport {
+  int epoch = 0;
+  double training_loss = 0.0;    ///< Mean cross-entropy over the epoch, nats.
+  double validation_loss = 0.0;  ///< After the epoch.
+};
+
+struct TrainingResult {
+  Perceptron network;  ///< Of the best validation loss, rounded to single precision.
+  int best_epoch = 0;
+  double validation_loss = 0.0;
+};
+
+/// Mean cross-entropy of the network, nats.
+double MeanLoss(const Perceptron& network, std::span<const TrainingSample> samples);
+
+/// Trains a network of as many inputs and outputs as the samples have. The same samples, config and seed give the same
+/// weights, bit for bit, on the same type of CPU. Throws std::invalid_argument when either set is empty or its inputs
+/// differ in size.
+TrainingResult Train(std::span<const TrainingSample> training, std::span<const TrainingSample> validation,
+                     const TrainingConfig& config, std::uint64_t seed,
+                     const std::function<void(const EpochReport&)>& progress = {});
+
+}  // namespace touchdown::scenarios
