@@ -1,0 +1,31 @@
+#include "sim/mujoco_errors.h"
+
+#include <mujoco/mujoco.h>
+
+#include <utility>
+
+namespace touchdown::sim {
+namespace {
+
+thread_local std::optional<std::string> first_warning;
+
+void KeepWarning(const char* message) {
+  if (!first_warning) first_warning = message;
+}
+
+// MuJoCo's callers go on as if nothing had happened when this returns.
+[[noreturn]] void ThrowError(const char* message) { throw SimulationError(std::string("MuJoCo: ") + message); }
+
+}  // namespace
+
+void InstallMujocoHandlers() {
+  [[maybe_unused]] static const bool installed = [] {
+    mju_user_warning = KeepWarning;
+    mju_user_error = ThrowError;
+    return true;
+  }();
+}
+
+std::optional<std::string> TakeMujocoWarning() { return std::exchange(first_warning, std::nullopt); }
+
+}  // namespace touchdown::sim

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace touchdown::sim {
+
+/// The simulation itself went wrong: a MuJoCo warning, a number that is not finite, time running backwards. The flight
+/// ends as an error, with status 3.
+class SimulationError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Takes over MuJoCo's process-wide handlers, once: instead of writing MUJOCO_LOG.TXT and going on, a warning is kept
+/// for TakeMujocoWarning, and instead of ending the process, an error throws SimulationError.
+void InstallMujocoHandlers();
+
+/// The first warning that MuJoCo raised on this thread since the last call; nullopt when there was none.
+std::optional<std::string> TakeMujocoWarning();
+
+}  // namespace touchdown::sim

@@ -1,0 +1,187 @@
+#include "sim/world.h"
+
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "models/angles.h"
+#include "models/error.h"
+#include "sim/aerodynamics.h"
+#include "sim/vehicle_mjcf.h"
+
+namespace touchdown::sim {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr char kPadCoverName[] = "pad_cover";
+
+MujocoModel LoadWorld(const models::Vehicle& vehicle, const Scene& scene, const models::TimeBase& time) {
+  vehicle.Validate();
+  InstallMujocoHandlers();
+  MujocoModel model = LoadModel(SceneMjcf(scene, VehicleMjcf(vehicle), time.period_s()));
+  PaintTextures(scene, *model);
+  // RK4 keeps free fall and torque-free rotation exact to round-off; elliptic cones keep a resting vehicle in place.
+  model->opt.timestep = time.period_s();
+  model->opt.integrator = mjINT_RK4;
+  model->opt.cone = mjCONE_ELLIPTIC;
+  model->opt.impratio = 10.0;
+  model->opt.gravity[0] = model->opt.gravity[1] = 0.0;
+  model->opt.gravity[2] = -models::kGravity_m_s2;
+  return model;
+}
+
+void SetPose(const Eigen::Isometry3d& X_WB, mjData& data) {
+  const Eigen::Quaterniond q_WB(X_WB.linear());
+  Eigen::Map<Vector3d>(data.qpos) = X_WB.translation();
+  Eigen::Map<Eigen::Vector4d>(data.qpos + 3) << q_WB.w(), q_WB.x(), q_WB.y(), q_WB.z();
+}
+
+Eigen::Isometry3d LevelPose(const Vector3d& p_WB, double yaw) {
+  Eigen::Isometry3d X_WB(Eigen::AngleAxisd(yaw, Vector3d::UnitZ()));
+  X_WB.translation() = p_WB;
+  return X_WB;
+}
+
+}  // namespace
+
+void WorldConfig::Validate() const {
+  vibration.Validate();
+  if (!wind_m_s.allFinite()) throw InputError("the wind must be finite");
+}
+
+World::World(const WorldConfig& config, const models::Vehicle& vehicle, const Scene& scene,
+             const models::TimeBase& time, std::uint64_t seed)
+    : config_(config),
+      vehicle_(vehicle),
+      time_(time),
+      rotors_(vehicle, config.vibration, time, seed),
+      model_(LoadWorld(vehicle, scene, time)),
+      data_(MakeData(*model_)),
+      vehicle_body_(mj_name2id(model_.get(), mjOBJ_BODY, kVehicleBodyName)),
+      pad_cover_(mj_name2id(model_.get(), mjOBJ_GEOM, kPadCoverName)),
+      is_foot_(static_cast<std::size_t>(model_->ngeom), false) {
+  config.Validate();
+  for (int foot = 0; foot < models::kRotorCount; ++foot) {
+    is_foot_[static_cast<std::size_t>(mj_name2id(model_.get(), mjOBJ_GEOM, FootName(foot).c_str()))] = true;
+  }
+  resting_height_m_ = FindRestingHeight();
+  Reset(RestingPose(0.0, 0.0, 0.0), false);
+}
+
+World::~World() = default;
+
+void World::Reset(const Eigen::Isometry3d& X_WB, bool rotors_at_hover) {
+  mj_resetData(model_.get(), data_.get());
+  SetPose(X_WB, *data_);
+  mj_forward(model_.get(), data_.get());
+  TakeMujocoWarning();
+  rotors_.Reset(rotors_at_hover ? vehicle_.rotor.SpeedFor(vehicle_.HoverThrustPerRotor()) : 0.0);
+  SetWind(config_.wind_m_s);
+  SetPush(Vector3d::Zero(), Vector3d::Zero());
+  CoverPad(false);
+  state_ = TrueState{};
+  ReadState();
+}
+
+Eigen::Isometry3d World::RestingPose(double x_m, double y_m, double yaw) const {
+  return LevelPose({x_m, y_m, resting_height_m_}, yaw);
+}
+
+void World::SetPush(const Vector3d& force_n, const Vector3d& torque_n_m) {
+  push_force_n_ = force_n;
+  push_torque_n_m_ = torque_n_m;
+}
+
+void World::CoverPad(bool covered) {
+  if (pad_cover_ >= 0) model_->geom_rgba[4 * pad_cover_ + 3] = covered ? 1.0F : 0.0F;
+}
+
+void World::Step(const models::RotorCommand& command) {
+  for (const double speed : command.speed_rad_s) {
+    if (!std::isfinite(speed)) throw SimulationError("the rotor command is not finite");
+  }
+  const TrueState before = state_;
+  const Wrench wrench = AppliedWrench(command);
+  if (!wrench.force_n.allFinite() || !wrench.torque_n_m.allFinite()) {
+    throw SimulationError("a force on the vehicle is not finite");
+  }
+  const Eigen::Matrix3d R_WB_middle =
+      before.X_WB.linear() * models::RotationExp(0.5 * time_.period_s() * before.w_WB_B);
+  // MuJoCo takes a free joint's force in the world and its torque in the body.
+  Eigen::Map<Vector3d>(data_->qfrc_applied) = R_WB_middle * wrench.force_n + push_force_n_;
+  Eigen::Map<Vector3d>(data_->qfrc_applied + 3) = wrench.torque_n_m + R_WB_middle.transpose() * push_torque_n_m_;
+  StepMujoco();
+  ++state_.tick;
+  ReadState();
+  state_.a_WB = (state_.v_WB - before.v_WB) / time_.period_s();
+  state_.alpha_WB_B = (state_.w_WB_B - before.w_WB_B) / time_.period_s();
+}
+
+/// Bisects the height at which the contact of the feet carries the weight.
+double World::FindRestingHeight() {
+  double falls = vehicle_.gear.height_m;
+  double lifts = falls - vehicle_.gear.foot_radius_m;
+  constexpr int kBisections = 40;
+  for (int i = 0; i < kBisections; ++i) {
+    const double middle = 0.5 * (falls + lifts);
+    mj_resetData(model_.get(), data_.get());
+    SetPose(LevelPose({0.0, 0.0, middle}, 0.0), *data_);
+    mj_forward(model_.get(), data_.get());
+    (data_->qacc[2] > 0.0 ? lifts : falls) = middle;
+  }
+  return 0.5 * (falls + lifts);
+}
+
+/// In B, over the coming tick: everything but the push, gravity and contact.
+Wrench World::AppliedWrench(const models::RotorCommand& command) {
+  Wrench wrench = rotors_.Step(command);
+  wrench.force_n += DragForce(vehicle_, state_.X_WB.linear().transpose() * (state_.v_WB - wind_m_s_));
+  return wrench;
+}
+
+void World::StepMujoco() {
+  const double time_before_s = data_->time;
+  mj_step(model_.get(), data_.get());
+  const std::optional<std::string> warning = TakeMujocoWarning();
+  if (warning) throw SimulationError("MuJoCo: " + *warning);
+  if (std::any_of(std::begin(data_->warning), std::end(data_->warning),
+                  [](const mjWarningStat& kind) { return kind.number > 0; })) {
+    throw SimulationError("MuJoCo raised a warning");
+  }
+  constexpr double kRoundOff_s = 1e-9;
+  if (!(std::abs(data_->time - time_before_s - time_.period_s()) < kRoundOff_s)) {
+    throw SimulationError("the simulated time did not advance by a tick");
+  }
+}
+
+void World::ReadState() {
+  const double* q = data_->qpos;
+  const double* v = data_->qvel;
+  if (!Eigen::Map<const Eigen::Matrix<double, 7, 1>>(q).allFinite() ||
+      !Eigen::Map<const Eigen::Matrix<double, 6, 1>>(v).allFinite()) {
+    throw SimulationError("the vehicle's state is not finite");
+  }
+  state_.X_WB.linear() = Eigen::Quaterniond(q[3], q[4], q[5], q[6]).normalized().toRotationMatrix();
+  state_.X_WB.translation() = Vector3d(q[0], q[1], q[2]);
+  state_.v_WB = Vector3d(v[0], v[1], v[2]);
+  state_.w_WB_B = Vector3d(v[3], v[4], v[5]);
+  state_.rotor_speed_rad_s = rotors_.speeds_rad_s();
+  state_.rotor_angle_rad = rotors_.angles_rad();
+  state_.vibration_m_s2_B = rotors_.Imbalance().force_n / vehicle_.mass_kg;
+  ReadContacts();
+}
+
+void World::ReadContacts() {
+  state_.gear_in_contact = state_.body_in_contact = false;
+  for (int i = 0; i < data_->ncon; ++i) {
+    for (const int geom : {data_->contact[i].geom1, data_->contact[i].geom2}) {
+      if (model_->geom_bodyid[geom] != vehicle_body_) continue;
+      (is_foot_[static_cast<std::size_t>(geom)] ? state_.gear_in_contact : state_.body_in_contact) = true;
+    }
+  }
+}
+
+}  // namespace touchdown::sim
