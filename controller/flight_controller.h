@@ -6,6 +6,7 @@
 #include "controller/attitude_controller.h"
 #include "controller/guidance.h"
 #include "controller/mixer.h"
+#include "controller/motion_predictor.h"
 #include "controller/position_controller.h"
 #include "models/signals.h"
 #include "models/vehicle.h"
@@ -16,7 +17,10 @@ struct FlightControllerConfig {
   GuidanceConfig guidance;
   PositionControllerConfig position;
   AttitudeControllerConfig attitude;
+  /// How old the pad's newest sighting may be for the position loop to use vision: beyond, it uses its own prediction.
+  double vision_fresh_s = 0.10;
 
+  /// Throws InputError.
   void Validate() const;
 };
 
@@ -26,16 +30,37 @@ struct ControlOutput {
   Phase phase = Phase::kStandby;
   Eigen::Vector3d set_point_m = Eigen::Vector3d::Zero();  ///< In W.
   models::TaitBryan attitude_set_point;
-  double thrust_n = 0.0;  ///< Collective, achieved after saturation.
+  double thrust_n = 0.0;                                 ///< Collective, achieved after saturation.
+  Eigen::Vector3d torque_n_m = Eigen::Vector3d::Zero();  ///< In B, achieved after saturation.
+  models::VehicleEstimate::Motion motion;                ///< What the position loop went by: vision's, or predicted.
+  bool motion_is_predicted = true;
+  bool script_done = false;  ///< Every manoeuvre has been flown: a flight that ends in the air may stop here.
 };
 
 /// Guidance, position loop, attitude loop and mixer in a row (Sec. V): one Update at every IMU sample.
 class FlightController {
  public:
+  /// Throws InputError for a configuration, a rate or a script that cannot be flown (see Guidance).
   FlightController(const FlightControllerConfig& config, const models::Vehicle& vehicle, const models::TimeBase& time,
                    int rate_hz, std::vector<Manoeuvre> script, bool starts_airborne);
 
   ControlOutput Update(const models::VehicleEstimate& estimate);
+
+  /// Where the flight stands after the newest Update. In kStandby the vehicle is at rest on the ground.
+  Phase phase() const { return guidance_.phase(); }
+
+ private:
+  bool TakeMotion(const models::VehicleEstimate& estimate);
+  PositionController::Demand Demand(const Guidance::Output& guidance, const models::TaitBryan& attitude);
+
+  FlightControllerConfig config_;
+  models::Vehicle vehicle_;
+  models::TimeBase time_;
+  Guidance guidance_;
+  PositionController position_;
+  AttitudeController attitude_;
+  Mixer mixer_;
+  MotionPredictor predictor_;
 };
 
 }  // namespace touchdown::controller

@@ -2,17 +2,27 @@
 
 #include <Eigen/Core>
 #include <deque>
+#include <optional>
 
 #include "models/angles.h"
 #include "models/signals.h"
 
 namespace touchdown::estimator {
 
+/// The two time constants hold once the filter has settled. Until then its gains are those of a Kalman filter that
+/// starts from the two sigmas.
 struct AttitudeEstimatorConfig {
-  double accelerometer_time_constant_s = 2.0;  ///< Longer trusts the gyro longer; shorter follows tilt of thrust.
-  double gyro_bias_time_constant_s = 20.0;     ///< How fast the gyro's bias is learned from the accelerometer.
-  double yaw_time_constant_s = 0.3;            ///< How fast yaw follows vision.
-  double history_s = 0.5;                      ///< How late a camera frame may come.
+  double accelerometer_time_constant_s = 10.0;  ///< Longer trusts the gyro longer; shorter follows the thrust's tilt.
+  double gyro_bias_time_constant_s = 40.0;      ///< How fast the gyro's bias is learned; at least twice the other one.
+  double initial_tilt_sigma_rad = 0.02;         ///< Of roll and pitch as the first sample shows them.
+  double initial_gyro_bias_sigma_rad_s = 0.0087;
+  double acceleration_tolerance = 0.25;    ///< Of g: a specific force whose size is this far off is not used.
+  double yaw_time_constant_s = 0.5;        ///< How fast yaw follows vision.
+  double yaw_bias_time_constant_s = 20.0;  ///< How fast vision's yaw teaches the bias of the gyro's Z.
+  double history_s = 0.5;                  ///< How late a camera frame may come.
+
+  /// Throws InputError when a number is not finite and positive, or the bias is learned too fast to be stable.
+  void Validate() const;
 };
 
 /// Roll and pitch from the IMU alone (a complementary filter on the rotation group, Mahony et al. 2008), and yaw from
@@ -26,16 +36,49 @@ class AttitudeEstimator {
   /// vehicle knows that it stands on the ground, motors off) the gyro's bias and the tilt are averaged fast.
   void Update(const models::ImuSample& imu, bool at_rest);
 
-  /// Corrects yaw by vision's yaw at an earlier instant, modulo 180 degrees (Sec. IV-C.3). Ignored when older than the
-  /// history.
+  /// Corrects yaw by vision's yaw at an earlier instant, modulo 180 degrees (Sec. IV-C.3). The first correction sets
+  /// it. Ignored when older than the history.
   void CorrectYaw(models::Tick mid_exposure, double yaw);
 
   models::TaitBryan attitude() const;
   /// Body rate, rad/s, less the estimated bias.
   const Eigen::Vector3d& w_WB_B() const { return w_WB_B_; }
+  /// Estimated bias of the gyro, in B, rad/s.
+  const Eigen::Vector3d& gyro_bias_B() const { return gyro_bias_B_; }
 
-  /// Unit vector pointing down, in B at `tick`: the newest sample's not after it, or the oldest one kept.
+  /// Unit vector pointing down, in B at `tick`: the newest sample's not after it, or the oldest one kept. Before the
+  /// first sample: of a level body.
   Eigen::Vector3d GravityAt(models::Tick tick) const;
+
+ private:
+  /// W turned about Z by yaw_WG_ gives G, in which the gyro integrates: a correction of yaw leaves the history as it
+  /// is.
+  struct Entry {
+    models::Tick tick = 0;
+    Eigen::Matrix3d R_GB = Eigen::Matrix3d::Identity();
+  };
+  struct Gains {
+    double tilt = 0.0;  ///< rad/s per rad.
+    double bias = 0.0;  ///< rad/s^2 per rad.
+  };
+
+  void Start(const models::ImuSample& imu, const Eigen::Vector3d& f_B);
+  Gains StepGains(double dt_s, bool at_rest);
+  void AverageBiasAtRest(const Eigen::Vector3d& w_B, double dt_s);
+  double AccelerometerWeight(const Eigen::Vector3d& f_B) const;
+  const Entry* EntryAt(models::Tick tick) const;
+
+  AttitudeEstimatorConfig config_;
+  models::TimeBase time_;
+  Eigen::Matrix3d R_BU_;
+  std::deque<Entry> history_;
+  Eigen::Matrix3d R_GB_ = Eigen::Matrix3d::Identity();
+  double yaw_WG_ = 0.0;
+  Eigen::Vector3d w_WB_B_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d gyro_bias_B_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix2d covariance_;  ///< Of (tilt about a horizontal axis, gyro bias about it).
+  double rest_s_ = 0.0;
+  std::optional<models::Tick> yaw_corrected_;
 };
 
 }  // namespace touchdown::estimator

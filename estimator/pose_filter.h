@@ -1,17 +1,24 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 
-#include "estimator/estimator.h"
 #include "models/signals.h"
 
 namespace touchdown::estimator {
 
+/// Accelerations are densities of the white noise that stands for them; larger follows sooner, with more noise.
 struct PoseFilterConfig {
-  double acceleration_noise_m_s2 = 1.0;  ///< 1-sigma of the unknown acceleration: larger follows sooner, with more noise.
-  double xy_noise_m = 0.030;             ///< 1-sigma of a vision position, horizontally and vertically.
-  double z_noise_m = 0.010;
+  double xy_acceleration_noise_m_s2_sqrt_hz = 0.30;
+  double z_acceleration_noise_m_s2_sqrt_hz = 0.30;
+  double xy_noise_per_height = 0.020;  ///< 1-sigma of a vision position, horizontally, per metre of height: tilt error.
+  double min_xy_noise_m = 0.003;       ///< What it is at least.
+  double z_noise_m = 0.005;
+  double initial_speed_m_s = 0.5;  ///< 1-sigma of each component of the velocity at the first position.
+
+  /// Throws InputError when a number is not finite and positive.
+  void Validate() const;
 };
 
 /// The "basic Kalman filter without taking the IMU information into account" of Sec. V: constant velocity on each axis
@@ -20,16 +27,34 @@ class PoseFilter {
  public:
   PoseFilter(const PoseFilterConfig& config, const models::TimeBase& time);
 
-  /// Takes the position of a frame with status ok, at its mid-exposure. The first one sets the state.
+  /// Takes the position of a frame with status ok, at its mid-exposure. The first one sets the state. A frame that is
+  /// older than the newest one taken is ignored.
   void Update(models::Tick mid_exposure, const Eigen::Vector3d& p_WB);
 
   /// Position and velocity predicted to `tick`; nullopt before the first update.
   std::optional<models::VehicleEstimate::Motion> At(models::Tick tick) const;
 
   /// Mid-exposure of the newest update; nullopt before the first.
-  std::optional<models::Tick> newest() const;
+  std::optional<models::Tick> newest() const { return newest_; }
 
   void Reset();
+
+ private:
+  struct Axis {
+    Eigen::Vector2d state = Eigen::Vector2d::Zero();  ///< Position, m, and velocity, m/s.
+    Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+
+    void Start(double position, double position_sigma, double speed_sigma);
+    void Predict(double dt_s, double acceleration_density);
+    void Correct(double position, double position_sigma);
+  };
+
+  Eigen::Vector3d Noise(double height_m) const;
+
+  PoseFilterConfig config_;
+  models::TimeBase time_;
+  std::array<Axis, 3> axes_;
+  std::optional<models::Tick> newest_;
 };
 
 }  // namespace touchdown::estimator

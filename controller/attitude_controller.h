@@ -1,0 +1,63 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "models/angles.h"
+#include "models/vehicle.h"
+
+namespace touchdown::controller {
+
+/// Gains in terms of angular acceleration, so that they hold for a vehicle of any inertia. They are tuned for a rotor
+/// lag of 40 ms: a quicker rotor bears higher ones.
+struct AttitudeControllerConfig {
+  double roll_pitch_angle_gain_1_s = 6.5;  ///< Rate asked for per angle error. Higher is stiffer, less damped.
+  double roll_pitch_rate_gain_1_s = 18.0;  ///< Angular acceleration asked for per rate error.
+  double roll_pitch_rate_integral_gain_1_s2 = 20.0;  ///< Takes out a constant torque, as of an off-centre load.
+  double roll_pitch_rate_derivative_gain = 0.3;      ///< Against the angular acceleration: makes up for the rotor lag.
+  double derivative_cutoff_hz = 30.0;  ///< Of the low-pass before the derivative. Lower is quieter, later.
+  double max_roll_pitch_rate_rad_s = 4.0;
+  double max_roll_pitch_integral_rad_s2 = 10.0;
+
+  double yaw_angle_gain_1_s = 2.0;
+  double yaw_rate_gain_1_s = 5.0;
+  double yaw_rate_integral_gain_1_s2 = 3.0;
+  double max_yaw_rate_rad_s = 1.0;
+  double max_yaw_integral_rad_s2 = 2.0;
+
+  /// Throws InputError when a number is not finite, a gain is negative, or a limit or the cutoff is not positive.
+  void Validate() const;
+};
+
+/// The inner loop (Sec. V): angle P to rate PID for roll and pitch, angle P to rate PI for yaw.
+class AttitudeController {
+ public:
+  /// `period_s` is the time between two calls of Torque.
+  AttitudeController(const AttitudeControllerConfig& config, const models::Vehicle& vehicle, double period_s);
+
+  /// The torque in B, Nm, that turns `attitude` towards `set_point`, gyroscopic torque compensated.
+  Eigen::Vector3d Torque(const models::TaitBryan& set_point, const models::TaitBryan& attitude,
+                         const Eigen::Vector3d& w_WB_B);
+
+  /// Steps the integrators by the newest call's rate error, but for axes on which the rotors gave less torque than was
+  /// asked for and the error would ask for still more.
+  void Integrate(const Eigen::Vector3d& achieved_torque_n_m);
+
+  /// Forgets the integrators and the derivative's past.
+  void Reset();
+
+ private:
+  Eigen::Vector3d RateSetPoint(const models::TaitBryan& set_point, const models::TaitBryan& attitude) const;
+  Eigen::Vector3d FilteredAcceleration(const Eigen::Vector3d& w_WB_B);
+
+  AttitudeControllerConfig config_;
+  Eigen::Vector3d inertia_kg_m2_;
+  double period_s_;
+  Eigen::Vector3d rate_gain_, integral_gain_, max_integral_;
+  Eigen::Vector3d rate_error_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d integral_ = Eigen::Vector3d::Zero();  ///< rad/s^2.
+  Eigen::Vector3d asked_torque_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d filtered_rate_ = Eigen::Vector3d::Zero();
+  bool has_rate_ = false;
+};
+
+}  // namespace touchdown::controller

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "models/angles.h"
+#include "models/signals.h"
+#include "models/vehicle.h"
+
+namespace touchdown::controller {
+
+/// A cascade on each axis of W: position error to velocity, velocity error to acceleration, and an integral on the
+/// position error. The horizontal gains are low since the velocity comes late: from vision, through a filter that does
+/// not know the vehicle's acceleration.
+struct PositionControllerConfig {
+  double xy_position_gain_1_s = 0.9;
+  double xy_velocity_gain_1_s = 1.8;
+  double xy_integral_gain_1_s3 = 0.4;  ///< Learns the trim against wind and a level error of the IMU.
+  double z_position_gain_1_s = 1.6;
+  double z_velocity_gain_1_s = 3.5;
+  double z_integral_gain_1_s3 = 2.0;  ///< Learns the trim against an error of mass or thrust.
+
+  double max_xy_speed_m_s = 0.7;  ///< Of the speed asked for; what a set-point moves at comes on top.
+  double max_z_speed_m_s = 0.5;
+  double max_tilt_rad = 0.349;  ///< 20 deg.
+  double max_z_acceleration_m_s2 = 3.0;
+  double max_xy_integral_m_s2 = 1.5;  ///< 8.7 deg of trim: 4.8 m/s of wind.
+  double max_z_integral_m_s2 = 2.0;
+  double max_integrated_error_m = 0.15;  ///< Errors beyond it integrate as if they were this large: a push is no wind.
+
+  /// Throws InputError when a number is not finite, a gain is negative, a limit is not positive, or the tilt is not
+  /// below 60 degrees.
+  void Validate() const;
+};
+
+/// The outer loop (Sec. V, in the manner of Michael et al. and Mellinger et al.): position and velocity in, collective
+/// thrust, roll and pitch out.
+class PositionController {
+ public:
+  struct Target {
+    Eigen::Vector3d p_m = Eigen::Vector3d::Zero();    ///< Set-point in W.
+    Eigen::Vector3d v_m_s = Eigen::Vector3d::Zero();  ///< Its velocity.
+  };
+  struct Demand {
+    double thrust_n = 0.0;
+    double roll = 0.0;
+    double pitch = 0.0;
+  };
+
+  /// `period_s` is the time between two calls of Update.
+  PositionController(const PositionControllerConfig& config, const models::Vehicle& vehicle, double period_s);
+
+  /// Thrust and tilt towards `target`, at the present yaw. The thrust makes up for the present tilt.
+  Demand Update(const Target& target, const models::VehicleEstimate::Motion& motion, const models::TaitBryan& attitude);
+
+  /// The thrust and tilt that hold the trim, and a vertical acceleration in m/s^2 on top.
+  Demand Trimmed(double z_acceleration_m_s2, const models::TaitBryan& attitude) const;
+
+  /// Steps the integrators by the newest Update's error, but not further into a limit that the tilt, the acceleration
+  /// or (by `achieved_thrust_n`) the rotors have reached.
+  void Integrate(double achieved_thrust_n);
+
+  /// Takes the trim to be the tilt in which the vehicle stands: true of a level pad (the second assumption of
+  /// Sec. IV-C.2), whatever the IMU's level error.
+  void SetTrimFromStance(const models::TaitBryan& attitude);
+
+  /// The acceleration in W, m/s^2, that the integrators ask for against constant disturbances.
+  const Eigen::Vector3d& trim_m_s2() const { return integral_; }
+
+ private:
+  Demand DemandFor(Eigen::Vector3d acceleration, const models::TaitBryan& attitude) const;
+  Eigen::Vector3d Limited(Eigen::Vector3d acceleration) const;
+
+  PositionControllerConfig config_;
+  double mass_kg_;
+  double period_s_;
+  Eigen::Vector3d position_gain_, velocity_gain_, integral_gain_;
+  Eigen::Vector3d error_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d excess_ = Eigen::Vector3d::Zero();  ///< Asked-for acceleration less the limited one.
+  double asked_thrust_n_ = 0.0;
+  Eigen::Vector3d integral_ = Eigen::Vector3d::Zero();
+};
+
+}  // namespace touchdown::controller

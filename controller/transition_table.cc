@@ -1,0 +1,67 @@
+#include "controller/transition_table.h"
+
+namespace touchdown::controller {
+namespace {
+
+using enum Phase;
+using Kind = ManoeuvreKind;
+
+constexpr std::array<std::string_view, kPhaseCount> kNames{"standby",      "blind_climb",   "ramp",      "hover",
+                                                           "landing",      "blind_descent", "touchdown", "hold",
+                                                           "search_climb", "gave_up"};
+
+constexpr Transition kTable[] = {
+    {kStandby, "takeoff is the task, IMU settled",
+     [](const Conditions& c, bool time_is_up) { return c.task == Kind::kTakeoff && time_is_up; }, kBlindClimb},
+
+    {kBlindClimb, "pad found", [](const Conditions& c, bool) { return c.pad_found; }, kRamp},
+    {kBlindClimb, "high enough without the pad", [](const Conditions& c, bool) { return c.high_enough; }, kHold},
+    {kBlindClimb, "time is up", [](const Conditions&, bool time_is_up) { return time_is_up; }, kHold},
+
+    {kRamp, "pad lost", [](const Conditions& c, bool) { return c.pad_lost; }, kHold},
+    {kRamp, "arrived", [](const Conditions& c, bool) { return c.arrived; }, kHover},
+    {kRamp, "time is up", [](const Conditions&, bool time_is_up) { return time_is_up; }, kGaveUp},
+
+    {kHover, "pad lost", [](const Conditions& c, bool) { return c.pad_lost; }, kHold},
+    {kHover, "land is the task", [](const Conditions& c, bool) { return c.task == Kind::kLand; }, kLanding},
+
+    {kLanding, "pad lost", [](const Conditions& c, bool) { return c.pad_lost; }, kHold},
+    {kLanding, "ready for the blind descent", [](const Conditions& c, bool) { return c.ready_for_blind_descent; },
+     kBlindDescent},
+    {kLanding, "time is up", [](const Conditions&, bool time_is_up) { return time_is_up; }, kGaveUp},
+
+    {kBlindDescent, "low enough", [](const Conditions& c, bool) { return c.low_enough; }, kTouchdown},
+    {kBlindDescent, "time is up", [](const Conditions&, bool time_is_up) { return time_is_up; }, kTouchdown},
+
+    {kHold, "pad found, takeoff is the task",
+     [](const Conditions& c, bool) { return c.pad_found && c.task == Kind::kTakeoff; }, kRamp},
+    {kHold, "pad found, land is the task",
+     [](const Conditions& c, bool) { return c.pad_found && c.task == Kind::kLand; }, kLanding},
+    {kHold, "pad found", [](const Conditions& c, bool) { return c.pad_found; }, kHover},
+    {kHold, "time is up", [](const Conditions&, bool time_is_up) { return time_is_up; }, kSearchClimb},
+
+    {kSearchClimb, "pad found, takeoff is the task",
+     [](const Conditions& c, bool) { return c.pad_found && c.task == Kind::kTakeoff; }, kRamp},
+    {kSearchClimb, "pad found, land is the task",
+     [](const Conditions& c, bool) { return c.pad_found && c.task == Kind::kLand; }, kLanding},
+    {kSearchClimb, "pad found", [](const Conditions& c, bool) { return c.pad_found; }, kHover},
+    {kSearchClimb, "high enough without the pad", [](const Conditions& c, bool) { return c.high_enough; }, kGaveUp},
+    {kSearchClimb, "time is up", [](const Conditions&, bool time_is_up) { return time_is_up; }, kGaveUp},
+};
+
+}  // namespace
+
+std::string_view Name(Phase phase) { return kNames[static_cast<std::size_t>(phase)]; }
+
+std::span<const Transition> TransitionTable() { return kTable; }
+
+Phase NextPhase(Phase phase, const Conditions& conditions, models::Tick ticks_in_phase, const PhaseLimits& limits) {
+  const std::optional<models::Tick> limit = limits[static_cast<std::size_t>(phase)];
+  const bool time_is_up = limit.has_value() && ticks_in_phase >= *limit;
+  for (const Transition& row : kTable) {
+    if (row.from == phase && row.holds(conditions, time_is_up)) return row.to;
+  }
+  return phase;
+}
+
+}  // namespace touchdown::controller
