@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -14,13 +15,15 @@ namespace touchdown::sim {
 /// What lies around the pad. The layout is drawn from the flight's seed (stream "scene").
 struct SceneConfig {
   double floor_size_m = 10.0;
-  int posters = 14;       ///< Sheets rich in texture.
-  int lone_circles = 6;   ///< Rings without an H inside.
-  int lone_letters = 6;   ///< Letters H without a ring.
-  int objects = 8;        ///< Solid boxes and cylinders.
-  double illumination = 1.0;  ///< Gain of the room's light, 1: nominal.
-  bool pad = true;        ///< Whether the landing pad is there at all.
+  int posters = 14;           ///< Sheets rich in texture.
+  int lone_circles = 6;       ///< Rings without an H inside.
+  int lone_letters = 6;       ///< Letters H without a ring.
+  int objects = 8;            ///< Solid boxes and cylinders.
+  double illumination = 1.0;  ///< Gain of the room's light, 1: nominal. Paper saturates the image at about 1.13.
+  bool pad = true;            ///< Whether the landing pad is there at all.
 
+  /// Throws InputError, without a file name, for a floor outside [4, 30] m, a count outside [0, 40], more than 80
+  /// things in all, or an illumination outside (0, 4].
   void Validate() const;
 };
 
@@ -32,7 +35,15 @@ struct SceneItem {
   double yaw = 0.0;
   Eigen::Vector3d size_m = Eigen::Vector3d::Zero();  ///< Full extents along the item's own axes; z is 0 when flat.
   std::uint64_t texture_seed = 0;
+
+  bool IsFlat() const { return kind != Kind::kBox && kind != Kind::kCylinder; }
+  /// The corners of its rectangle on the floor in W, counter-clockwise.
+  std::array<Eigen::Vector2d, 4> Corners() const;
 };
+
+/// Whether two rectangles on the floor come closer than `gap_m` to each other (by the separating axis theorem; at
+/// corners the gap is measured along the rectangles' own axes).
+bool Overlap(const SceneItem& a, const SceneItem& b, double gap_m);
 
 struct Scene {
   SceneConfig config;
@@ -41,13 +52,25 @@ struct Scene {
   std::uint64_t floor_seed = 0;
 };
 
-/// Draws a layout. Nothing lies over the pad's sheet; solid objects keep clear of the flight path above it.
+/// Solid objects stay at least this far from the pad's centre with all their body: clear of the flight path.
+inline constexpr double kSolidKeepOut_m = 0.60;
+
+/// Draws a layout. Nothing lies over the pad's sheet or over another item, solid objects keep clear of the flight path
+/// above it, and most flat items lie within 1.5 m of it, where the camera looks. Throws InputError when the floor is
+/// too small for so many things.
 Scene MakeScene(const SceneConfig& config, const models::LandingPad& pad, std::uint64_t seed);
 
 /// The whole MJCF: options, assets, floor, pad, items, lights, and `vehicle_body` (a <body> element) among them.
+///
+/// The pad's sheet lies at z = 0, other prints and the visible floor a fraction of a millimetre below it; the solid
+/// floor "floor" is an invisible plane at z = 0. Geom group 0 is what the camera sees, 2 is the vehicle, 3 the
+/// invisible. The sheet "pad_cover" above the pad is transparent until its alpha is set to 1.
 std::string SceneMjcf(const Scene& scene, const std::string& vehicle_body, double timestep_s);
 
 /// Fills the pixels of the textures that SceneMjcf declares, before a GL context is made of the model.
 void PaintTextures(const Scene& scene, mjModel_& model);
+
+/// Shows or hides the landing pad (with its sheet) in every view rendered from then on.
+void SetPadVisible(mjModel_& model, bool visible);
 
 }  // namespace touchdown::sim

@@ -1,0 +1,138 @@
+#include "sim/floor_pattern.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/angles.h"
+#include "models/random_stream.h"
+
+namespace touchdown::sim {
+namespace {
+
+constexpr double kSpeckCell_m = 0.06;
+
+std::uint32_t Hash(std::int32_t x, std::int32_t y, std::uint32_t seed) {
+  std::uint32_t h =
+      seed ^ (static_cast<std::uint32_t>(x) * 0x9E3779B1u) ^ (static_cast<std::uint32_t>(y) * 0x85EBCA77u);
+  h ^= h >> 15;
+  h *= 0x2C1B3C6Du;
+  h ^= h >> 12;
+  h *= 0x297A2D39u;
+  return h ^ (h >> 15);
+}
+
+/// Uniform over [0, 1), a function of the cell.
+double CellValue(double x, double y, std::uint32_t seed) {
+  return Hash(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), seed) * 0x1p-32;
+}
+
+/// Smooth noise of unit wavelength in [-1, 1]: random values on the integer lattice, interpolated.
+double SmoothNoise(double x, double y, std::uint32_t seed) {
+  const double cx = std::floor(x), cy = std::floor(y);
+  const double fx = x - cx, fy = y - cy;
+  const double sx = fx * fx * (3.0 - 2.0 * fx), sy = fy * fy * (3.0 - 2.0 * fy);
+  const double low = std::lerp(CellValue(cx, cy, seed), CellValue(cx + 1, cy, seed), sx);
+  const double high = std::lerp(CellValue(cx, cy + 1, seed), CellValue(cx + 1, cy + 1, seed), sx);
+  return 2.0 * std::lerp(low, high, sy) - 1.0;
+}
+
+/// Octaves of smooth noise, each half as long and half as strong as the one before.
+double FractalNoise(double x, double y, int octaves, std::uint32_t seed) {
+  double sum = 0.0, gain = 0.5;
+  for (int i = 0; i < octaves; ++i) {
+    sum += gain * SmoothNoise(x, y, seed + static_cast<std::uint32_t>(i));
+    x *= 2.03;
+    y *= 2.03;
+    gain *= 0.5;
+  }
+  return sum;
+}
+
+}  // namespace
+
+FloorPattern::FloorPattern(std::uint64_t seed) {
+  models::RandomStream random(seed, "floor");
+  kind_ = static_cast<Kind>(random.UniformInt(0, 3));
+  seed_ = static_cast<std::uint32_t>(random.Bits());
+  const double yaw = random.Uniform(-models::kPi, models::kPi);
+  cos_yaw_ = std::cos(yaw);
+  sin_yaw_ = std::sin(yaw);
+  base_ = random.Uniform(70.0, 170.0);
+  contrast_ = random.Uniform(0.7, 1.3);
+  unit_m_ = random.Uniform(0.8, 1.3);
+  specks_per_cell_ = random.Uniform(0.15, 0.6);
+  const double warmth = kind_ == Kind::kPlanks ? random.Uniform(0.15, 0.3) : random.Uniform(-0.08, 0.1);
+  red_ = 1.0 + warmth;
+  blue_ = 1.0 - warmth;
+}
+
+double FloorPattern::At(const Eigen::Vector2d& p_W) const {
+  const Eigen::Vector2d p(cos_yaw_ * p_W.x() + sin_yaw_ * p_W.y(), cos_yaw_ * p_W.y() - sin_yaw_ * p_W.x());
+  double level = base_;
+  switch (kind_) {
+    case Kind::kConcrete:
+      level += contrast_ * Concrete(p);
+      break;
+    case Kind::kPlanks:
+      level += contrast_ * Planks(p);
+      break;
+    case Kind::kCarpet:
+      level += contrast_ * Carpet(p);
+      break;
+    case Kind::kTiles:
+      level += contrast_ * Tiles(p);
+      break;
+  }
+  return std::clamp(level + Specks(p), 8.0, 245.0);
+}
+
+double FloorPattern::Concrete(const Eigen::Vector2d& p) const {
+  const double clouds = FractalNoise(p.x() / 0.6, p.y() / 0.6, 3, seed_);
+  const double grain = FractalNoise(p.x() / 0.018, p.y() / 0.018, 2, seed_ + 11);
+  return 40.0 * clouds + 35.0 * grain;
+}
+
+double FloorPattern::Planks(const Eigen::Vector2d& p) const {
+  const double width = 0.11 * unit_m_, length = 0.9 * unit_m_;
+  const double row = std::floor(p.y() / width);
+  const double along = p.x() / length + CellValue(row, 0, seed_);
+  const double plank = std::floor(along);
+  const double across_edge = std::min(p.y() - row * width, (row + 1) * width - p.y());
+  const double along_edge = length * std::min(along - plank, plank + 1 - along);
+  const double shade = 50.0 * (CellValue(row, plank, seed_ + 1) - 0.5);
+  const double grain = FractalNoise(p.x() / 0.25 + 7.0 * row, p.y() / 0.012, 2, seed_ + 2);
+  const double joint = std::min(across_edge, along_edge) < 0.002 ? -45.0 : 0.0;
+  return shade + 42.0 * grain + joint;
+}
+
+double FloorPattern::Carpet(const Eigen::Vector2d& p) const {
+  const double thread = 0.011 * unit_m_;
+  const double weave = std::sin(2.0 * models::kPi * p.x() / thread) * std::sin(2.0 * models::kPi * p.y() / thread);
+  const double fluff = SmoothNoise(p.x() / 0.007, p.y() / 0.007, seed_);
+  const double motif = SmoothNoise(p.x() / (0.09 * unit_m_), p.y() / (0.09 * unit_m_), seed_ + 3);
+  return 12.0 * weave + 28.0 * fluff + 38.0 * std::tanh(4.0 * motif);
+}
+
+double FloorPattern::Tiles(const Eigen::Vector2d& p) const {
+  const double tile = 0.22 * unit_m_;
+  const double column = std::floor(p.x() / tile), row = std::floor(p.y() / tile);
+  const double to_edge =
+      std::min({p.x() - column * tile, (column + 1) * tile - p.x(), p.y() - row * tile, (row + 1) * tile - p.y()});
+  const double marble = FractalNoise(p.x() / 0.1 + 3.0 * column, p.y() / 0.1 + 5.0 * row, 3, seed_);
+  const double shade = 40.0 * (CellValue(column, row, seed_ + 5) - 0.5);
+  return to_edge < 0.003 ? -50.0 : shade + 40.0 * marble;
+}
+
+double FloorPattern::Specks(const Eigen::Vector2d& p) const {
+  const double column = std::floor(p.x() / kSpeckCell_m), row = std::floor(p.y() / kSpeckCell_m);
+  if (CellValue(column, row, seed_ + 6) > specks_per_cell_) return 0.0;
+  const double radius = kSpeckCell_m * (0.04 + 0.16 * CellValue(column, row, seed_ + 7));
+  const double reach = kSpeckCell_m - 2.0 * radius;
+  const double cx = column * kSpeckCell_m + radius + reach * CellValue(column, row, seed_ + 8);
+  const double cy = row * kSpeckCell_m + radius + reach * CellValue(column, row, seed_ + 9);
+  const double inside = radius - std::hypot(p.x() - cx, p.y() - cy);
+  const double strength = 130.0 * (CellValue(column, row, seed_ + 10) - 0.6);
+  return strength * std::clamp(inside / 0.003 + 0.5, 0.0, 1.0);
+}
+
+}  // namespace touchdown::sim

@@ -1,0 +1,51 @@
+#include "sim/mujoco_model.h"
+
+#include <mujoco/mujoco.h>
+
+#include <array>
+#include <cstring>
+#include <stdexcept>
+
+namespace touchdown::sim {
+namespace {
+
+struct VfsDeleter {
+  void operator()(mjVFS* vfs) const {
+    mj_deleteVFS(vfs);
+    delete vfs;
+  }
+};
+
+std::unique_ptr<mjVFS, VfsDeleter> VfsWith(const char* name, const std::string& content) {
+  std::unique_ptr<mjVFS, VfsDeleter> vfs(new mjVFS);
+  mj_defaultVFS(vfs.get());
+  if (mj_makeEmptyFileVFS(vfs.get(), name, static_cast<int>(content.size())) != 0) {
+    throw std::runtime_error("MuJoCo's virtual file system refused a model of " + std::to_string(content.size()) +
+                             " bytes");
+  }
+  std::memcpy(vfs->filedata[mj_findFileVFS(vfs.get(), name)], content.data(), content.size());
+  return vfs;
+}
+
+}  // namespace
+
+void MujocoModelDeleter::operator()(mjModel_* model) const { mj_deleteModel(model); }
+void MujocoDataDeleter::operator()(mjData_* data) const { mj_deleteData(data); }
+
+MujocoModel LoadModel(const std::string& mjcf) {
+  constexpr const char* kName = "touchdown.xml";
+  const auto vfs = VfsWith(kName, mjcf);
+  std::array<char, 1024> error{};
+  MujocoModel model(mj_loadXML(kName, vfs.get(), error.data(), static_cast<int>(error.size())));
+  if (!model || error[0] != '\0') throw std::runtime_error(std::string("MuJoCo: ") + error.data());
+  return model;
+}
+
+MujocoData MakeData(const mjModel_& model) {
+  MujocoData data(mj_makeData(&model));
+  if (!data) throw std::runtime_error("MuJoCo cannot allocate the state of the model");
+  mj_forward(&model, data.get());
+  return data;
+}
+
+}  // namespace touchdown::sim

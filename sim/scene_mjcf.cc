@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+#include <mujoco/mujoco.h>
+
+#include <string>
+
+#include "models/angles.h"
+#include "models/vehicle.h"
+#include "sim/scene.h"
+#include "sim/textures.h"
+
+namespace touchdown::sim {
+namespace {
+
+using Kind = SceneItem::Kind;
+
+constexpr double kFloorDepth_m = 0.0010;
+constexpr double kCentreDepth_m = 0.0008;
+constexpr double kPrintDepth_m = 0.0005;
+constexpr double kCoverHeight_m = 0.0005;
+
+std::string Texture(const std::string& name, const TextureSize& size) {
+  return fmt::format(
+      "    <texture name='{0}' type='{1}' builtin='flat' rgb1='1 1 1' rgb2='1 1 1' width='{2}' height='{3}'/>\n"
+      "    <material name='{0}' texture='{0}' texrepeat='1 1' specular='0' shininess='0' reflectance='0'/>\n",
+      name, size.cube ? "cube" : "2d", size.width, size.height);
+}
+
+/// A visible sheet on the floor that touches nothing. The spacing of a plane's tessellation, its third size, exceeds
+/// the sheet: one quad is enough where light is the same all over it.
+std::string Sheet(const std::string& name, const Eigen::Vector2d& centre, double z, double yaw,
+                  const Eigen::Vector2d& extent, const std::string& look) {
+  return fmt::format(
+      "    <geom name='{}' type='plane' pos='{} {} {}' euler='0 0 {}' size='{} {} 100' contype='0' conaffinity='0' "
+      "{}/>\n",
+      name, centre.x(), centre.y(), z, yaw, 0.5 * extent.x(), 0.5 * extent.y(), look);
+}
+
+std::string Solid(const std::string& name, const SceneItem& item) {
+  const Eigen::Vector3d half = 0.5 * item.size_m;
+  const bool box = item.kind == Kind::kBox;
+  return fmt::format(
+      "    <geom name='{0}' type='{1}' pos='{2} {3} {4}' euler='0 0 {5}' size='{6}' material='{0}'/>\n", name,
+      box ? "box" : "cylinder", item.position_m.x(), item.position_m.y(), half.z(), item.yaw,
+      box ? fmt::format("{} {} {}", half.x(), half.y(), half.z()) : fmt::format("{} {}", half.x(), half.z()));
+}
+
+std::string Assets(const Scene& scene) {
+  std::string assets = Texture("floor", kFloorTexture) + Texture("floor_centre", kFloorTexture);
+  if (scene.config.pad) assets += Texture("pad", kPadTexture);
+  for (std::size_t i = 0; i < scene.items.size(); ++i) assets += Texture(ItemName(i), SizeFor(scene.items[i]));
+  return assets;
+}
+
+/// What is drawn first hides the rest, and hidden pixels cost nothing: from the top down.
+std::string Things(const Scene& scene) {
+  std::string things;
+  const Eigen::Vector2d sheet(scene.pad.sheet_length_m, scene.pad.sheet_width_m);
+  const double white = PaperLevel(scene) / 255.0;
+  things += Sheet("pad_cover", Eigen::Vector2d::Zero(), kCoverHeight_m, 0.0, sheet + Eigen::Vector2d::Constant(0.02),
+                  fmt::format("rgba='{0} {0} {0} 0'", white));
+  if (scene.config.pad) things += Sheet("pad", Eigen::Vector2d::Zero(), 0.0, 0.0, sheet, "material='pad'");
+  for (std::size_t i = 0; i < scene.items.size(); ++i) {
+    const SceneItem& item = scene.items[i];
+    const std::string name = ItemName(i);
+    things += item.IsFlat() ? Sheet(name, item.position_m, -kPrintDepth_m, item.yaw, item.size_m.head<2>(),
+                                    fmt::format("material='{}'", name))
+                            : Solid(name, item);
+  }
+  things += Sheet("floor_centre", Eigen::Vector2d::Zero(), -kCentreDepth_m, 0.0,
+                  Eigen::Vector2d::Constant(kFloorCentreSize_m), "material='floor_centre'");
+  things += Sheet("floor_print", Eigen::Vector2d::Zero(), -kFloorDepth_m, 0.0,
+                  Eigen::Vector2d::Constant(scene.config.floor_size_m), "material='floor'");
+  return things;
+}
+
+}  // namespace
+
+std::string SceneMjcf(const Scene& scene, const std::string& vehicle_body, double timestep_s) {
+  return fmt::format(
+      "<mujoco model='touchdown'>\n"
+      "  <compiler angle='radian' coordinate='local'/>\n"
+      "  <option timestep='{timestep}' gravity='0 0 -{gravity}' integrator='Euler'/>\n"
+      "  <size njmax='600' nconmax='200'/>\n"
+      "  <statistic center='0 0 0.5' extent='2'/>\n"
+      "  <visual>\n"
+      "    <headlight ambient='0 0 0' diffuse='0 0 0' specular='0 0 0'/>\n"
+      "    <quality shadowsize='0' offsamples='0' numslices='48'/>\n"
+      "  </visual>\n"
+      "  <asset>\n{assets}  </asset>\n"
+      "  <worldbody>\n"
+      "    <light name='room' directional='true' castshadow='false' dir='0.35 0.2 -1' ambient='0.45 0.45 0.45' "
+      "diffuse='0.62 0.62 0.62' specular='0 0 0'/>\n"
+      "    <geom name='floor' type='plane' size='{floor} {floor} 100' group='3' rgba='0 0 0 0'/>\n"
+      "{things}{vehicle}\n"
+      "  </worldbody>\n"
+      "</mujoco>\n",
+      fmt::arg("timestep", timestep_s), fmt::arg("gravity", models::kGravity_m_s2), fmt::arg("assets", Assets(scene)),
+      fmt::arg("floor", 0.5 * scene.config.floor_size_m), fmt::arg("things", Things(scene)),
+      fmt::arg("vehicle", vehicle_body));
+}
+
+void SetPadVisible(mjModel_& model, bool visible) {
+  const int material = mj_name2id(&model, mjOBJ_MATERIAL, "pad");
+  if (material >= 0) model.mat_rgba[4 * material + 3] = visible ? 1.0f : 0.0f;
+}
+
+}  // namespace touchdown::sim

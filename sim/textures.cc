@@ -1,0 +1,153 @@
+#include "sim/textures.h"
+
+#include <fmt/format.h>
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <stdexcept>
+
+#include "models/angles.h"
+#include "models/random_stream.h"
+#include "sim/floor_pattern.h"
+#include "sim/prints.h"
+
+namespace touchdown::sim {
+namespace {
+
+constexpr int kSheetTexels = 512;
+constexpr int kFaceTexels = 64;
+
+/// Where a texture lies on the floor.
+struct Placement {
+  Eigen::Vector2d centre_m = Eigen::Vector2d::Zero();
+  double yaw = 0.0;
+  Eigen::Vector2d extent_m = Eigen::Vector2d::Zero();
+
+  Eigen::Vector2d TexelCentre(int column, int row, int width, int height) const {
+    const double x = ((column + 0.5) / width - 0.5) * extent_m.x();
+    const double y = (0.5 - (row + 0.5) / height) * extent_m.y();
+    return centre_m + Eigen::Vector2d(std::cos(yaw) * x - std::sin(yaw) * y, std::sin(yaw) * x + std::cos(yaw) * y);
+  }
+};
+
+/// Red and blue over green.
+struct Tint {
+  double red = 1.0;
+  double blue = 1.0;
+};
+
+std::uint8_t ToByte(double level) { return cv::saturate_cast<std::uint8_t>(level); }
+
+/// The camera sees the green channel alone; red and blue are for the eyes of people.
+void PutTexel(std::uint8_t* rgb, double level, const Tint& tint) {
+  rgb[0] = ToByte(tint.red * level);
+  rgb[1] = ToByte(level);
+  rgb[2] = ToByte(tint.blue * level);
+}
+
+class Painter {
+ public:
+  Painter(const Scene& scene, mjModel& model) : scene_(scene), model_(model), light_(scene) {}
+
+  void PaintFlat(const std::string& name, const Placement& place, const Tint& tint, const cv::Mat1b& print) {
+    PaintEach(name, tint, [&](int column, int row, int width, int height) {
+      return print(row, column) * light_.At(place.TexelCentre(column, row, width, height));
+    });
+  }
+
+  void PaintFloor(const std::string& name, double size_m, const FloorPattern& pattern) {
+    const Placement place{.extent_m = Eigen::Vector2d::Constant(size_m)};
+    PaintEach(name, {pattern.red(), pattern.blue()}, [&](int column, int row, int width, int height) {
+      const Eigen::Vector2d p_W = place.TexelCentre(column, row, width, height);
+      return pattern.At(p_W) * light_.At(p_W);
+    });
+  }
+
+  void PaintSolidItem(const std::string& name, const Tint& tint, const cv::Mat1b& faces) {
+    PaintEach(name, tint, [&](int column, int row, int, int) { return static_cast<double>(faces(row, column)); });
+  }
+
+ private:
+  template <typename LevelAt>
+  void PaintEach(const std::string& name, const Tint& tint, const LevelAt& level_at) {
+    const int texture = mj_name2id(&model_, mjOBJ_TEXTURE, name.c_str());
+    if (texture < 0) throw std::logic_error("the model has no texture " + name + ": it is of another scene");
+    const int width = model_.tex_width[texture], height = model_.tex_height[texture];
+    std::uint8_t* rgb = model_.tex_rgb + model_.tex_adr[texture];
+    for (int row = 0; row < height; ++row) {
+      for (int column = 0; column < width; ++column, rgb += 3) {
+        PutTexel(rgb, scene_.config.illumination * level_at(column, row, width, height), tint);
+      }
+    }
+  }
+
+  const Scene& scene_;
+  mjModel& model_;
+  RoomLight light_;
+};
+
+Tint TintFor(const SceneItem& item) {
+  if (item.kind == SceneItem::Kind::kRing || item.kind == SceneItem::Kind::kLetterH) return {};
+  models::RandomStream random(item.texture_seed, "tint");
+  return {random.Uniform(0.7, 1.3), random.Uniform(0.7, 1.3)};
+}
+
+}  // namespace
+
+TextureSize SizeFor(const SceneItem& item) {
+  if (!item.IsFlat()) return {.cube = true, .width = kFaceTexels, .height = kFaceTexels};
+  return {.width = kSheetTexels, .height = kSheetTexels};
+}
+
+std::string ItemName(std::size_t index) { return fmt::format("item_{}", index); }
+
+double PaperLevel(const Scene& scene) { return std::min(255.0, kPaper * scene.config.illumination); }
+double InkLevel(const Scene& scene) { return std::min(255.0, kInk * scene.config.illumination); }
+
+RoomLight::RoomLight(const Scene& scene) {
+  models::RandomStream random(scene.floor_seed, "light");
+  for (Pool& pool : pools_) {
+    pool.centre_m = {random.Uniform(-2.5, 2.5), random.Uniform(-2.5, 2.5)};
+    pool.radius_m = random.Uniform(0.7, 2.0);
+    pool.gain = random.Uniform(-0.20, 0.20);
+  }
+  const double heading = random.Uniform(-models::kPi, models::kPi);
+  slope_ = random.Uniform(0.02, 0.12) * Eigen::Vector2d(std::cos(heading), std::sin(heading));
+}
+
+double RoomLight::Raw(const Eigen::Vector2d& p_W) const {
+  double light = slope_.dot(p_W);
+  for (const Pool& pool : pools_) {
+    light += pool.gain * std::exp(-0.5 * (p_W - pool.centre_m).squaredNorm() / (pool.radius_m * pool.radius_m));
+  }
+  return light;
+}
+
+double RoomLight::At(const Eigen::Vector2d& p_W) const {
+  const double change = Raw(p_W) - Raw(Eigen::Vector2d::Zero());
+  return change > 0.0 ? 1.0 + 0.12 * std::tanh(change / 0.12) : 1.0 + 0.25 * std::tanh(change / 0.25);
+}
+
+void PaintTextures(const Scene& scene, mjModel_& model) {
+  Painter painter(scene, model);
+  const FloorPattern pattern(scene.floor_seed);
+  painter.PaintFloor("floor", scene.config.floor_size_m, pattern);
+  painter.PaintFloor("floor_centre", kFloorCentreSize_m, pattern);
+  if (scene.config.pad) {
+    painter.PaintFlat("pad", {.extent_m = {scene.pad.sheet_length_m, scene.pad.sheet_width_m}}, {},
+                      PrintPad(scene.pad, kPadTexture.width, kPadTexture.height));
+  }
+  for (std::size_t i = 0; i < scene.items.size(); ++i) {
+    const SceneItem& item = scene.items[i];
+    if (item.IsFlat()) {
+      painter.PaintFlat(ItemName(i), {item.position_m, item.yaw, item.size_m.head<2>()}, TintFor(item),
+                        PrintSheet(item, kSheetTexels, kSheetTexels));
+    } else {
+      painter.PaintSolidItem(ItemName(i), TintFor(item), PaintSolid(item, kFaceTexels));
+    }
+  }
+}
+
+}  // namespace touchdown::sim

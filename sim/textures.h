@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <string>
+
+#include "sim/scene.h"
+
+namespace touchdown::sim {
+
+/// Size of a texture as its MJCF declares it, in texels (of one face, when it is a cube's).
+struct TextureSize {
+  bool cube = false;
+  int width = 0;
+  int height = 0;
+};
+
+/// 0.145 mm by 0.205 mm a texel on A4.
+inline constexpr TextureSize kPadTexture{.width = 2048, .height = 1024};
+inline constexpr TextureSize kFloorTexture{.width = 1024, .height = 1024};
+/// The square around the pad that has a floor texture of its own, finer than the rest.
+inline constexpr double kFloorCentreSize_m = 3.0;
+
+TextureSize SizeFor(const SceneItem& item);
+
+/// The name that an item's geom, material and texture share.
+std::string ItemName(std::size_t index);
+
+/// Grey levels, 0 to 255, of the pad's paper and ink at the pad's centre, at the scene's illumination.
+double PaperLevel(const Scene& scene);
+double InkLevel(const Scene& scene);
+
+/// Evenness of the room's light over the floor: 1 at the pad's centre, smooth, within [0.75, 1.12] everywhere. It is
+/// drawn from the scene's seed and painted into all that is flat.
+class RoomLight {
+ public:
+  explicit RoomLight(const Scene& scene);
+  double At(const Eigen::Vector2d& p_W) const;
+
+ private:
+  struct Pool {
+    Eigen::Vector2d centre_m;
+    double radius_m;
+    double gain;
+  };
+  double Raw(const Eigen::Vector2d& p_W) const;
+
+  std::array<Pool, 3> pools_;
+  Eigen::Vector2d slope_;
+};
+
+}  // namespace touchdown::sim
