@@ -1,0 +1,126 @@
+#include "estimator/paper/ellipse_fit.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "models/angles.h"
+
+namespace touchdown::estimator {
+namespace {
+
+constexpr std::size_t kFewestPoints = 6;
+
+/// Coefficients (a, b, c, d, e, f) of a x^2 + b x y + c y^2 + d x + e y + f = 0 with 4ac - b^2 > 0 that minimize the
+/// algebraic distance: the notation of Halir and Flusser.
+std::optional<Eigen::Matrix<double, 6, 1>> DirectFit(const Eigen::Matrix2Xd& points) {
+  Eigen::Matrix3d S1 = Eigen::Matrix3d::Zero(), S2 = S1, S3 = S1;
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const double x = points(0, i), y = points(1, i);
+    const Eigen::Vector3d quadratic(x * x, x * y, y * y), linear(x, y, 1.0);
+    S1 += quadratic * quadratic.transpose();
+    S2 += quadratic * linear.transpose();
+    S3 += linear * linear.transpose();
+  }
+  const Eigen::LDLT<Eigen::Matrix3d> S3_factors(S3);
+  constexpr double kSingular = 1e-10;
+  if (S3_factors.vectorD().minCoeff() < kSingular * S3_factors.vectorD().maxCoeff()) return std::nullopt;
+  const Eigen::Matrix3d T = -S3_factors.solve(S2.transpose());
+  const Eigen::Matrix3d M0 = S1 + S2 * T;
+  Eigen::Matrix3d M;  // C1^-1 (S1 + S2 T)
+  M << 0.5 * M0.row(2), -M0.row(1), 0.5 * M0.row(0);
+
+  const Eigen::EigenSolver<Eigen::Matrix3d> eigen(M);
+  if (eigen.info() != Eigen::Success) return std::nullopt;
+  std::optional<Eigen::Matrix<double, 6, 1>> best;
+  double best_constraint = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector3d a1 = eigen.eigenvectors().col(i).real();
+    const double constraint = (4.0 * a1(0) * a1(2) - a1(1) * a1(1)) / a1.squaredNorm();
+    if (!(constraint > best_constraint)) continue;
+    best_constraint = constraint;
+    best.emplace();
+    *best << a1, T * a1;
+  }
+  return best;
+}
+
+}  // namespace
+
+Eigen::Matrix2d Ellipse::Shape() const {
+  const Eigen::Matrix2d R = Eigen::Rotation2Dd(angle).toRotationMatrix();
+  return R * semi_axes.cwiseAbs2().asDiagonal() * R.transpose();
+}
+
+Eigen::Matrix3d Ellipse::Conic() const {
+  const Eigen::Matrix2d W = Shape().inverse();
+  Eigen::Matrix3d conic;
+  conic.topLeftCorner<2, 2>() = W;
+  conic.topRightCorner<2, 1>() = -W * center;
+  conic.bottomLeftCorner<1, 2>() = -(W * center).transpose();
+  conic(2, 2) = center.dot(W * center) - 1.0;
+  return conic;
+}
+
+std::optional<Ellipse> Ellipse::FromConic(const Eigen::Matrix3d& conic) {
+  if (!conic.allFinite()) return std::nullopt;
+  Eigen::Matrix2d A = conic.topLeftCorner<2, 2>();
+  if (A.determinant() <= 0.0) return std::nullopt;
+  const double sign = A.trace() > 0.0 ? 1.0 : -1.0;
+  A *= sign;
+  const Eigen::Vector2d center = -A.inverse() * (sign * conic.topRightCorner<2, 1>());
+  const double level = center.dot(A * center) - sign * conic(2, 2);
+  if (!(level > 0.0)) return std::nullopt;
+
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(A);
+  Ellipse ellipse;
+  ellipse.center = center;
+  ellipse.semi_axes = (level * eigen.eigenvalues().cwiseInverse()).cwiseSqrt();
+  const Eigen::Vector2d major = eigen.eigenvectors().col(0);
+  ellipse.angle = models::WrapToHalfPi(std::atan2(major.y(), major.x()));
+  if (!ellipse.center.allFinite() || !ellipse.semi_axes.allFinite() || !(ellipse.semi_axes.y() > 0.0)) {
+    return std::nullopt;
+  }
+  return ellipse;
+}
+
+std::optional<Ellipse> FitEllipse(std::span<const Eigen::Vector2d> points) {
+  if (points.size() < kFewestPoints) return std::nullopt;
+  Eigen::Matrix2Xd moved(2, static_cast<Eigen::Index>(points.size()));
+  for (Eigen::Index i = 0; i < moved.cols(); ++i) moved.col(i) = points[static_cast<std::size_t>(i)];
+  if (!moved.allFinite()) return std::nullopt;
+  const Eigen::Vector2d centroid = moved.rowwise().mean();
+  moved.colwise() -= centroid;
+  const double scale = std::sqrt(moved.squaredNorm() / static_cast<double>(moved.cols()));
+  if (scale == 0.0) return std::nullopt;
+  moved /= scale;
+
+  const auto fit = DirectFit(moved);
+  if (!fit) return std::nullopt;
+  const Eigen::Matrix<double, 6, 1>& a = *fit;
+  Eigen::Matrix3d conic;
+  conic << a(0), a(1) / 2.0, a(3) / 2.0, a(1) / 2.0, a(2), a(4) / 2.0, a(3) / 2.0, a(4) / 2.0, a(5);
+  auto ellipse = Ellipse::FromConic(conic);
+  if (!ellipse) return std::nullopt;
+  ellipse->center = centroid + scale * ellipse->center;
+  ellipse->semi_axes *= scale;
+  return ellipse;
+}
+
+double DistanceFrom(const Ellipse& ellipse, const Eigen::Vector2d& point) {
+  const Eigen::Vector2d from_center = point - ellipse.center;
+  const Eigen::Vector2d half_gradient = ellipse.Shape().inverse() * from_center;
+  const double gradient = 2.0 * half_gradient.norm();
+  if (gradient == 0.0) return -ellipse.semi_axes.y();
+  return (from_center.dot(half_gradient) - 1.0) / gradient;
+}
+
+double RmsDistance(const Ellipse& ellipse, std::span<const Eigen::Vector2d> points) {
+  double sum = 0.0;
+  for (const Eigen::Vector2d& point : points) {
+    const double distance = DistanceFrom(ellipse, point);
+    sum += distance * distance;
+  }
+  return std::sqrt(sum / static_cast<double>(points.size()));
+}
+
+}  // namespace touchdown::estimator

@@ -1,0 +1,45 @@
+#include "estimator/paper/pad_pose.h"
+
+#include <cmath>
+
+#include "models/angles.h"
+
+namespace touchdown::estimator {
+namespace {
+
+/// From a levelled camera L, which looks straight down with the image's up towards X_W, to W.
+Eigen::Matrix3d R_WL() {
+  Eigen::Matrix3d R;
+  R << 0, -1, 0, -1, 0, 0, 0, 0, -1;
+  return R;
+}
+
+}  // namespace
+
+Eigen::Vector3d ReferenceNormal(const Eigen::Vector3d& gravity_B, const Eigen::Matrix3d& R_BC) {
+  return R_BC.transpose() * -gravity_B;
+}
+
+const CirclePose& ResolveByGravity(const std::array<CirclePose, 2>& poses, const Eigen::Vector3d& z_C) {
+  return poses[0].n_C.dot(z_C) >= poses[1].n_C.dot(z_C) ? poses[0] : poses[1];
+}
+
+double CameraYaw(double stroke_angle, const Eigen::Matrix3d& R_BC) {
+  const Eigen::Vector3d forward = R_WL() * R_BC.transpose().col(0);
+  const double body_from_camera = std::atan2(forward.y(), forward.x());
+  return models::WrapToHalfPi(stroke_angle + models::kPi / 2.0 + body_from_camera) - body_from_camera;
+}
+
+Eigen::Matrix3d CameraRotation(const Eigen::Vector3d& n_C, double psi_C) {
+  const Eigen::Matrix3d R_LC = models::ShortestRotation(n_C, -Eigen::Vector3d::UnitZ());
+  return Eigen::AngleAxisd(psi_C, Eigen::Vector3d::UnitZ()).toRotationMatrix() * R_WL() * R_LC;
+}
+
+Eigen::Isometry3d BodyPose(const Eigen::Matrix3d& R_WC, const Eigen::Vector3d& p_CW, const Eigen::Isometry3d& X_BC) {
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  X_WB.linear() = R_WC * X_BC.linear().transpose();                                   // Eq. 17
+  X_WB.translation() = -X_WB.linear() * (X_BC.linear() * p_CW + X_BC.translation());  // Eq. 18
+  return X_WB;
+}
+
+}  // namespace touchdown::estimator

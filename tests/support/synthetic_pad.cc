@@ -1,0 +1,206 @@
+#include "tests/support/synthetic_pad.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace touchdown::test_support {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+bool OnSheet(const models::LandingPad& pad, const Vector2d& p) {
+  return std::abs(p.x()) <= pad.sheet_length_m / 2.0 && std::abs(p.y()) <= pad.sheet_width_m / 2.0;
+}
+
+double GreyAt(const models::LandingPad& pad, const PadPicture& picture, const Vector2d& p) {
+  if (picture.paint) {
+    if (const auto painted = picture.paint(p)) return *painted;
+  }
+  if (pad.IsBlack(p)) {
+    const bool in_ring = p.norm() >= pad.inner_radius_m();
+    if (in_ring ? picture.ring : picture.letter) return picture.black;
+  }
+  return picture.sheet && OnSheet(pad, p) ? picture.paper : picture.floor;
+}
+
+/// Ideal rays through the corners of a grid of subpixels, and the plane's points that they meet.
+class FloorCaster {
+ public:
+  FloorCaster(const models::CameraModel& camera, const Eigen::Isometry3d& X_WC) : camera_(camera), X_WC_(X_WC) {}
+
+  std::optional<Vector2d> At(double u, double v) const {
+    const auto ray_C = camera_.Ray({u, v});
+    if (!ray_C) return std::nullopt;
+    const Vector3d ray_W = X_WC_.linear() * *ray_C;
+    if (ray_W.z() >= 0.0) return std::nullopt;
+    const Vector3d hit = X_WC_.translation() - ray_W * (X_WC_.translation().z() / ray_W.z());
+    return hit.head<2>();
+  }
+
+ private:
+  const models::CameraModel& camera_;
+  const Eigen::Isometry3d& X_WC_;
+};
+
+/// The pixel's mean over its square. The floor's point is interpolated between the pixel's corners, which is exact to
+/// some 1e-4 px; `corners` are those at (u, v) - 0.5 and so on, row by row.
+double PixelMean(const models::LandingPad& pad, const PadPicture& picture,
+                 const std::array<std::optional<Vector2d>, 4>& corners) {
+  for (const auto& corner : corners) {
+    if (!corner) return picture.floor;
+  }
+  const int n = picture.samples_per_side;
+  double sum = 0.0;
+  for (int j = 0; j < n; ++j) {
+    const double y = (j + 0.5) / n;
+    const Vector2d left = (1.0 - y) * *corners[0] + y * *corners[2];
+    const Vector2d right = (1.0 - y) * *corners[1] + y * *corners[3];
+    for (int i = 0; i < n; ++i) {
+      const double x = (i + 0.5) / n;
+      sum += GreyAt(pad, picture, (1.0 - x) * left + x * right);
+    }
+  }
+  return sum / (n * n);
+}
+
+void BlurRows(std::vector<double>& grey, int width, int height, const std::vector<double>& kernel) {
+  const int radius = static_cast<int>(kernel.size()) / 2;
+  std::vector<double> row(static_cast<std::size_t>(width));
+  for (int v = 0; v < height; ++v) {
+    double* pixels = grey.data() + static_cast<std::ptrdiff_t>(v) * width;
+    for (int u = 0; u < width; ++u) {
+      double sum = 0.0;
+      for (int k = -radius; k <= radius; ++k) {
+        sum += kernel[static_cast<std::size_t>(k + radius)] * pixels[std::clamp(u + k, 0, width - 1)];
+      }
+      row[static_cast<std::size_t>(u)] = sum;
+    }
+    std::copy(row.begin(), row.end(), pixels);
+  }
+}
+
+std::vector<double> Transposed(const std::vector<double>& grey, int width, int height) {
+  std::vector<double> result(grey.size());
+  for (int v = 0; v < height; ++v) {
+    for (int u = 0; u < width; ++u) {
+      result[static_cast<std::size_t>(u) * static_cast<std::size_t>(height) + static_cast<std::size_t>(v)] =
+          grey[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + static_cast<std::size_t>(u)];
+    }
+  }
+  return result;
+}
+
+void Blur(std::vector<double>& grey, int width, int height, double sigma_px) {
+  const int radius = static_cast<int>(std::ceil(4.0 * sigma_px));
+  std::vector<double> kernel;
+  double sum = 0.0;
+  for (int k = -radius; k <= radius; ++k) {
+    kernel.push_back(std::exp(-0.5 * k * k / (sigma_px * sigma_px)));
+    sum += kernel.back();
+  }
+  for (double& weight : kernel) weight /= sum;
+  BlurRows(grey, width, height, kernel);
+  grey = Transposed(grey, width, height);
+  BlurRows(grey, height, width, kernel);
+  grey = Transposed(grey, height, width);
+}
+
+}  // namespace
+
+Eigen::Matrix3d NominalR_BC() {
+  Eigen::Matrix3d R_BC;
+  R_BC << 0, -1, 0, -1, 0, 0, 0, 0, -1;
+  return R_BC;
+}
+
+Eigen::Isometry3d CameraAbovePad(const Vector3d& p_WC, double yaw, double tilt, double tilt_direction) {
+  Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();
+  const Vector3d axis(std::cos(tilt_direction), std::sin(tilt_direction), 0.0);
+  X_WC.linear() = Eigen::AngleAxisd(tilt, axis).toRotationMatrix() *
+                  Eigen::AngleAxisd(yaw, Vector3d::UnitZ()).toRotationMatrix() * NominalR_BC();
+  X_WC.translation() = p_WC;
+  return X_WC;
+}
+
+models::Image RenderPad(const models::CameraModel& camera, const models::LandingPad& pad, const Eigen::Isometry3d& X_WC,
+                        const PadPicture& picture, models::RandomStream* random) {
+  const FloorCaster caster(camera, X_WC);
+  const int width = camera.width_px, height = camera.height_px;
+  std::vector<double> grey(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  std::vector<std::optional<Vector2d>> upper, lower;
+  const auto corners_of_row = [&](double v) {
+    std::vector<std::optional<Vector2d>> corners;
+    for (int u = 0; u <= width; ++u) corners.push_back(caster.At(u - 0.5, v));
+    return corners;
+  };
+  lower = corners_of_row(-0.5);
+  for (int v = 0; v < height; ++v) {
+    upper = std::move(lower);
+    lower = corners_of_row(v + 0.5);
+    for (std::size_t u = 0; u < static_cast<std::size_t>(width); ++u) {
+      grey[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + u] =
+          PixelMean(pad, picture, {upper[u], upper[u + 1], lower[u], lower[u + 1]});
+    }
+  }
+  if (picture.lens_blur_sigma_px > 0.0) Blur(grey, width, height, picture.lens_blur_sigma_px);
+
+  models::Image image(width, height);
+  for (std::size_t i = 0; i < grey.size(); ++i) {
+    const double noise = picture.noise_sigma > 0.0 ? picture.noise_sigma * random->Normal() : 0.0;
+    image.pixels[i] = static_cast<std::uint8_t>(std::clamp(std::lround(grey[i] + noise), 0L, 255L));
+  }
+  return image;
+}
+
+std::function<std::optional<double>(const Vector2d&)> Clutter(const models::LandingPad& pad, std::uint64_t seed) {
+  struct Item {
+    Vector2d center;
+    double angle, stretch, size, dark, light;
+    int kind;
+  };
+  models::RandomStream random(seed, "tests.clutter");
+  std::vector<Item> items;
+  while (items.size() < 60) {
+    Item item{{random.Uniform(-2.0, 2.0), random.Uniform(-2.0, 2.0)},
+              random.Uniform(0.0, 2.0 * models::kPi),
+              random.Uniform(0.6, 1.6),
+              random.Uniform(0.05, 0.12),
+              random.Uniform(10.0, 70.0),
+              random.Uniform(130.0, 240.0),
+              random.UniformInt(0, 4)};
+    if (item.center.norm() > 0.4) items.push_back(item);
+  }
+  return [pad, items](const Vector2d& p) -> std::optional<double> {
+    if (OnSheet(pad, p)) return std::nullopt;
+    for (const Item& item : items) {
+      Vector2d q = Eigen::Rotation2Dd(-item.angle) * (p - item.center);
+      q.x() *= item.stretch;
+      q /= item.size;
+      if (q.cwiseAbs().maxCoeff() > 1.3) continue;
+      bool is_dark = false;
+      switch (item.kind) {
+        case 0:  // A lone circle.
+          is_dark = q.norm() < 1.0 && q.norm() > 0.8;
+          break;
+        case 1:  // A lone H.
+          is_dark = std::abs(q.x()) < 1.0 && std::abs(q.y()) < 0.6 && (std::abs(q.y()) > 0.3 || std::abs(q.x()) < 0.16);
+          break;
+        case 2:  // Bars.
+          is_dark = std::abs(q.x()) < 1.0 && std::fmod(q.y() + 10.0, 0.4) < 0.2;
+          break;
+        case 3:  // Checks.
+          is_dark = (static_cast<int>(std::floor(q.x() * 3.0)) + static_cast<int>(std::floor(q.y() * 3.0))) % 2 == 0;
+          break;
+        default:  // A disc with a hole off its centre.
+          is_dark = q.norm() < 1.0 && (q - Vector2d(0.3, 0.2)).norm() > 0.4;
+      }
+      return is_dark ? item.dark : item.light;
+    }
+    return std::nullopt;
+  };
+}
+
+}  // namespace touchdown::test_support
