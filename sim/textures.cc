@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
 #include "models/angles.h"
@@ -16,8 +17,11 @@
 namespace touchdown::sim {
 namespace {
 
-constexpr int kSheetTexels = 512;
+constexpr int kLargeSheetTexels = 512;
+constexpr int kSmallSheetTexels = 256;
+constexpr double kLargeSheet_m = 0.2;
 constexpr int kFaceTexels = 64;
+constexpr int kLightCells = 64;
 
 /// Where a texture lies on the floor.
 struct Placement {
@@ -38,49 +42,54 @@ struct Tint {
   double blue = 1.0;
 };
 
-std::uint8_t ToByte(double level) { return cv::saturate_cast<std::uint8_t>(level); }
-
-/// The camera sees the green channel alone; red and blue are for the eyes of people.
-void PutTexel(std::uint8_t* rgb, double level, const Tint& tint) {
-  rgb[0] = ToByte(tint.red * level);
-  rgb[1] = ToByte(level);
-  rgb[2] = ToByte(tint.blue * level);
-}
-
+/// Fills the textures of a model. The camera sees the green channel alone; red and blue are for the eyes of people.
 class Painter {
  public:
   Painter(const Scene& scene, mjModel& model) : scene_(scene), model_(model), light_(scene) {}
 
   void PaintFlat(const std::string& name, const Placement& place, const Tint& tint, const cv::Mat1b& print) {
-    PaintEach(name, tint, [&](int column, int row, int width, int height) {
-      return print(row, column) * light_.At(place.TexelCentre(column, row, width, height));
-    });
+    Write(name, tint, cv::Mat1f(cv::Mat1f(print).mul(LightOver(place, print.size()))));
   }
+
+  void PaintSolidItem(const std::string& name, const Tint& tint, const cv::Mat1b& faces) { Write(name, tint, faces); }
 
   void PaintFloor(const std::string& name, double size_m, const FloorPattern& pattern) {
     const Placement place{.extent_m = Eigen::Vector2d::Constant(size_m)};
-    PaintEach(name, {pattern.red(), pattern.blue()}, [&](int column, int row, int width, int height) {
-      const Eigen::Vector2d p_W = place.TexelCentre(column, row, width, height);
-      return pattern.At(p_W) * light_.At(p_W);
-    });
-  }
-
-  void PaintSolidItem(const std::string& name, const Tint& tint, const cv::Mat1b& faces) {
-    PaintEach(name, tint, [&](int column, int row, int, int) { return static_cast<double>(faces(row, column)); });
+    cv::Mat1b print(kFloorTexture.height, kFloorTexture.width);
+    for (int row = 0; row < print.rows; ++row) {
+      for (int column = 0; column < print.cols; ++column) {
+        const double level = pattern.At(place.TexelCentre(column, row, print.cols, print.rows));
+        print(row, column) = cv::saturate_cast<std::uint8_t>(level);
+      }
+    }
+    PaintFlat(name, place, {pattern.red(), pattern.blue()}, print);
   }
 
  private:
-  template <typename LevelAt>
-  void PaintEach(const std::string& name, const Tint& tint, const LevelAt& level_at) {
-    const int texture = mj_name2id(&model_, mjOBJ_TEXTURE, name.c_str());
-    if (texture < 0) throw std::logic_error("the model has no texture " + name + ": it is of another scene");
-    const int width = model_.tex_width[texture], height = model_.tex_height[texture];
-    std::uint8_t* rgb = model_.tex_rgb + model_.tex_adr[texture];
-    for (int row = 0; row < height; ++row) {
-      for (int column = 0; column < width; ++column, rgb += 3) {
-        PutTexel(rgb, scene_.config.illumination * level_at(column, row, width, height), tint);
+  /// The room's light is smooth: a coarse grid of it, stretched over the texture.
+  cv::Mat1f LightOver(const Placement& place, const cv::Size& size) const {
+    cv::Mat1f coarse(kLightCells, kLightCells), light;
+    for (int row = 0; row < kLightCells; ++row) {
+      for (int column = 0; column < kLightCells; ++column) {
+        coarse(row, column) = static_cast<float>(light_.At(place.TexelCentre(column, row, kLightCells, kLightCells)));
       }
     }
+    cv::resize(coarse, light, size, 0, 0, cv::INTER_LINEAR);
+    return light;
+  }
+
+  void Write(const std::string& name, const Tint& tint, const cv::Mat& level) {
+    const int texture = mj_name2id(&model_, mjOBJ_TEXTURE, name.c_str());
+    if (texture < 0 || level.cols != model_.tex_width[texture] || level.rows != model_.tex_height[texture]) {
+      throw std::logic_error("the model has no such texture " + name + ": it is of another scene");
+    }
+    const double gain = scene_.config.illumination;
+    std::array<cv::Mat, 3> channels;
+    level.convertTo(channels[0], CV_8U, gain * tint.red);
+    level.convertTo(channels[1], CV_8U, gain);
+    level.convertTo(channels[2], CV_8U, gain * tint.blue);
+    cv::Mat rgb(level.rows, level.cols, CV_8UC3, model_.tex_rgb + model_.tex_adr[texture]);
+    cv::merge(channels.data(), channels.size(), rgb);
   }
 
   const Scene& scene_;
@@ -98,7 +107,8 @@ Tint TintFor(const SceneItem& item) {
 
 TextureSize SizeFor(const SceneItem& item) {
   if (!item.IsFlat()) return {.cube = true, .width = kFaceTexels, .height = kFaceTexels};
-  return {.width = kSheetTexels, .height = kSheetTexels};
+  const int texels = item.size_m.maxCoeff() > kLargeSheet_m ? kLargeSheetTexels : kSmallSheetTexels;
+  return {.width = texels, .height = texels};
 }
 
 std::string ItemName(std::size_t index) { return fmt::format("item_{}", index); }
@@ -141,11 +151,12 @@ void PaintTextures(const Scene& scene, mjModel_& model) {
   }
   for (std::size_t i = 0; i < scene.items.size(); ++i) {
     const SceneItem& item = scene.items[i];
+    const TextureSize size = SizeFor(item);
     if (item.IsFlat()) {
       painter.PaintFlat(ItemName(i), {item.position_m, item.yaw, item.size_m.head<2>()}, TintFor(item),
-                        PrintSheet(item, kSheetTexels, kSheetTexels));
+                        PrintSheet(item, size.width, size.height));
     } else {
-      painter.PaintSolidItem(ItemName(i), TintFor(item), PaintSolid(item, kFaceTexels));
+      painter.PaintSolidItem(ItemName(i), TintFor(item), PaintSolid(item, size.width));
     }
   }
 }

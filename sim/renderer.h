@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <memory>
+
+#include "models/signals.h"
+
+struct mjModel_;
+struct mjData_;
+
+namespace touchdown::sim {
+
+/// An undistorted view with square pixels, centred on integer coordinates.
+struct PinholeView {
+  int width_px = 640;
+  int height_px = 480;
+  double focal_px = 320.0;
+  double cx_px = 319.5;
+  double cy_px = 239.5;
+
+  friend bool operator==(const PinholeView&, const PinholeView&) = default;
+};
+
+/// What a camera without lens errors, exposure time and noise sees: MuJoCo's renderer on a GL context of its own.
+///
+/// The camera's spectral response is the green channel. The vehicle (geom group 2) is not shown. Several renderers can
+/// live in one process, on one thread each or on the same.
+class Renderer {
+ public:
+  /// Copies the model's textures into the GL context; `model` must outlive the renderer. Throws std::runtime_error when
+  /// there is no context for a view of that size.
+  Renderer(const mjModel_& model, const PinholeView& view);
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  /// The view from X_WC (frame C: X right, Y down, Z forward), row 0 at the top. `data` must have its kinematics
+  /// computed (mj_forward, mj_step); it is the scene that counts, not the vehicle in it. The image is valid until the
+  /// next call.
+  const models::Image& Render(mjData_& data, const Eigen::Isometry3d& X_WC);
+
+  const PinholeView& view() const { return view_; }
+
+ private:
+  struct Impl;
+
+  PinholeView view_;
+  models::Image image_;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace touchdown::sim
