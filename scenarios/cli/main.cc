@@ -1,0 +1,54 @@
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "models/error.h"
+#include "scenarios/cli/command.h"
+#include "scenarios/cli/interrupt.h"
+#include "scenarios/flight/interrupted.h"
+
+namespace {
+
+using touchdown::scenarios::AddCommand;
+using touchdown::scenarios::ExitStatus;
+using touchdown::scenarios::Run;
+
+AddCommand* const kCommands[] = {};
+
+int RunAndExplain(const Run& run) {
+  try {
+    return run();
+  } catch (const touchdown::InputError& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return ExitStatus::kBadInput;
+  } catch (const touchdown::scenarios::Interrupted&) {
+    std::fprintf(stderr, "interrupted\n");
+    return ExitStatus::kInterrupted;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "internal error: %s\n", error.what());
+    return ExitStatus::kInternalError;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  spdlog::set_default_logger(spdlog::stderr_color_mt("touchdown"));
+  spdlog::set_pattern("%^%l%$: %v");
+  touchdown::scenarios::CatchInterrupts();
+
+  CLI::App app("A closed-loop testbed for vision-based quadrotor landing", "touchdown");
+  app.set_version_flag("--version", TOUCHDOWN_VERSION);
+  app.require_subcommand(1);
+  Run run;
+  for (AddCommand* const add : kCommands) add(app, run);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? ExitStatus::kPassed : ExitStatus::kBadInput;
+  }
+  return RunAndExplain(run);
+}

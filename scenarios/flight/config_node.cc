@@ -1,0 +1,204 @@
+#include "scenarios/flight/config_node.h"
+
+#include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+
+#include <algorithm>
+#include <fstream>
+#include <functional>
+#include <optional>
+#include <sstream>
+
+namespace touchdown::scenarios {
+namespace {
+
+constexpr std::size_t kDeepestNesting = 32;
+constexpr std::streamsize kLargestFile = 1 << 20;
+constexpr std::size_t kLongestMessagePart = 400;
+
+using OriginOf = std::function<Origin(const YAML::Mark&)>;
+
+/// Builds the tree of one document from the parser's events.
+class TreeBuilder : public YAML::EventHandler {
+ public:
+  explicit TreeBuilder(OriginOf origin_of) : origin_of_(std::move(origin_of)) {}
+
+  const ConfigNode& root() const { return root_; }
+
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    Add(MakeNode(ConfigNode::Kind::kNothing, mark, "?", anchor));
+  }
+
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
+    throw ConfigError(origin_of_(mark), "", "aliases (*name) are not supported");
+  }
+
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& value) override {
+    if (!open_.empty() && open_.back()->kind == ConfigNode::Kind::kKeys && !pending_.back()) {
+      for (const auto& [key, node] : open_.back()->keys) {
+        if (key == value) {
+          throw ConfigError(origin_of_(mark), value, "duplicate key, first given at " + node.origin.place);
+        }
+      }
+      pending_.back() = value;
+      return;
+    }
+    ConfigNode node = MakeNode(ConfigNode::Kind::kText, mark, tag, anchor);
+    node.text = value;
+    node.quoted = tag == "!";
+    Add(std::move(node));
+  }
+
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
+    Open(MakeNode(ConfigNode::Kind::kList, mark, tag, anchor));
+  }
+  void OnSequenceEnd() override { Close(); }
+
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    Open(MakeNode(ConfigNode::Kind::kKeys, mark, tag, anchor));
+  }
+  void OnMapEnd() override { Close(); }
+
+ private:
+  ConfigNode MakeNode(ConfigNode::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
+    const Origin origin = origin_of_(mark);
+    if (anchor != YAML::NullAnchor) throw ConfigError(origin, "", "anchors (&name) are not supported");
+    if (!tag.empty() && tag != "?" && tag != "!") throw ConfigError(origin, "", "tags (!name) are not supported");
+    ConfigNode node;
+    node.kind = kind;
+    node.origin = origin;
+    return node;
+  }
+
+  ConfigNode* Add(ConfigNode node) {
+    if (open_.empty()) {
+      root_ = std::move(node);
+      return &root_;
+    }
+    ConfigNode& parent = *open_.back();
+    if (parent.kind == ConfigNode::Kind::kList) {
+      parent.items.push_back(std::move(node));
+      return &parent.items.back();
+    }
+    if (!pending_.back()) throw ConfigError(node.origin, "", "a key must be plain text");
+    parent.keys.emplace_back(*pending_.back(), std::move(node));
+    pending_.back().reset();
+    return &parent.keys.back().second;
+  }
+
+  void Open(ConfigNode node) {
+    if (open_.size() >= kDeepestNesting) {
+      throw ConfigError(node.origin, "", fmt::format("nested more than {} deep", kDeepestNesting));
+    }
+    ConfigNode* const opened = Add(std::move(node));
+    open_.push_back(opened);
+    pending_.emplace_back();
+  }
+
+  void Close() {
+    open_.pop_back();
+    pending_.pop_back();
+  }
+
+  OriginOf origin_of_;
+  ConfigNode root_;
+  // Only the innermost open node grows, so that the addresses of those around it hold.
+  std::vector<ConfigNode*> open_;
+  std::vector<std::optional<std::string>> pending_;  ///< For each open node, the key that waits for its value.
+};
+
+ConfigNode Parse(const std::string& text, const OriginOf& origin_of) {
+  if (text.find('\0') != std::string::npos) throw ConfigError(origin_of(YAML::Mark()), "", "is not a text file");
+  std::istringstream stream(text);
+  TreeBuilder builder(origin_of);
+  try {
+    YAML::Parser parser(stream);
+    if (!parser.HandleNextDocument(builder)) return builder.root();
+    TreeBuilder second(origin_of);
+    if (parser.HandleNextDocument(second)) {
+      throw ConfigError(second.root().origin, "", "must hold one YAML document only");
+    }
+  } catch (const YAML::Exception& error) {
+    throw ConfigError(origin_of(error.mark), "", "is not YAML: " + error.msg);
+  }
+  return builder.root();
+}
+
+std::string OneLine(std::string_view text) {
+  std::string line;
+  for (const char c : text.substr(0, kLongestMessagePart)) {
+    line += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+  }
+  if (text.size() > kLongestMessagePart) line += "...";
+  return line;
+}
+
+}  // namespace
+
+const ConfigNode* ConfigNode::Find(std::string_view key) const {
+  const auto found = std::find_if(keys.begin(), keys.end(), [key](const auto& entry) { return entry.first == key; });
+  return found == keys.end() ? nullptr : &found->second;
+}
+
+InputError ConfigError(const Origin& origin, std::string_view path, std::string_view message) {
+  const std::string place = OneLine(origin.place), key = OneLine(path), text = OneLine(message);
+  return InputError(key.empty() ? fmt::format("{}: {}", place, text) : fmt::format("{}: {}: {}", place, key, text));
+}
+
+ConfigNode ParseConfig(const std::string& text, const std::string& name, const std::filesystem::path& folder) {
+  ConfigNode root = Parse(text, [&](const YAML::Mark& mark) {
+    return Origin{fmt::format("{}:{}", name, std::max(mark.line, 0) + 1), folder};
+  });
+  if (root.kind == ConfigNode::Kind::kNothing) throw ConfigError({name + ":1", folder}, "", "is empty");
+  if (root.kind != ConfigNode::Kind::kKeys) throw ConfigError(root.origin, "", "must be a list of `key: value`");
+  return root;
+}
+
+ConfigNode ReadConfigFile(const std::filesystem::path& file) {
+  const Origin origin{file.string(), {}};
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) throw ConfigError(origin, "", "no such file");
+  if (std::filesystem::is_directory(status)) throw ConfigError(origin, "", "is a folder, not a file");
+  std::ifstream stream(file, std::ios::binary);
+  std::string text(kLargestFile + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (stream.bad() || (stream.fail() && !stream.eof())) throw ConfigError(origin, "", "cannot be read");
+  if (stream.gcount() > kLargestFile) throw ConfigError(origin, "", "is larger than 1 MiB");
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return ParseConfig(text, file.string(), file.parent_path());
+}
+
+ConfigNode ParseOverride(const std::string& override_text) {
+  const Origin origin{"--set " + override_text, {}};
+  const std::size_t equals = override_text.find('=');
+  if (equals == std::string::npos || equals == 0) throw ConfigError(origin, "", "must have the form key=value");
+  const std::string path = override_text.substr(0, equals);
+  ConfigNode node = Parse(override_text.substr(equals + 1), [&](const YAML::Mark&) { return origin; });
+  node.origin = origin;
+  std::size_t end = path.size();
+  for (int depth = 0;; ++depth) {
+    if (depth > static_cast<int>(kDeepestNesting)) throw ConfigError(origin, "", "has too many dots in its key");
+    const std::size_t dot = path.rfind('.', end - 1);
+    const std::size_t begin = dot == std::string::npos || end == 0 ? 0 : dot + 1;
+    if (begin >= end) throw ConfigError(origin, path, "has an empty part in its key");
+    ConfigNode parent;
+    parent.kind = ConfigNode::Kind::kKeys;
+    parent.origin = origin;
+    parent.patch = true;
+    parent.keys.emplace_back(path.substr(begin, end - begin), std::move(node));
+    node = std::move(parent);
+    if (begin == 0) return node;
+    end = begin - 1;
+  }
+}
+
+}  // namespace touchdown::scenarios

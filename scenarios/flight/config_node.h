@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "models/error.h"
+
+namespace touchdown::scenarios {
+
+/// Where a piece of configuration was written.
+struct Origin {
+  std::string place;             ///< For messages: "flight.yaml:12", or "--set camera.rate_hz=7".
+  std::filesystem::path folder;  ///< Names of files are meant relative to this folder.
+};
+
+/// A piece of configuration as written: text, a list or keys with values. YAML without its anchors, tags and
+/// duplicate keys.
+struct ConfigNode {
+  enum class Kind { kNothing, kText, kList, kKeys };
+
+  Kind kind = Kind::kNothing;
+  Origin origin;
+  std::string text;
+  bool quoted = false;            ///< The text was quoted, and so is no number.
+  std::vector<ConfigNode> items;  ///< Of a list.
+  std::vector<std::pair<std::string, ConfigNode>> keys;
+  /// These keys change a configuration that is there already (--set): in a list, keys are the numbers of its items.
+  bool patch = false;
+
+  /// The value of a key; nullptr when absent.
+  const ConfigNode* Find(std::string_view key) const;
+};
+
+/// The error "place: path: message" in one line, whatever the parts contain. `path` may be empty.
+InputError ConfigError(const Origin& origin, std::string_view path, std::string_view message);
+
+/// Reads a YAML file of one document whose root is a map. Throws InputError for a file that is missing, a folder, not
+/// text or over 1 MiB; for text that is empty or not YAML; and for duplicate keys, anchors, tags, and nesting over 32.
+ConfigNode ReadConfigFile(const std::filesystem::path& file);
+
+/// Parses YAML text as of a file named `name`. Throws as ReadConfigFile does.
+ConfigNode ParseConfig(const std::string& text, const std::string& name, const std::filesystem::path& folder);
+
+/// The patch that "a.b.c=value" stands for; the value is YAML. Throws InputError when it has no key or its value is no
+/// YAML.
+ConfigNode ParseOverride(const std::string& override_text);
+
+}  // namespace touchdown::scenarios

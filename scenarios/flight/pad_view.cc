@@ -1,0 +1,28 @@
+#include "scenarios/flight/pad_view.h"
+
+#include <cmath>
+
+#include "models/angles.h"
+
+namespace touchdown::scenarios {
+
+bool WholeRingInView(const models::CameraModel& camera, const models::LandingPad& pad, const Eigen::Isometry3d& X_WC) {
+  constexpr int kPoints = 120;
+  const Eigen::Isometry3d X_CW = X_WC.inverse();
+  for (int i = 0; i < kPoints; ++i) {
+    const double angle = 2.0 * models::kPi * i / kPoints;
+    const Eigen::Vector3d p_W(pad.outer_radius_m * std::cos(angle), pad.outer_radius_m * std::sin(angle), 0.0);
+    const std::optional<Eigen::Vector2d> pixel = camera.Project(X_CW * p_W);
+    if (!pixel || !camera.Contains(*pixel)) return false;
+  }
+  return true;
+}
+
+Eigen::Isometry3d NearerTwin(const Eigen::Isometry3d& X_WB, double yaw) {
+  const double difference = models::WrapToPi(models::TaitBryanFromRotation(X_WB.linear()).yaw - yaw);
+  if (std::abs(difference) <= models::kPi / 2.0) return X_WB;
+  const Eigen::Isometry3d half_turn(Eigen::Matrix3d(Eigen::Vector3d(-1.0, -1.0, 1.0).asDiagonal()));
+  return half_turn * X_WB;
+}
+
+}  // namespace touchdown::scenarios

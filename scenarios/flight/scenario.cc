@@ -1,0 +1,76 @@
+#include "scenarios/flight/scenario.h"
+
+#include "scenarios/flight/camera_info.h"
+#include "scenarios/flight/config_reader.h"
+#include "scenarios/flight/config_writer.h"
+#include "scenarios/flight/scenario_schema.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+Scenario ReadScenario(const ConfigNode& root, const std::string& default_name, std::span<const std::string> overrides) {
+  Scenario scenario;
+  scenario.name = default_name;
+  OriginByPath origins;
+  const auto read = [&](const ConfigNode& node) {
+    ConfigReader reader(node, origins);
+    Describe(reader, scenario);
+    reader.Finish();
+  };
+  read(root);
+  for (const std::string& text : overrides) read(ParseOverride(text));
+  ConfigChecker checker(origins, root.origin);
+  Describe(checker, scenario);
+  scenario.expect = scenario.expected_outcome();
+  return scenario;
+}
+
+template <typename T>
+T LoadAlone(ConfigNode root) {
+  T value;
+  OriginByPath origins;
+  ConfigReader reader(root, origins);
+  Describe(reader, value);
+  reader.Finish();
+  ConfigChecker checker(origins, root.origin);
+  Describe(checker, value);
+  return value;
+}
+
+}  // namespace
+
+Outcome Scenario::expected_outcome() const {
+  if (expect) return *expect;
+  return !script.empty() && script.back().kind == controller::ManoeuvreKind::kLand ? Outcome::kLanded
+                                                                                   : Outcome::kHovered;
+}
+
+Scenario ParseScenario(const std::string& text, const std::string& name, const std::filesystem::path& folder,
+                       std::span<const std::string> overrides) {
+  const std::string stem = std::filesystem::path(name).stem().string();
+  const Scenario written = ReadScenario(ParseConfig(text, name, folder), stem, overrides);
+  return ReadScenario(ParseConfig(ScenarioYaml(written), "resolved " + name, folder), stem, {});
+}
+
+Scenario LoadScenario(const std::filesystem::path& file, std::span<const std::string> overrides) {
+  const Scenario written = ReadScenario(ReadConfigFile(file), file.stem().string(), overrides);
+  return ReadScenario(ParseConfig(ScenarioYaml(written), "resolved " + file.string(), {}), "", {});
+}
+
+std::string ScenarioYaml(const Scenario& scenario) {
+  Scenario copy = scenario;
+  ConfigWriter writer;
+  Describe(writer, copy);
+  return writer.yaml();
+}
+
+models::CameraModel LoadCameraModel(const std::filesystem::path& file) {
+  ConfigNode root = ReadConfigFile(file);
+  return LoadAlone<models::CameraModel>(IsCameraInfo(root) ? CameraModelFromCameraInfo(root) : std::move(root));
+}
+
+models::LandingPad LoadPad(const std::filesystem::path& file) {
+  return LoadAlone<models::LandingPad>(ReadConfigFile(file));
+}
+
+}  // namespace touchdown::scenarios

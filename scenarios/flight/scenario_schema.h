@@ -1,0 +1,33 @@
+#pragma once
+
+#include "scenarios/flight/config_visitor.h"
+#include "scenarios/flight/scenario.h"
+
+namespace touchdown::scenarios {
+
+/// Each shows `v` every key of a struct, its meaning, unit, range and place. There is no other list of them.
+void Describe(ConfigVisitor& v, Scenario& scenario);
+
+void Describe(ConfigVisitor& v, Start& start);
+void Describe(ConfigVisitor& v, controller::Manoeuvre& manoeuvre);
+void Describe(ConfigVisitor& v, Event& event);
+void Describe(ConfigVisitor& v, Criterion& criterion);
+
+void Describe(ConfigVisitor& v, models::Vehicle& vehicle);
+void Describe(ConfigVisitor& v, models::CameraModel& model);
+void Describe(ConfigVisitor& v, models::LandingPad& pad);
+void Describe(ConfigVisitor& v, sim::ImuConfig& config);
+void Describe(ConfigVisitor& v, sim::TrackingSystemConfig& config);
+void Describe(ConfigVisitor& v, sim::SceneConfig& config);
+void Describe(ConfigVisitor& v, sim::WorldConfig& config);
+void DescribeCamera(ConfigVisitor& v, sim::CameraConfig& config, const models::TimeBase& time);
+
+void Describe(ConfigVisitor& v, estimator::EstimatorConfig& config);
+void Describe(ConfigVisitor& v, estimator::AttitudeEstimatorConfig& config);
+void Describe(ConfigVisitor& v, estimator::PoseFilterConfig& config);
+void Describe(ConfigVisitor& v, controller::GuidanceConfig& config);
+void Describe(ConfigVisitor& v, controller::PositionControllerConfig& config);
+void Describe(ConfigVisitor& v, controller::AttitudeControllerConfig& config);
+void Describe(ConfigVisitor& v, controller::FlightControllerConfig& config);
+
+}  // namespace touchdown::scenarios

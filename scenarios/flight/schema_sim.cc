@@ -1,0 +1,142 @@
+#include "scenarios/flight/scenario_schema.h"
+
+#include "scenarios/flight/camera_info.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+constexpr Unit kPerSecond{"1/s"}, kMetrePerSecond2RootHertz{"m/s^2/sqrt(Hz)"},
+    kRadianPerSecondRootHertz{"rad/s/sqrt(Hz)"};
+
+void DescribeMounting(ConfigVisitor& v, models::Mounting& m) {
+  v.Vector3({"position_m", "Position in B."}, m.position_m, kMetre, Between(-2.0, 2.0));
+  v.Numbers({"misalignment_deg", "Roll, pitch and yaw that turn the sensor from its nominal orientation, in B."},
+            {&m.misalignment.roll, &m.misalignment.pitch, &m.misalignment.yaw}, kDegree, Between(-180.0, 180.0));
+}
+
+void DescribeRotor(ConfigVisitor& v, models::Rotor& r) {
+  v.Number({"thrust_coefficient_n_s2", "Thrust over squared speed in rad/s."}, r.thrust_coefficient_n_s2, {"N s^2"},
+           kPositive);
+  v.Number({"torque_ratio_m", "Drag torque in Nm for each N of thrust."}, r.torque_ratio_m, kMetre, kPositive);
+  v.Number({"time_constant_s", "Of the lag from command to speed."}, r.time_constant_s, kSecond, kPositive);
+  v.Number({"max_speed_rad_s", "Highest speed."}, r.max_speed_rad_s, kRadianPerSecond, kPositive);
+  v.Number({"min_speed_rad_s", "Idle of a running motor."}, r.min_speed_rad_s, kRadianPerSecond, kNotNegative);
+  v.Number({"propeller_diameter_m", "Of the propeller."}, r.propeller_diameter_m, kMetre, kPositive);
+}
+
+void DescribeGear(ConfigVisitor& v, models::LandingGear& g) {
+  v.Number({"half_spacing_m", "Half of the distance between feet, along X and Y."}, g.half_spacing_m, kMetre,
+           kPositive);
+  v.Number({"height_m", "From the body's origin down to the soles."}, g.height_m, kMetre, kPositive);
+  v.Number({"foot_radius_m", "Of each foot."}, g.foot_radius_m, kMetre, kPositive);
+}
+
+}  // namespace
+
+void Describe(ConfigVisitor& v, models::Vehicle& c) {
+  v.Number({"mass_kg", "With battery and payload."}, c.mass_kg, kKilogram, kPositive);
+  v.Vector3({"inertia_kg_m2", "Principal moments along the body's axes."}, c.inertia_kg_m2, {"kg m^2"}, kPositive);
+  v.Number({"arm_m", "From the origin to each rotor."}, c.arm_m, kMetre, kPositive);
+  v.Number({"rotor_height_m", "Of the rotor plane above the origin."}, c.rotor_height_m, kMetre, Between(-2.0, 2.0));
+  v.Section({"rotor", "One of the four rotors."}, {}, [&c](ConfigVisitor& s) { DescribeRotor(s, c.rotor); });
+  v.Vector3({"linear_drag_n_s_m", "Force per airspeed along the body's axes."}, c.linear_drag_n_s_m, {"N s/m"},
+            kNotNegative);
+  v.Vector3({"quadratic_drag_n_s2_m2", "Force per squared airspeed along the body's axes."}, c.quadratic_drag_n_s2_m2,
+            {"N s^2/m^2"}, kNotNegative);
+  v.Section({"gear", "The landing gear."}, {}, [&c](ConfigVisitor& s) { DescribeGear(s, c.gear); });
+  v.Section({"camera", "How the camera is mounted; nominally it looks down, the image's up towards body forward."}, {},
+            [&c](ConfigVisitor& s) { DescribeMounting(s, c.camera); });
+  v.Section({"imu", "How the IMU is mounted; nominally its axes are the body's. The estimator knows it."}, {},
+            [&c](ConfigVisitor& s) { DescribeMounting(s, c.imu); });
+  v.Check("", [&c] { c.Validate(); });
+}
+
+void Describe(ConfigVisitor& v, models::CameraModel& c) {
+  v.Integer({"width_px", "Image width."}, c.width_px, Between(1, 16384));
+  v.Integer({"height_px", "Image height."}, c.height_px, Between(1, 16384));
+  v.Number({"fx_px", "Focal length."}, c.fx_px, kPixel, kPositive);
+  v.Number({"fy_px", "Focal length."}, c.fy_px, kPixel, kPositive);
+  v.Number({"cx_px", "Principal point; pixel centres lie on integers."}, c.cx_px, kPixel, kAny);
+  v.Number({"cy_px", "Principal point."}, c.cy_px, kPixel, kAny);
+  v.Number({"k1", "First radial distortion term (plumb_bob)."}, c.k1, kNoUnit, kAny);
+  v.Number({"k2", "Second radial distortion term."}, c.k2, kNoUnit, kAny);
+  v.Check("", [&c] { c.Validate(); });
+}
+
+void Describe(ConfigVisitor& v, models::LandingPad& c) {
+  v.Number({"outer_radius_m", "Of the ring."}, c.outer_radius_m, kMetre, kPositive);
+  v.Number({"ring_width_m", "Of the ring's black."}, c.ring_width_m, kMetre, kPositive);
+  v.Number({"h_height_m", "Length of the H's long strokes, along X."}, c.h_height_m, kMetre, kPositive);
+  v.Number({"h_width_m", "Over both long strokes, along Y."}, c.h_width_m, kMetre, kPositive);
+  v.Number({"h_stroke_m", "Width of the H's strokes."}, c.h_stroke_m, kMetre, kPositive);
+  v.Number({"sheet_length_m", "Of the white sheet, along X."}, c.sheet_length_m, kMetre, kPositive);
+  v.Number({"sheet_width_m", "Of the white sheet, along Y."}, c.sheet_width_m, kMetre, kPositive);
+  v.Check("", [&c] { c.Validate(); });
+}
+
+void Describe(ConfigVisitor& v, sim::ImuConfig& c) {
+  v.Integer({"rate_hz", "Samples a second, and the rate of the attitude loop; divides time.ticks_per_s."}, c.rate_hz,
+            Between(1, 100000));
+  v.Number({"gyro_noise_rad_s_sqrt_hz", "Density of the gyro's white noise."}, c.gyro_noise_rad_s_sqrt_hz,
+           kRadianPerSecondRootHertz, kNotNegative);
+  v.Number({"accelerometer_noise_m_s2_sqrt_hz", "Density of the accelerometer's white noise."},
+           c.accelerometer_noise_m_s2_sqrt_hz, kMetrePerSecond2RootHertz, kNotNegative);
+  v.Number({"gyro_bias_sigma_deg_s", "1-sigma of the turn-on bias of each axis."}, c.gyro_bias_sigma_rad_s,
+           kDegreePerSecond, kNotNegative);
+  v.Number({"accelerometer_bias_sigma_m_s2", "1-sigma of the turn-on bias of each axis."},
+           c.accelerometer_bias_sigma_m_s2, kMetrePerSecond2, kNotNegative);
+  v.Number({"gyro_range_deg_s", "Beyond it the gyro saturates."}, c.gyro_range_rad_s, kDegreePerSecond, kPositive);
+  v.Number({"accelerometer_range_m_s2", "Beyond it the accelerometer saturates."}, c.accelerometer_range_m_s2,
+           kMetrePerSecond2, kPositive);
+}
+
+void Describe(ConfigVisitor& v, sim::TrackingSystemConfig& c) {
+  v.Integer({"rate_hz", "Poses a second; divides time.ticks_per_s."}, c.rate_hz, Between(1, 100000));
+  v.Number({"position_noise_m", "1-sigma, per axis."}, c.position_noise_m, kMetre, kNotNegative);
+  v.Number({"rotation_noise_deg", "1-sigma, per axis."}, c.rotation_noise_rad, kDegree, kNotNegative);
+  v.Number({"occlusions_per_s", "Mean rate at which occlusions of the markers begin."}, c.occlusions_per_s, kPerSecond,
+           kNotNegative);
+  v.Number({"occlusion_duration_s", "Mean length of an occlusion."}, c.occlusion_duration_s, kSecond, kNotNegative);
+  v.Number({"outlier_probability", "That an occlusion gives outliers; otherwise it is a gap."}, c.outlier_probability,
+           kNoUnit, kFraction);
+  v.Number({"outlier_position_m", "1-sigma per axis of an outlier's offset."}, c.outlier_position_m, kMetre,
+           kNotNegative);
+  v.Number({"outlier_rotation_deg", "1-sigma per axis of an outlier's rotation."}, c.outlier_rotation_rad, kDegree,
+           kNotNegative);
+}
+
+void Describe(ConfigVisitor& v, sim::SceneConfig& c) {
+  v.Number({"floor_size_m", "Side of the square floor. The room ends with it."}, c.floor_size_m, kMetre,
+           Between(4.0, 30.0));
+  v.Integer({"posters", "Sheets rich in texture."}, c.posters, Between(0, 40));
+  v.Integer({"lone_circles", "Rings without an H."}, c.lone_circles, Between(0, 40));
+  v.Integer({"lone_letters", "Letters H without a ring."}, c.lone_letters, Between(0, 40));
+  v.Integer({"objects", "Solid boxes and cylinders."}, c.objects, Between(0, 40));
+  v.Number({"illumination", "Gain of the room's light, 1 is nominal."}, c.illumination, kNoUnit, PositiveUpTo(4.0));
+  v.Boolean({"pad", "Whether the landing pad is there."}, c.pad);
+  v.Check("", [&c] { c.Validate(); });
+}
+
+void Describe(ConfigVisitor& v, sim::WorldConfig& c) {
+  v.Vector3({"wind_m_s", "Mean wind in W, until an event changes it."}, c.wind_m_s, kMetrePerSecond,
+            Between(-50.0, 50.0));
+  v.Number({"imbalance_kg_m", "Mass times eccentricity of each rotor: it shakes IMU and camera."},
+           c.vibration.imbalance_kg_m, {"kg m"}, Between(0.0, 1.0));
+  v.Check("", [&c] { c.Validate(); });
+}
+
+void DescribeCamera(ConfigVisitor& v, sim::CameraConfig& c, const models::TimeBase& time) {
+  v.KeysOrFile({"model", "Image size, lens and distortion: in place, or the name of a ROS camera_info file."}, c.model,
+               [](ConfigNode root) { return IsCameraInfo(root) ? CameraModelFromCameraInfo(root) : root; });
+  v.Integer({"rate_hz", "Frames a second; divides time.ticks_per_s."}, c.rate_hz, Between(1, 100000));
+  v.Number({"noise_sigma", "1-sigma of each pixel's noise, of 255 grey levels."}, c.noise_sigma, kNoUnit,
+           Between(0.0, 255.0));
+  v.Number({"exposure_ms", "How long the shutter is open."}, c.exposure_s, kMillisecond, Between(0.0, 1000.0));
+  v.Number({"latency_ms", "From mid-exposure to delivery; at least half the exposure."}, c.latency_s, kMillisecond,
+           Between(0.0, 1000.0));
+  v.Number({"vibration_rad_s2_m", "Tilt of the camera's mount per acceleration of the rotors' vibration."},
+           c.vibration_rad_s2_m, {"rad s^2/m"}, Between(0.0, 1.0));
+  v.Check("", [&c, &time] { c.Validate(time); });
+}
+
+}  // namespace touchdown::scenarios
