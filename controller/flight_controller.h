@@ -7,6 +7,7 @@
 #include "controller/guidance.h"
 #include "controller/mixer.h"
 #include "controller/motion_predictor.h"
+#include "controller/pad_watch.h"
 #include "controller/position_controller.h"
 #include "models/signals.h"
 #include "models/vehicle.h"
@@ -50,12 +51,16 @@ class FlightController {
   Phase phase() const { return guidance_.phase(); }
 
  private:
-  bool TakeMotion(const models::VehicleEstimate& estimate);
-  PositionController::Demand Demand(const Guidance::Output& guidance, const models::TaitBryan& attitude);
+  bool MotionIsPredicted(const models::VehicleEstimate& estimate) const;
+  PositionController::Demand Follow(const Guidance::Output& guidance, const models::VehicleEstimate::Motion& motion,
+                                    const models::TaitBryan& attitude);
+  void Stand(const models::TaitBryan& attitude);
+  void Learn(const ControlOutput& output, const Guidance::Output& guidance);
 
   FlightControllerConfig config_;
-  models::Vehicle vehicle_;
-  models::TimeBase time_;
+  double weight_n_;
+  double standing_height_m_;
+  PadWatch pad_;
   Guidance guidance_;
   PositionController position_;
   AttitudeController attitude_;

@@ -70,7 +70,8 @@ class Guidance {
   struct Input {
     models::Tick tick = 0;
     models::VehicleEstimate::Motion motion;  ///< From vision while it is fresh, predicted otherwise.
-    std::optional<models::Tick> pad_seen;    ///< Mid-exposure of the newest frame whose pose was used.
+    bool pad_lost = true;                    ///< As PadWatch has it.
+    bool pad_found = false;
   };
   struct Output {
     Phase phase = Phase::kStandby;
@@ -93,13 +94,15 @@ class Guidance {
  private:
   std::optional<ManoeuvreKind> Task() const;
   double BlindHeight() const { return standing_height_m_ + config_.blind_clearance_m; }
-  bool InCone(const Eigen::Vector3d& p_m) const;
+  double LandHeight() const { return standing_height_m_ + config_.h_land_clearance_m; }
+  double ConeRadiusAt(double height_m) const;
 
-  void WatchPad(const Input& input);
   Conditions Judge(const Input& input) const;
   void Enter(Phase phase, const Input& input);
-  void Advance(const Input& input);
-  void AdvanceLanding(const Input& input);
+  void FinishManoeuvre(Phase left, Phase entered);
+  void MoveSetPoint(const Input& input);
+  void FlyHover();
+  void StepDown(const Input& input);
   void MoveHeight(double target_m, double rate_m_s);
 
   GuidanceConfig config_;
@@ -111,15 +114,13 @@ class Guidance {
   std::size_t step_ = 0;  ///< In the script.
 
   Phase phase_;
-  models::Tick entered_ = 0;
+  models::Tick now_ = 0, previous_ = 0, entered_ = 0;
   bool begun_ = false;
-  bool was_airborne_with_pad_ = false;
-  models::Tick hovered_ = 0;
-  models::Tick last_tick_ = 0;
+  bool pad_known_ = false;  ///< Found at least once: positions mean something.
   double entry_height_m_ = 0.0;
+  models::Tick hovered_ = 0;  ///< Of the current manoeuvre.
 
-  std::optional<models::Tick> pad_seen_, pad_seen_since_;
-  double landing_height_m_ = 0.0;                ///< Height of P_set (Sec. V); the set-point moves there.
+  double landing_height_m_ = 0.0;                ///< Of P_set (Sec. V), towards which the set-point moves.
   std::optional<models::Tick> satisfied_since_;  ///< In Q' with little error of height.
   Eigen::Vector3d p_m_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d v_m_s_ = Eigen::Vector3d::Zero();

@@ -57,16 +57,14 @@ class AttitudeEstimator {
     models::Tick tick = 0;
     Eigen::Matrix3d R_GB = Eigen::Matrix3d::Identity();
   };
-  struct Gains {
-    double tilt = 0.0;  ///< rad/s per rad.
-    double bias = 0.0;  ///< rad/s^2 per rad.
-  };
-
-  void Start(const models::ImuSample& imu, const Eigen::Vector3d& f_B);
-  Gains StepGains(double dt_s, bool at_rest);
+  void Start(const Eigen::Vector3d& f_B);
   void AverageBiasAtRest(const Eigen::Vector3d& w_B, double dt_s);
+  void Turn(const Eigen::Vector3d& w_WB_B, double dt_s);
+  void CorrectTilt(const Eigen::Vector3d& f_B, double dt_s, bool at_rest);
+  /// Kalman gains of (tilt, gyro bias) on an error of tilt, after a step of their covariance.
+  Eigen::Vector2d Gain(double dt_s, double weight, bool at_rest);
   double AccelerometerWeight(const Eigen::Vector3d& f_B) const;
-  const Entry* EntryAt(models::Tick tick) const;
+  const Entry& EntryAt(models::Tick tick) const;
 
   AttitudeEstimatorConfig config_;
   models::TimeBase time_;
@@ -74,6 +72,7 @@ class AttitudeEstimator {
   std::deque<Entry> history_;
   Eigen::Matrix3d R_GB_ = Eigen::Matrix3d::Identity();
   double yaw_WG_ = 0.0;
+  Eigen::Vector3d previous_w_B_ = Eigen::Vector3d::Zero();  ///< As measured.
   Eigen::Vector3d w_WB_B_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d gyro_bias_B_ = Eigen::Vector3d::Zero();
   Eigen::Matrix2d covariance_;  ///< Of (tilt about a horizontal axis, gyro bias about it).

@@ -1,0 +1,89 @@
+#include "controller/attitude_controller.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "controller/validate.h"
+
+namespace touchdown::controller {
+
+void AttitudeControllerConfig::Validate() const {
+  RequireNotNegative(roll_pitch_angle_gain_1_s, "roll_pitch_angle_gain");
+  RequireNotNegative(roll_pitch_rate_gain_1_s, "roll_pitch_rate_gain");
+  RequireNotNegative(roll_pitch_rate_integral_gain_1_s2, "roll_pitch_rate_integral_gain");
+  RequireNotNegative(roll_pitch_rate_derivative_gain, "roll_pitch_rate_derivative_gain");
+  RequireNotNegative(yaw_angle_gain_1_s, "yaw_angle_gain");
+  RequireNotNegative(yaw_rate_gain_1_s, "yaw_rate_gain");
+  RequireNotNegative(yaw_rate_integral_gain_1_s2, "yaw_rate_integral_gain");
+  RequirePositive(derivative_cutoff_hz, "derivative_cutoff");
+  RequirePositive(max_roll_pitch_rate_rad_s, "max_roll_pitch_rate");
+  RequirePositive(max_roll_pitch_integral_rad_s2, "max_roll_pitch_integral");
+  RequirePositive(max_yaw_rate_rad_s, "max_yaw_rate");
+  RequirePositive(max_yaw_integral_rad_s2, "max_yaw_integral");
+}
+
+AttitudeController::AttitudeController(const AttitudeControllerConfig& config, const models::Vehicle& vehicle,
+                                       double period_s)
+    : config_(config),
+      inertia_kg_m2_(vehicle.inertia_kg_m2),
+      period_s_(period_s),
+      rate_gain_(config.roll_pitch_rate_gain_1_s, config.roll_pitch_rate_gain_1_s, config.yaw_rate_gain_1_s),
+      integral_gain_(config.roll_pitch_rate_integral_gain_1_s2, config.roll_pitch_rate_integral_gain_1_s2,
+                     config.yaw_rate_integral_gain_1_s2),
+      max_integral_(config.max_roll_pitch_integral_rad_s2, config.max_roll_pitch_integral_rad_s2,
+                    config.max_yaw_integral_rad_s2) {
+  config.Validate();
+}
+
+Eigen::Vector3d AttitudeController::RateSetPoint(const models::TaitBryan& set_point,
+                                                 const models::TaitBryan& attitude) const {
+  const double tilt_limit = config_.max_roll_pitch_rate_rad_s;
+  const double roll_rate = std::clamp(
+      config_.roll_pitch_angle_gain_1_s * models::WrapToPi(set_point.roll - attitude.roll), -tilt_limit, tilt_limit);
+  const double pitch_rate =
+      std::clamp(config_.roll_pitch_angle_gain_1_s * (set_point.pitch - attitude.pitch), -tilt_limit, tilt_limit);
+  const double yaw_rate = std::clamp(config_.yaw_angle_gain_1_s * models::WrapToPi(set_point.yaw - attitude.yaw),
+                                     -config_.max_yaw_rate_rad_s, config_.max_yaw_rate_rad_s);
+  const double sin_roll = std::sin(attitude.roll), cos_roll = std::cos(attitude.roll);
+  const double sin_pitch = std::sin(attitude.pitch), cos_pitch = std::cos(attitude.pitch);
+  return {roll_rate - sin_pitch * yaw_rate, cos_roll * pitch_rate + sin_roll * cos_pitch * yaw_rate,
+          -sin_roll * pitch_rate + cos_roll * cos_pitch * yaw_rate};
+}
+
+Eigen::Vector3d AttitudeController::FilteredAcceleration(const Eigen::Vector3d& w_WB_B) {
+  if (!has_rate_) filtered_rate_ = w_WB_B;
+  has_rate_ = true;
+  const double share = 1.0 - std::exp(-2.0 * models::kPi * config_.derivative_cutoff_hz * period_s_);
+  const Eigen::Vector3d change = share * (w_WB_B - filtered_rate_);
+  filtered_rate_ += change;
+  return change / period_s_;
+}
+
+Eigen::Vector3d AttitudeController::Torque(const models::TaitBryan& set_point, const models::TaitBryan& attitude,
+                                           const Eigen::Vector3d& w_WB_B) {
+  const double derivative_gain = config_.roll_pitch_rate_derivative_gain;
+  const Eigen::Vector3d damping =
+      Eigen::Vector3d(derivative_gain, derivative_gain, 0.0).cwiseProduct(FilteredAcceleration(w_WB_B));
+  rate_error_ = RateSetPoint(set_point, attitude) - w_WB_B;
+  const Eigen::Vector3d acceleration = rate_gain_.cwiseProduct(rate_error_) + integral_ - damping;
+  asked_torque_ =
+      inertia_kg_m2_.cwiseProduct(acceleration) + w_WB_B.cross(Eigen::Vector3d(inertia_kg_m2_.cwiseProduct(w_WB_B)));
+  return asked_torque_;
+}
+
+void AttitudeController::Integrate(const Eigen::Vector3d& achieved_torque_n_m) {
+  constexpr double kTolerance_n_m = 1e-6;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double missing = asked_torque_[axis] - achieved_torque_n_m[axis];
+    if (std::abs(missing) > kTolerance_n_m && missing * rate_error_[axis] > 0.0) continue;
+    integral_[axis] = std::clamp(integral_[axis] + integral_gain_[axis] * rate_error_[axis] * period_s_,
+                                 -max_integral_[axis], max_integral_[axis]);
+  }
+}
+
+void AttitudeController::Reset() {
+  integral_.setZero();
+  has_rate_ = false;
+}
+
+}  // namespace touchdown::controller

@@ -1,0 +1,106 @@
+#include "controller/flight_controller.h"
+
+#include <utility>
+
+#include "controller/validate.h"
+
+namespace touchdown::controller {
+namespace {
+
+const models::Vehicle& Valid(const models::Vehicle& vehicle) {
+  vehicle.Validate();
+  return vehicle;
+}
+
+PadWatch::Settings PadSettings(const FlightControllerConfig& config, const models::TimeBase& time) {
+  config.Validate();
+  return {.lost_after = time.FromSeconds(config.guidance.pad_lost_s),
+          .found_after = time.FromSeconds(config.guidance.pad_found_s),
+          .fresh_for = time.FromSeconds(config.vision_fresh_s)};
+}
+
+bool MotorsOff(Phase phase) { return phase == Phase::kStandby || phase == Phase::kTouchdown; }
+
+}  // namespace
+
+void FlightControllerConfig::Validate() const {
+  guidance.Validate();
+  position.Validate();
+  attitude.Validate();
+  RequirePositive(vision_fresh_s, "vision_fresh");
+}
+
+FlightController::FlightController(const FlightControllerConfig& config, const models::Vehicle& vehicle,
+                                   const models::TimeBase& time, int rate_hz, std::vector<Manoeuvre> script,
+                                   bool starts_airborne)
+    : config_(config),
+      weight_n_(Valid(vehicle).mass_kg * models::kGravity_m_s2),
+      standing_height_m_(vehicle.gear.height_m),
+      pad_(PadSettings(config, time)),
+      guidance_(config.guidance, time, time.ToSeconds(time.PeriodOf(rate_hz)), standing_height_m_, std::move(script),
+                starts_airborne),
+      position_(config.position, vehicle, time.ToSeconds(time.PeriodOf(rate_hz))),
+      attitude_(config.attitude, vehicle, time.ToSeconds(time.PeriodOf(rate_hz))),
+      mixer_(vehicle),
+      predictor_(vehicle, time.ToSeconds(time.PeriodOf(rate_hz))) {}
+
+ControlOutput FlightController::Update(const models::VehicleEstimate& estimate) {
+  pad_.Update(estimate.tick, estimate.pad_seen);
+  ControlOutput output;
+  output.motion_is_predicted = MotionIsPredicted(estimate);
+  if (!output.motion_is_predicted) predictor_.Set(*estimate.motion);
+  output.motion = predictor_.motion();
+
+  const Guidance::Output guidance = guidance_.Update(
+      {.tick = estimate.tick, .motion = output.motion, .pad_lost = pad_.lost(), .pad_found = pad_.found()});
+  output.phase = guidance.phase;
+  output.set_point_m = guidance.p_m;
+  output.script_done = guidance.script_done;
+  if (MotorsOff(guidance.phase)) {
+    Stand(estimate.attitude);
+    return output;
+  }
+
+  const PositionController::Demand demand = Follow(guidance, output.motion, estimate.attitude);
+  output.attitude_set_point = {.roll = demand.roll, .pitch = demand.pitch, .yaw = 0.0};
+  const Eigen::Vector3d torque = attitude_.Torque(output.attitude_set_point, estimate.attitude, estimate.w_WB_B);
+  const Mixer::Result mixed = mixer_.Mix({.thrust_n = demand.thrust_n, .torque_n_m = torque});
+  output.rotors = mixed.rotors;
+  output.thrust_n = mixed.achieved.thrust_n;
+  output.torque_n_m = mixed.achieved.torque_n_m;
+
+  Learn(output, guidance);
+  predictor_.Step(estimate.attitude, output.thrust_n, position_.trim_m_s2());
+  if (guidance.phase == Phase::kBlindClimb) predictor_.StandAt(standing_height_m_);
+  return output;
+}
+
+bool FlightController::MotionIsPredicted(const models::VehicleEstimate& estimate) const {
+  const bool by_design = guidance_.phase() == Phase::kBlindDescent || MotorsOff(guidance_.phase());
+  return by_design || !estimate.motion.has_value() || !pad_.found() || !pad_.fresh();
+}
+
+PositionController::Demand FlightController::Follow(const Guidance::Output& guidance,
+                                                    const models::VehicleEstimate::Motion& motion,
+                                                    const models::TaitBryan& attitude) {
+  if (guidance.phase == Phase::kBlindClimb) {
+    PositionController::Demand demand = position_.Trimmed(0.0, attitude);
+    demand.thrust_n = guidance.thrust_ratio * weight_n_;
+    return demand;
+  }
+  return position_.Update({.p_m = guidance.p_m, .v_m_s = guidance.v_m_s}, motion, attitude);
+}
+
+void FlightController::Stand(const models::TaitBryan& attitude) {
+  attitude_.Reset();
+  predictor_.Set({.p_WB = {0.0, 0.0, standing_height_m_}, .v_WB = Eigen::Vector3d::Zero()});
+  if (guidance_.phase() == Phase::kStandby) position_.SetTrimFromStance(attitude);
+}
+
+void FlightController::Learn(const ControlOutput& output, const Guidance::Output& guidance) {
+  const bool lifted = guidance.phase != Phase::kBlindClimb || guidance.thrust_ratio > 1.0;
+  if (lifted && guidance.phase != Phase::kBlindDescent) attitude_.Integrate(output.torque_n_m);
+  if (!output.motion_is_predicted && guidance.phase != Phase::kBlindClimb) position_.Integrate(output.thrust_n);
+}
+
+}  // namespace touchdown::controller

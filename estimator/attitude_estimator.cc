@@ -1,0 +1,143 @@
+#include "estimator/attitude_estimator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/error.h"
+
+namespace touchdown::estimator {
+namespace {
+
+using models::kGravity_m_s2;
+
+/// Density of what the vehicle's own acceleration adds to the accelerometer's idea of down: some 0.3 m/s^2 over 0.7 s.
+constexpr double kManoeuvreDensity_rad2_s = 0.0015;
+/// The same at rest: the accelerometer's noise (6.4e-3 m/s^2/sqrt(Hz)).
+constexpr double kRestDensity_rad2_s = 4e-7;
+/// Gyro noise density squared (8.7e-4 rad/s/sqrt(Hz)).
+constexpr double kGyroDensity_rad2_s = 8e-7;
+
+}  // namespace
+
+void AttitudeEstimatorConfig::Validate() const {
+  for (const double value :
+       {accelerometer_time_constant_s, gyro_bias_time_constant_s, initial_tilt_sigma_rad, initial_gyro_bias_sigma_rad_s,
+        acceleration_tolerance, yaw_time_constant_s, yaw_bias_time_constant_s, history_s}) {
+    if (!std::isfinite(value) || value <= 0.0) {
+      throw InputError("the attitude estimator's settings must be positive and finite");
+    }
+  }
+  if (gyro_bias_time_constant_s < 2.0 * accelerometer_time_constant_s) {
+    throw InputError("gyro_bias_time_constant must be at least twice accelerometer_time_constant");
+  }
+}
+
+AttitudeEstimator::AttitudeEstimator(const AttitudeEstimatorConfig& config, const models::TimeBase& time,
+                                     const Eigen::Matrix3d& R_BU)
+    : config_(config), time_(time), R_BU_(R_BU) {
+  config.Validate();
+  const double tilt = config.initial_tilt_sigma_rad, bias = config.initial_gyro_bias_sigma_rad_s;
+  covariance_ = Eigen::Vector2d(tilt * tilt, bias * bias).asDiagonal();
+}
+
+void AttitudeEstimator::Update(const models::ImuSample& imu, bool at_rest) {
+  const Eigen::Vector3d f_B = R_BU_ * imu.specific_force_U;
+  const Eigen::Vector3d w_B = R_BU_ * imu.w_WU_U;
+  if (history_.empty()) {
+    Start(f_B);
+    previous_w_B_ = w_B;
+  } else {
+    const double dt_s = time_.ToSeconds(imu.tick - history_.back().tick);
+    if (at_rest) AverageBiasAtRest(w_B, dt_s);
+    Turn(0.5 * (previous_w_B_ + w_B) - gyro_bias_B_, dt_s);
+    CorrectTilt(f_B, dt_s, at_rest);
+    previous_w_B_ = w_B;
+  }
+  w_WB_B_ = w_B - gyro_bias_B_;
+  history_.push_back({imu.tick, R_GB_});
+  while (imu.tick - history_.front().tick > time_.FromSeconds(config_.history_s)) history_.pop_front();
+}
+
+void AttitudeEstimator::Start(const Eigen::Vector3d& f_B) {
+  if (f_B.norm() < 0.1 * kGravity_m_s2) return;
+  models::TaitBryan level;
+  level.roll = std::atan2(f_B.y(), f_B.z());
+  level.pitch = std::atan2(-f_B.x(), std::hypot(f_B.y(), f_B.z()));
+  R_GB_ = models::RotationFromTaitBryan(level);
+}
+
+void AttitudeEstimator::AverageBiasAtRest(const Eigen::Vector3d& w_B, double dt_s) {
+  rest_s_ += dt_s;
+  gyro_bias_B_ += dt_s / rest_s_ * (w_B - gyro_bias_B_);
+  covariance_(0, 1) = covariance_(1, 0) = 0.0;
+  covariance_(1, 1) = std::min(covariance_(1, 1), kGyroDensity_rad2_s / rest_s_);
+}
+
+void AttitudeEstimator::Turn(const Eigen::Vector3d& w_WB_B, double dt_s) {
+  R_GB_ = R_GB_ * models::RotationExp(w_WB_B * dt_s);
+  R_GB_ = Eigen::Quaterniond(R_GB_).normalized().toRotationMatrix();
+}
+
+void AttitudeEstimator::CorrectTilt(const Eigen::Vector3d& f_B, double dt_s, bool at_rest) {
+  const Eigen::Vector2d gain = Gain(dt_s, AccelerometerWeight(f_B), at_rest);
+  const Eigen::Vector3d up_B = R_GB_.transpose().col(2);
+  const Eigen::Vector3d error = f_B.normalized().cross(up_B);
+  R_GB_ = R_GB_ * models::RotationExp(gain[0] * error);
+  gyro_bias_B_ += gain[1] * error;
+}
+
+Eigen::Vector2d AttitudeEstimator::Gain(double dt_s, double weight, bool at_rest) {
+  const double tilt_gain = 1.0 / config_.accelerometer_time_constant_s;
+  const double bias_gain = tilt_gain / config_.gyro_bias_time_constant_s;
+  Eigen::Matrix2d F, Q;
+  F << 1.0, -dt_s, 0.0, 1.0;
+  Q << tilt_gain * tilt_gain - 2.0 * bias_gain, 0.0, 0.0, bias_gain * bias_gain;
+  covariance_ = F * covariance_ * F.transpose() + kManoeuvreDensity_rad2_s * dt_s * Q;
+  if (weight <= 0.0 || dt_s <= 0.0) return Eigen::Vector2d::Zero();
+
+  const double density = at_rest ? kRestDensity_rad2_s : kManoeuvreDensity_rad2_s;
+  const Eigen::Vector2d gain = covariance_.col(0) / (covariance_(0, 0) + density / (weight * dt_s));
+  covariance_ -= gain * covariance_.row(0).eval();
+  return gain;
+}
+
+double AttitudeEstimator::AccelerometerWeight(const Eigen::Vector3d& f_B) const {
+  const double excess = (f_B.norm() / kGravity_m_s2 - 1.0) / config_.acceleration_tolerance;
+  return std::max(0.0, 1.0 - excess * excess);
+}
+
+void AttitudeEstimator::CorrectYaw(models::Tick mid_exposure, double yaw) {
+  if (history_.empty() || mid_exposure < history_.front().tick) return;
+  if (yaw_corrected_.has_value() && mid_exposure <= *yaw_corrected_) return;
+  const double yaw_then = yaw_WG_ + models::TaitBryanFromRotation(EntryAt(mid_exposure).R_GB).yaw;
+  const double error = models::WrapToHalfPi(yaw - yaw_then);
+  if (!yaw_corrected_.has_value()) {
+    yaw_WG_ += error;
+  } else {
+    constexpr double kLongestStep_s = 0.1;
+    const double dt_s = std::min(kLongestStep_s, time_.ToSeconds(mid_exposure - *yaw_corrected_));
+    const double share = 1.0 - std::exp(-dt_s / config_.yaw_time_constant_s);
+    yaw_WG_ += share * error;
+    gyro_bias_B_.z() -= share * error / config_.yaw_bias_time_constant_s;
+  }
+  yaw_corrected_ = mid_exposure;
+}
+
+models::TaitBryan AttitudeEstimator::attitude() const {
+  models::TaitBryan attitude = models::TaitBryanFromRotation(R_GB_);
+  attitude.yaw = models::WrapToPi(attitude.yaw + yaw_WG_);
+  return attitude;
+}
+
+Eigen::Vector3d AttitudeEstimator::GravityAt(models::Tick tick) const {
+  if (history_.empty()) return -Eigen::Vector3d::UnitZ();
+  return -EntryAt(tick).R_GB.transpose().col(2);
+}
+
+const AttitudeEstimator::Entry& AttitudeEstimator::EntryAt(models::Tick tick) const {
+  const auto after = std::upper_bound(history_.begin(), history_.end(), tick,
+                                      [](models::Tick t, const Entry& entry) { return t < entry.tick; });
+  return after == history_.begin() ? history_.front() : *(after - 1);
+}
+
+}  // namespace touchdown::estimator

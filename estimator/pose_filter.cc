@@ -1,0 +1,80 @@
+#include "estimator/pose_filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/error.h"
+
+namespace touchdown::estimator {
+
+void PoseFilterConfig::Validate() const {
+  for (const double value : {xy_acceleration_noise_m_s2_sqrt_hz, z_acceleration_noise_m_s2_sqrt_hz, xy_noise_per_height,
+                             min_xy_noise_m, z_noise_m, initial_speed_m_s}) {
+    if (!std::isfinite(value) || value <= 0.0) {
+      throw InputError("the pose filter's settings must be positive and finite");
+    }
+  }
+}
+
+PoseFilter::PoseFilter(const PoseFilterConfig& config, const models::TimeBase& time) : config_(config), time_(time) {
+  config.Validate();
+}
+
+void PoseFilter::Update(models::Tick mid_exposure, const Eigen::Vector3d& p_WB) {
+  if (newest_.has_value() && mid_exposure <= *newest_) return;
+  const Eigen::Vector3d noise = Noise(p_WB.z());
+  const Eigen::Vector3d density(config_.xy_acceleration_noise_m_s2_sqrt_hz, config_.xy_acceleration_noise_m_s2_sqrt_hz,
+                                config_.z_acceleration_noise_m_s2_sqrt_hz);
+  for (int i = 0; i < 3; ++i) {
+    Axis& axis = axes_[static_cast<std::size_t>(i)];
+    if (newest_.has_value()) {
+      axis.Predict(time_.ToSeconds(mid_exposure - *newest_), density[i]);
+      axis.Correct(p_WB[i], noise[i]);
+    } else {
+      axis.Start(p_WB[i], noise[i], config_.initial_speed_m_s);
+    }
+  }
+  newest_ = mid_exposure;
+}
+
+std::optional<models::VehicleEstimate::Motion> PoseFilter::At(models::Tick tick) const {
+  if (!newest_.has_value()) return std::nullopt;
+  const double dt_s = time_.ToSeconds(tick - *newest_);
+  models::VehicleEstimate::Motion motion;
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector2d& state = axes_[static_cast<std::size_t>(i)].state;
+    motion.p_WB[i] = state[0] + dt_s * state[1];
+    motion.v_WB[i] = state[1];
+  }
+  return motion;
+}
+
+void PoseFilter::Reset() { newest_.reset(); }
+
+Eigen::Vector3d PoseFilter::Noise(double height_m) const {
+  const double xy = std::max(config_.min_xy_noise_m, config_.xy_noise_per_height * height_m);
+  return {xy, xy, config_.z_noise_m};
+}
+
+void PoseFilter::Axis::Start(double position, double position_sigma, double speed_sigma) {
+  state = {position, 0.0};
+  covariance = Eigen::Vector2d(position_sigma * position_sigma, speed_sigma * speed_sigma).asDiagonal();
+}
+
+void PoseFilter::Axis::Predict(double dt_s, double acceleration_density) {
+  Eigen::Matrix2d F;
+  F << 1.0, dt_s, 0.0, 1.0;
+  Eigen::Matrix2d Q;
+  Q << dt_s * dt_s * dt_s / 3.0, dt_s * dt_s / 2.0, dt_s * dt_s / 2.0, dt_s;
+  state = F * state;
+  covariance = F * covariance * F.transpose() + acceleration_density * acceleration_density * Q;
+}
+
+void PoseFilter::Axis::Correct(double position, double position_sigma) {
+  const double innovation_variance = covariance(0, 0) + position_sigma * position_sigma;
+  const Eigen::Vector2d gain = covariance.col(0) / innovation_variance;
+  state += gain * (position - state[0]);
+  covariance -= gain * covariance.row(0).eval();
+}
+
+}  // namespace touchdown::estimator
