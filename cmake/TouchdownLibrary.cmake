@@ -15,7 +15,7 @@ endif()
 
 add_library(touchdown_options INTERFACE)
 target_compile_options(touchdown_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -ffp-contract=off $<$<BOOL:${TOUCHDOWN_WERROR}>:-Werror>)
+  -Wall -Wextra -Wpedantic -Wshadow $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor> -ffp-contract=off $<$<BOOL:${TOUCHDOWN_WERROR}>:-Werror>)
 
 # touchdown_library(models) gives the target touchdown_models its alias touchdown::models, includes written from the
 # root, and the project's options.
