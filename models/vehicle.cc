@@ -55,10 +55,10 @@ void Vehicle::Validate() const {
   if (camera.position_m.z() <= -gear.height_m) throw InputError("the vehicle's camera must sit above its feet");
 }
 
-Eigen::Vector3d Vehicle::RotorPosition(int rotor) const {
+Eigen::Vector3d Vehicle::RotorPosition(int index) const {
   const double offset = arm_m / std::numbers::sqrt2;
-  const double forward = rotor == 0 || rotor == 1 ? offset : -offset;
-  const double left = rotor == 0 || rotor == 3 ? offset : -offset;
+  const double forward = index == 0 || index == 1 ? offset : -offset;
+  const double left = index == 0 || index == 3 ? offset : -offset;
   return {forward, left, rotor_height_m};
 }
 

@@ -62,7 +62,7 @@ struct Vehicle {
   void Validate() const;
 
   /// Position of a rotor's hub in B.
-  Eigen::Vector3d RotorPosition(int rotor) const;
+  Eigen::Vector3d RotorPosition(int index) const;
   /// +1 when the rotor's drag torque acts along +Z_B, -1 when along -Z_B.
   static double DragTorqueSign(int rotor) { return rotor % 2 == 0 ? 1.0 : -1.0; }
 

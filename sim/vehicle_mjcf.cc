@@ -64,8 +64,8 @@ std::string Between(const Vector3d& from, const Vector3d& to, double radius) {
 std::string HullGeoms(const models::Vehicle& vehicle) {
   const double arm = vehicle.arm_m;
   return Geom("hull", "box", At(Vector3d::Zero(), {0.32 * arm, 0.20 * arm, 0.09 * arm}), kHullPaint, Contact::kBody) +
-         Geom("battery", "box", At({-0.02 * arm, 0.0, 0.16 * arm}, {0.26 * arm, 0.13 * arm, 0.07 * arm}), kCarbon,
-              Contact::kBody) +
+         Geom("battery", "box", At({-0.02 * arm, 0.0, 0.12 * arm}, {0.26 * arm, 0.13 * arm, 0.07 * arm}), kCarbon,
+              Contact::kNone) +
          Geom("camera_housing", "box",
               At(vehicle.camera.position_m + Vector3d(0, 0, 0.06 * arm), {0.07 * arm, 0.07 * arm, 0.06 * arm}), kMetal,
               Contact::kNone);
@@ -78,7 +78,7 @@ std::string ArmGeoms(const models::Vehicle& vehicle, int rotor) {
   const Vector3d root(0.15 * hub.x(), 0.15 * hub.y(), 0.0);
   const double disc_radius = vehicle.rotor.propeller_diameter_m / 2.0;
   return Geom("arm_" + index, "capsule", Between(root, motor_base, 0.04 * vehicle.arm_m), kCarbon, Contact::kNone) +
-         Geom("motor_" + index, "cylinder", Between(motor_base, hub, 0.07 * vehicle.arm_m), kMetal, Contact::kBody) +
+         Geom("motor_" + index, "cylinder", Between(motor_base, hub, 0.07 * vehicle.arm_m), kMetal, Contact::kNone) +
          Geom("rotor_" + index, "cylinder", At(hub, {disc_radius, 0.015 * vehicle.arm_m}),
               rotor < 2 ? kFrontRotor : kRearRotor, Contact::kBody);
 }

@@ -18,11 +18,13 @@ using Eigen::Vector3d;
 
 constexpr char kPadCoverName[] = "pad_cover";
 
-MujocoModel LoadWorld(const models::Vehicle& vehicle, const Scene& scene, const models::TimeBase& time) {
+MujocoModel LoadWorld(const WorldConfig& config, const models::Vehicle& vehicle, const Scene& scene,
+                      const models::TimeBase& time) {
+  config.Validate();
   vehicle.Validate();
   InstallMujocoHandlers();
   MujocoModel model = LoadModel(SceneMjcf(scene, VehicleMjcf(vehicle), time.period_s()));
-  PaintTextures(scene, *model);
+  if (config.paint_textures) PaintTextures(scene, *model);
   // RK4 keeps free fall and torque-free rotation exact to round-off; elliptic cones keep a resting vehicle in place.
   model->opt.timestep = time.period_s();
   model->opt.integrator = mjINT_RK4;
@@ -58,22 +60,23 @@ World::World(const WorldConfig& config, const models::Vehicle& vehicle, const Sc
       vehicle_(vehicle),
       time_(time),
       rotors_(vehicle, config.vibration, time, seed),
-      model_(LoadWorld(vehicle, scene, time)),
+      model_(LoadWorld(config, vehicle, scene, time)),
       data_(MakeData(*model_)),
       vehicle_body_(mj_name2id(model_.get(), mjOBJ_BODY, kVehicleBodyName)),
       pad_cover_(mj_name2id(model_.get(), mjOBJ_GEOM, kPadCoverName)),
       is_foot_(static_cast<std::size_t>(model_->ngeom), false) {
-  config.Validate();
   for (int foot = 0; foot < models::kRotorCount; ++foot) {
     is_foot_[static_cast<std::size_t>(mj_name2id(model_.get(), mjOBJ_GEOM, FootName(foot).c_str()))] = true;
   }
   resting_height_m_ = FindRestingHeight();
+  contact_ceiling_m_ = FindContactCeiling();
   Reset(RestingPose(0.0, 0.0, 0.0), false);
 }
 
 World::~World() = default;
 
 void World::Reset(const Eigen::Isometry3d& X_WB, bool rotors_at_hover) {
+  if (!X_WB.matrix().allFinite()) throw SimulationError("the vehicle's first pose is not finite");
   mj_resetData(model_.get(), data_.get());
   SetPose(X_WB, *data_);
   mj_forward(model_.get(), data_.get());
@@ -104,15 +107,7 @@ void World::Step(const models::RotorCommand& command) {
     if (!std::isfinite(speed)) throw SimulationError("the rotor command is not finite");
   }
   const TrueState before = state_;
-  const Wrench wrench = AppliedWrench(command);
-  if (!wrench.force_n.allFinite() || !wrench.torque_n_m.allFinite()) {
-    throw SimulationError("a force on the vehicle is not finite");
-  }
-  const Eigen::Matrix3d R_WB_middle =
-      before.X_WB.linear() * models::RotationExp(0.5 * time_.period_s() * before.w_WB_B);
-  // MuJoCo takes a free joint's force in the world and its torque in the body.
-  Eigen::Map<Vector3d>(data_->qfrc_applied) = R_WB_middle * wrench.force_n + push_force_n_;
-  Eigen::Map<Vector3d>(data_->qfrc_applied + 3) = wrench.torque_n_m + R_WB_middle.transpose() * push_torque_n_m_;
+  ApplyForces(AppliedWrench(command));
   StepMujoco();
   ++state_.tick;
   ReadState();
@@ -135,14 +130,43 @@ double World::FindRestingHeight() {
   return 0.5 * (falls + lifts);
 }
 
-/// In B, over the coming tick: everything but the push, gravity and contact.
+double World::FindContactCeiling() const {
+  double highest_thing = -mjMAXVAL, vehicle_radius = 0.0;
+  for (int geom = 0; geom < model_->ngeom; ++geom) {
+    if (model_->geom_contype[geom] == 0) continue;
+    const bool is_plane = model_->geom_type[geom] == mjGEOM_PLANE;
+    const double radius = is_plane ? 0.0 : model_->geom_rbound[geom];
+    if (model_->geom_bodyid[geom] == vehicle_body_) {
+      vehicle_radius =
+          std::max(vehicle_radius, Eigen::Map<const Vector3d>(model_->geom_pos + 3 * geom).norm() + radius);
+    } else {
+      highest_thing = std::max(highest_thing, data_->geom_xpos[3 * geom + 2] + radius);
+    }
+  }
+  constexpr double kFallOfATick_m = 0.1;
+  return highest_thing + vehicle_radius + kFallOfATick_m;
+}
+
+/// In B, over the coming tick: everything but push, gravity and contact.
 Wrench World::AppliedWrench(const models::RotorCommand& command) {
   Wrench wrench = rotors_.Step(command);
   wrench.force_n += DragForce(vehicle_, state_.X_WB.linear().transpose() * (state_.v_WB - wind_m_s_));
   return wrench;
 }
 
+void World::ApplyForces(const Wrench& wrench) {
+  const Eigen::Matrix3d R_WB = state_.X_WB.linear() * models::RotationExp(0.5 * time_.period_s() * state_.w_WB_B);
+  // MuJoCo takes a free joint's force in the world and its torque in the body.
+  Eigen::Map<Vector3d> force_W(data_->qfrc_applied), torque_B(data_->qfrc_applied + 3);
+  force_W = R_WB * wrench.force_n + push_force_n_;
+  torque_B = wrench.torque_n_m + R_WB.transpose() * push_torque_n_m_;
+  if (!force_W.allFinite() || !torque_B.allFinite()) throw SimulationError("a force on the vehicle is not finite");
+}
+
 void World::StepMujoco() {
+  // Looking for contacts takes three quarters of a step near the floor, and is in vain far above it.
+  const bool out_of_reach = state_.X_WB.translation().z() > contact_ceiling_m_;
+  model_->opt.disableflags = out_of_reach ? mjDSBL_CONTACT : 0;
   const double time_before_s = data_->time;
   mj_step(model_.get(), data_.get());
   const std::optional<std::string> warning = TakeMujocoWarning();

@@ -18,6 +18,7 @@ namespace touchdown::sim {
 struct WorldConfig {
   VibrationConfig vibration;
   Eigen::Vector3d wind_m_s = Eigen::Vector3d::Zero();  ///< Mean wind in W.
+  bool paint_textures = true;                          ///< Only a renderer needs them, and they take most of the start.
 
   /// Throws InputError when a number is not finite or the imbalance negative.
   void Validate() const;
@@ -61,7 +62,9 @@ class World {
 
  private:
   double FindRestingHeight();
+  double FindContactCeiling() const;
   Wrench AppliedWrench(const models::RotorCommand& command);
+  void ApplyForces(const Wrench& wrench);
   void StepMujoco();
   void ReadState();
   void ReadContacts();
@@ -76,6 +79,7 @@ class World {
   int pad_cover_ = -1;
   std::vector<bool> is_foot_;  ///< By geom.
   double resting_height_m_ = 0.0;
+  double contact_ceiling_m_ = 0.0;  ///< With the body's origin above it, the vehicle can touch nothing.
   Eigen::Vector3d wind_m_s_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d push_force_n_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d push_torque_n_m_ = Eigen::Vector3d::Zero();

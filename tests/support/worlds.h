@@ -1,0 +1,59 @@
+#pragma once
+
+#include "models/vehicle.h"
+#include "sim/scene.h"
+#include "sim/world.h"
+
+namespace touchdown::testing {
+
+/// A bare floor with the pad on it.
+inline sim::Scene EmptyRoom() {
+  const sim::SceneConfig config{.posters = 0, .lone_circles = 0, .lone_letters = 0, .objects = 0};
+  return sim::MakeScene(config, models::LandingPad{}, 1);
+}
+
+inline models::Vehicle VehicleWithoutDrag() {
+  models::Vehicle vehicle;
+  vehicle.linear_drag_n_s_m.setZero();
+  vehicle.quadratic_drag_n_s2_m2.setZero();
+  return vehicle;
+}
+
+/// Still air, balanced rotors, nothing to look at.
+inline sim::WorldConfig StillAndBalanced() {
+  sim::WorldConfig config;
+  config.vibration.imbalance_kg_m = 0.0;
+  config.paint_textures = false;
+  return config;
+}
+
+/// As a flight has it by default, but with nothing to look at.
+inline sim::WorldConfig Unpainted() {
+  sim::WorldConfig config;
+  config.paint_textures = false;
+  return config;
+}
+
+/// `vehicle` in an empty room, in still air, with balanced rotors.
+inline sim::World QuietWorld(const models::Vehicle& vehicle) {
+  return sim::World(StillAndBalanced(), vehicle, EmptyRoom(), models::TimeBase{}, 1);
+}
+
+inline Eigen::Isometry3d LevelAt(double x_m, double y_m, double z_m) {
+  return Eigen::Isometry3d(Eigen::Translation3d(x_m, y_m, z_m));
+}
+
+inline models::RotorCommand SameSpeed(double speed_rad_s) {
+  return {{speed_rad_s, speed_rad_s, speed_rad_s, speed_rad_s}};
+}
+
+inline models::RotorCommand HoverCommand(const models::Vehicle& vehicle) {
+  return SameSpeed(vehicle.rotor.SpeedFor(vehicle.HoverThrustPerRotor()));
+}
+
+inline void StepFor(sim::World& world, const models::RotorCommand& command, double duration_s) {
+  const models::Tick ticks = models::TimeBase{}.FromSeconds(duration_s);
+  for (models::Tick i = 0; i < ticks; ++i) world.Step(command);
+}
+
+}  // namespace touchdown::testing
