@@ -10,10 +10,10 @@ namespace touchdown::controller {
 /// Gains in terms of angular acceleration, so that they hold for a vehicle of any inertia. They are tuned for a rotor
 /// lag of 40 ms: a quicker rotor bears higher ones.
 struct AttitudeControllerConfig {
-  double roll_pitch_angle_gain_1_s = 6.5;  ///< Rate asked for per angle error. Higher is stiffer, less damped.
-  double roll_pitch_rate_gain_1_s = 18.0;  ///< Angular acceleration asked for per rate error.
+  double roll_pitch_angle_gain_1_s = 8.0;  ///< Rate asked for per angle error. Higher is stiffer, less damped.
+  double roll_pitch_rate_gain_1_s = 22.0;  ///< Angular acceleration asked for per rate error.
   double roll_pitch_rate_integral_gain_1_s2 = 20.0;  ///< Takes out a constant torque, as of an off-centre load.
-  double roll_pitch_rate_derivative_gain = 0.3;      ///< Against the angular acceleration: makes up for the rotor lag.
+  double roll_pitch_rate_derivative_gain = 0.4;      ///< Against the angular acceleration: makes up for the rotor lag.
   double derivative_cutoff_hz = 30.0;  ///< Of the low-pass before the derivative. Lower is quieter, later.
   double max_roll_pitch_rate_rad_s = 4.0;
   double max_roll_pitch_integral_rad_s2 = 10.0;

@@ -42,7 +42,7 @@ FlightController::FlightController(const FlightControllerConfig& config, const m
       position_(config.position, vehicle, time.ToSeconds(time.PeriodOf(rate_hz))),
       attitude_(config.attitude, vehicle, time.ToSeconds(time.PeriodOf(rate_hz))),
       mixer_(vehicle),
-      predictor_(vehicle, time.ToSeconds(time.PeriodOf(rate_hz))) {}
+      predictor_(vehicle, time.ToSeconds(time.PeriodOf(rate_hz)), starts_airborne ? weight_n_ : 0.0) {}
 
 ControlOutput FlightController::Update(const models::VehicleEstimate& estimate) {
   pad_.Update(estimate.tick, estimate.pad_seen);

@@ -65,6 +65,7 @@ void GuidanceConfig::Validate() const {
   RequireNotNegative(t_0_s, "t_0");
   RequirePositive(h_step_m, "h_step");
   RequirePositive(step_rate_m_s, "step_rate");
+  RequirePositive(braking_m_s2, "braking");
   RequirePositive(landing_limit_s, "landing_limit");
   RequirePositive(blind_clearance_m, "blind_clearance");
   RequirePositive(blind_entry_speed_m_s, "blind_entry_speed");
@@ -227,7 +228,11 @@ void Guidance::StepDown(const Input& input) {
     landing_height_m_ = std::max(BlindHeight(), landing_height_m_ - config_.h_step_m);
     satisfied_since_.reset();
   }
-  MoveHeight(landing_height_m_, config_.step_rate_m_s);
+  const double braking_way_m = p_m_.z() - BlindHeight();
+  const double braking_rate = std::sqrt(2.0 * config_.braking_m_s2 * std::max(0.0, braking_way_m));
+  constexpr double kLeastRate_m_s = 0.05;
+  MoveHeight(landing_height_m_,
+             std::clamp(braking_rate, std::min(kLeastRate_m_s, config_.step_rate_m_s), config_.step_rate_m_s));
 }
 
 void Guidance::MoveHeight(double target_m, double rate_m_s) {

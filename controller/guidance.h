@@ -26,21 +26,22 @@ struct GuidanceConfig {
   // The blind climb: thrust as a share of the nominal weight.
   double start_thrust_ratio = 0.8;
   double thrust_ratio_rate_1_s = 0.2;
-  double max_thrust_ratio = 1.25;  ///< The heaviest payload that takes off, less one.
+  double max_thrust_ratio = 1.12;  ///< The heaviest payload that takes off, less one.
   double blind_climb_limit_s = 4.0;
-  double blind_climb_limit_m = 1.0;  ///< By prediction, over where it stood.
+  double blind_climb_limit_m = 0.8;  ///< By prediction, over where it stood.
 
   double climb_rate_m_s = 0.30;   ///< Of the ramp.
   double arrival_error_m = 0.08;  ///< Height error at the end of the ramp at which the takeoff is done.
   double ramp_limit_s = 20.0;
 
   // Landing (Sec. V, Fig. 3): the truncated cone Q' and the steps.
-  double cone_radius_m = 0.05;         ///< Of Q' at its bottom, the blind height. Wider lands sooner, further off.
+  double cone_radius_m = 0.03;         ///< Of Q' at its bottom, the blind height. Wider lands sooner, further off.
   double cone_half_angle_rad = 0.175;  ///< 10 deg.
   double h_err_m = 0.06;               ///< Height error at which a step counts as reached.
   double t_0_s = 0.10;                 ///< For how long the vehicle must have been in Q' with less than h_err.
   double h_step_m = 0.10;
-  double step_rate_m_s = 0.40;  ///< The set-point moves through a step at this rate.
+  double step_rate_m_s = 0.40;  ///< The set-point moves through a step at this rate, and slows down towards
+  double braking_m_s2 = 0.25;   ///< the blind height by this much.
   double landing_limit_s = 60.0;
 
   // Blind descent.
@@ -53,7 +54,7 @@ struct GuidanceConfig {
   // The pad is not seen.
   double pad_lost_s = 0.30;   ///< After which it counts as lost.
   double pad_found_s = 0.10;  ///< For which it must have been seen to be relied on (again).
-  double hold_limit_s = 1.5;
+  double hold_limit_s = 0.8;
   double search_climb_rate_m_s = 0.30;
   double search_climb_limit_s = 5.0;
   double search_ceiling_m = 2.5;  ///< By prediction.

@@ -5,8 +5,11 @@
 
 namespace touchdown::controller {
 
-MotionPredictor::MotionPredictor(const models::Vehicle& vehicle, double period_s)
-    : mass_kg_(vehicle.mass_kg), period_s_(period_s), lag_(1.0 - std::exp(-period_s / vehicle.rotor.time_constant_s)) {}
+MotionPredictor::MotionPredictor(const models::Vehicle& vehicle, double period_s, double thrust_n)
+    : mass_kg_(vehicle.mass_kg),
+      period_s_(period_s),
+      lag_(1.0 - std::exp(-period_s / vehicle.rotor.time_constant_s)),
+      thrust_n_(thrust_n) {}
 
 void MotionPredictor::Step(const models::TaitBryan& attitude, double thrust_n, const Eigen::Vector3d& trim_m_s2) {
   thrust_n_ += lag_ * (thrust_n - thrust_n_);

@@ -12,7 +12,8 @@ namespace touchdown::controller {
 /// gravity, and the disturbance that the position loop's trim stands against. Good for a second or two.
 class MotionPredictor {
  public:
-  MotionPredictor(const models::Vehicle& vehicle, double period_s);
+  /// `thrust_n` is the thrust that the rotors have at the start.
+  MotionPredictor(const models::Vehicle& vehicle, double period_s, double thrust_n);
 
   /// Starts over from there.
   void Set(const models::VehicleEstimate::Motion& motion) { motion_ = motion; }
@@ -30,7 +31,7 @@ class MotionPredictor {
   double mass_kg_;
   double period_s_;
   double lag_;  ///< Share of a thrust change that a period lets through.
-  double thrust_n_ = 0.0;
+  double thrust_n_;
   models::VehicleEstimate::Motion motion_;
 };
 

@@ -12,9 +12,9 @@ namespace touchdown::controller {
 /// position error. The horizontal gains are low since the velocity comes late: from vision, through a filter that does
 /// not know the vehicle's acceleration.
 struct PositionControllerConfig {
-  double xy_position_gain_1_s = 0.9;
-  double xy_velocity_gain_1_s = 1.8;
-  double xy_integral_gain_1_s3 = 0.4;  ///< Learns the trim against wind and a level error of the IMU.
+  double xy_position_gain_1_s = 1.2;
+  double xy_velocity_gain_1_s = 2.6;
+  double xy_integral_gain_1_s3 = 1.0;  ///< Learns the trim against wind and a level error of the IMU.
   double z_position_gain_1_s = 1.6;
   double z_velocity_gain_1_s = 3.5;
   double z_integral_gain_1_s3 = 2.0;  ///< Learns the trim against an error of mass or thrust.
@@ -25,7 +25,7 @@ struct PositionControllerConfig {
   double max_z_acceleration_m_s2 = 3.0;
   double max_xy_integral_m_s2 = 1.5;  ///< 8.7 deg of trim: 4.8 m/s of wind.
   double max_z_integral_m_s2 = 2.0;
-  double max_integrated_error_m = 0.15;  ///< Errors beyond it integrate as if they were this large: a push is no wind.
+  double max_integrated_error_m = 0.30;  ///< Errors beyond it integrate as if they were this large: a push is no wind.
 
   /// Throws InputError when a number is not finite, a gain is negative, a limit is not positive, or the tilt is not
   /// below 60 degrees.

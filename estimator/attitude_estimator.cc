@@ -14,6 +14,9 @@ using models::kGravity_m_s2;
 constexpr double kManoeuvreDensity_rad2_s = 0.0015;
 /// The same at rest: the accelerometer's noise (6.4e-3 m/s^2/sqrt(Hz)).
 constexpr double kRestDensity_rad2_s = 4e-7;
+/// For how long after the first sample the tilt is averaged as at rest: its noise goes, the vehicle's own acceleration, which
+/// changes slowly, stays within initial_tilt_sigma.
+constexpr double kSettling_s = 0.1;
 /// Gyro noise density squared (8.7e-4 rad/s/sqrt(Hz)).
 constexpr double kGyroDensity_rad2_s = 8e-7;
 
@@ -45,13 +48,12 @@ void AttitudeEstimator::Update(const models::ImuSample& imu, bool at_rest) {
   const Eigen::Vector3d w_B = R_BU_ * imu.w_WU_U;
   if (history_.empty()) {
     Start(f_B);
-    previous_w_B_ = w_B;
   } else {
     const double dt_s = time_.ToSeconds(imu.tick - history_.back().tick);
+    age_s_ += dt_s;
     if (at_rest) AverageBiasAtRest(w_B, dt_s);
-    Turn(0.5 * (previous_w_B_ + w_B) - gyro_bias_B_, dt_s);
+    Turn(w_B - gyro_bias_B_, dt_s);
     CorrectTilt(f_B, dt_s, at_rest);
-    previous_w_B_ = w_B;
   }
   w_WB_B_ = w_B - gyro_bias_B_;
   history_.push_back({imu.tick, R_GB_});
@@ -95,6 +97,7 @@ Eigen::Vector2d AttitudeEstimator::Gain(double dt_s, double weight, bool at_rest
   covariance_ = F * covariance_ * F.transpose() + kManoeuvreDensity_rad2_s * dt_s * Q;
   if (weight <= 0.0 || dt_s <= 0.0) return Eigen::Vector2d::Zero();
 
+  if (age_s_ < kSettling_s) return {dt_s / age_s_, 0.0};
   const double density = at_rest ? kRestDensity_rad2_s : kManoeuvreDensity_rad2_s;
   const Eigen::Vector2d gain = covariance_.col(0) / (covariance_(0, 0) + density / (weight * dt_s));
   covariance_ -= gain * covariance_.row(0).eval();

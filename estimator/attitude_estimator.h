@@ -14,7 +14,7 @@ namespace touchdown::estimator {
 struct AttitudeEstimatorConfig {
   double accelerometer_time_constant_s = 10.0;  ///< Longer trusts the gyro longer; shorter follows the thrust's tilt.
   double gyro_bias_time_constant_s = 40.0;      ///< How fast the gyro's bias is learned; at least twice the other one.
-  double initial_tilt_sigma_rad = 0.02;         ///< Of roll and pitch as the first sample shows them.
+  double initial_tilt_sigma_rad = 0.02;         ///< Of roll and pitch as the first 0.1 s shows them.
   double initial_gyro_bias_sigma_rad_s = 0.0087;
   double acceleration_tolerance = 0.25;    ///< Of g: a specific force whose size is this far off is not used.
   double yaw_time_constant_s = 0.5;        ///< How fast yaw follows vision.
@@ -32,8 +32,9 @@ class AttitudeEstimator {
   /// `R_BU` is the calibrated mounting of the IMU.
   AttitudeEstimator(const AttitudeEstimatorConfig& config, const models::TimeBase& time, const Eigen::Matrix3d& R_BU);
 
-  /// Takes the next sample. The first one sets roll and pitch from the accelerometer and yaw to 0; while `at_rest` (the
-  /// vehicle knows that it stands on the ground, motors off) the gyro's bias and the tilt are averaged fast.
+  /// Takes the next sample, a mean since the one before. The first one sets roll and pitch from the accelerometer and
+  /// yaw to 0; while `at_rest` (the vehicle knows that it stands on the ground, motors off) the gyro's bias and the
+  /// tilt are averaged fast.
   void Update(const models::ImuSample& imu, bool at_rest);
 
   /// Corrects yaw by vision's yaw at an earlier instant, modulo 180 degrees (Sec. IV-C.3). The first correction sets
@@ -72,11 +73,11 @@ class AttitudeEstimator {
   std::deque<Entry> history_;
   Eigen::Matrix3d R_GB_ = Eigen::Matrix3d::Identity();
   double yaw_WG_ = 0.0;
-  Eigen::Vector3d previous_w_B_ = Eigen::Vector3d::Zero();  ///< As measured.
   Eigen::Vector3d w_WB_B_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d gyro_bias_B_ = Eigen::Vector3d::Zero();
   Eigen::Matrix2d covariance_;  ///< Of (tilt about a horizontal axis, gyro bias about it).
-  double rest_s_ = 0.0;
+  double age_s_ = 0.0;   ///< Since the first sample.
+  double rest_s_ = 0.0;  ///< Spent at rest.
   std::optional<models::Tick> yaw_corrected_;
 };
 

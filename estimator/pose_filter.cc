@@ -9,7 +9,7 @@ namespace touchdown::estimator {
 
 void PoseFilterConfig::Validate() const {
   for (const double value : {xy_acceleration_noise_m_s2_sqrt_hz, z_acceleration_noise_m_s2_sqrt_hz, xy_noise_per_height,
-                             min_xy_noise_m, z_noise_m, initial_speed_m_s}) {
+                             min_xy_noise_m, z_noise_per_height, min_z_noise_m, initial_speed_m_s}) {
     if (!std::isfinite(value) || value <= 0.0) {
       throw InputError("the pose filter's settings must be positive and finite");
     }
@@ -53,7 +53,7 @@ void PoseFilter::Reset() { newest_.reset(); }
 
 Eigen::Vector3d PoseFilter::Noise(double height_m) const {
   const double xy = std::max(config_.min_xy_noise_m, config_.xy_noise_per_height * height_m);
-  return {xy, xy, config_.z_noise_m};
+  return {xy, xy, std::max(config_.min_z_noise_m, config_.z_noise_per_height * height_m)};
 }
 
 void PoseFilter::Axis::Start(double position, double position_sigma, double speed_sigma) {
