@@ -7,6 +7,7 @@
 
 #include "models/error.h"
 #include "scenarios/cli/command.h"
+#include "scenarios/cli/fly.h"
 #include "scenarios/cli/interrupt.h"
 #include "scenarios/flight/interrupted.h"
 
@@ -16,7 +17,7 @@ using touchdown::scenarios::AddCommand;
 using touchdown::scenarios::ExitStatus;
 using touchdown::scenarios::Run;
 
-AddCommand* const kCommands[] = {};
+AddCommand* const kCommands[] = {touchdown::scenarios::AddFly};
 
 int RunAndExplain(const Run& run) {
   try {

@@ -52,7 +52,8 @@ void Describe(ConfigVisitor& v, estimator::PoseFilterConfig& c) {
   v.Number({"xy_noise_per_height", "1-sigma of a vision position, horizontally, per metre of height."},
            c.xy_noise_per_height, kNoUnit, kPositive);
   v.Number({"min_xy_noise_m", "What it is at least."}, c.min_xy_noise_m, kMetre, kPositive);
-  v.Number({"z_noise_m", "1-sigma of a vision position, vertically."}, c.z_noise_m, kMetre, kPositive);
+  v.Number({"z_noise_per_height", "The same vertically."}, c.z_noise_per_height, kNoUnit, kPositive);
+  v.Number({"min_z_noise_m", "What it is at least."}, c.min_z_noise_m, kMetre, kPositive);
   v.Number({"initial_speed_m_s", "1-sigma of each component of the velocity at the first position."},
            c.initial_speed_m_s, kMetrePerSecond, kPositive);
   v.Check("", [&c] { c.Validate(); });
@@ -81,6 +82,8 @@ void Describe(ConfigVisitor& v, controller::GuidanceConfig& c) {
            kSecond, kNotNegative);
   v.Number({"h_step_m", "How far the set-point comes down in a step."}, c.h_step_m, kMetre, kPositive);
   v.Number({"step_rate_m_s", "At which it moves through a step."}, c.step_rate_m_s, kMetrePerSecond, kPositive);
+  v.Number({"braking_m_s2", "And slows down towards the blind height by this much."}, c.braking_m_s2, kMetrePerSecond2,
+           kPositive);
   v.Number({"landing_limit_s", "How long a landing may take."}, c.landing_limit_s, kSecond, kPositive);
   v.Number({"blind_clearance_m", "Of the soles over the pad, below which the descent goes on by prediction."},
            c.blind_clearance_m, kMetre, kPositive);

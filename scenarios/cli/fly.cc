@@ -1,0 +1,81 @@
+#include "scenarios/cli/fly.h"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/error.h"
+#include "scenarios/cli/interrupt.h"
+#include "scenarios/flight/flight_folder.h"
+#include "scenarios/flight/scenario.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+struct Options {
+  std::string scenario;
+  std::vector<std::string> overrides;
+  std::optional<std::uint64_t> seed;
+  std::string estimator;
+  std::string out;
+};
+
+void PrintVerdict(const FlightResult& result) {
+  for (const Check& check : result.checks) {
+    const std::string value = check.value ? fmt::format("{:.4g}", *check.value) : check.text;
+    fmt::print("  {}  {:<32} {:>10} {:<4} {}\n", check.pass ? "pass" : "FAIL", check.name,
+               value.empty() ? "none" : value, check.unit, check.limit);
+  }
+  fmt::print("{} ({}): {}\n", kOutcomeNames[static_cast<std::size_t>(result.outcome)], result.reason,
+             kVerdictNames[static_cast<std::size_t>(result.verdict)]);
+}
+
+int FlyWith(const Options& options) {
+  std::vector<std::string> overrides = options.overrides;
+  if (options.seed) overrides.push_back(fmt::format("seed={}", *options.seed));
+  if (!options.estimator.empty()) overrides.push_back("estimator.name=" + options.estimator);
+  const Scenario scenario = LoadScenario(options.scenario, overrides);
+  const std::string out = options.out.empty() ? "out/" + scenario.name : options.out;
+  if (std::filesystem::path(options.scenario).parent_path() != "" &&
+      std::filesystem::weakly_canonical(options.scenario).parent_path() == std::filesystem::weakly_canonical(out)) {
+    throw InputError(fmt::format("output folder {}: holds the scenario that is flown; name another", out));
+  }
+  const FlightResult result = FlyIntoFolder(scenario, out, InterruptRequested);
+  fmt::print("{}, seed {}, estimator {}\n", scenario.name, scenario.seed, scenario.estimator.name);
+  PrintVerdict(result);
+  fmt::print("{:.1f} s flown at {:.2f} times real time, vision {:.1f} ms a frame; files in {}\n",
+             result.metrics.at("flight.sim_time_s"), result.timing.realtime_factor, result.timing.vision_ms_mean, out);
+  if (result.verdict == Verdict::kError) spdlog::error("the simulation went wrong: {}", result.reason);
+  switch (result.verdict) {
+    case Verdict::kPass:
+      return kPassed;
+    case Verdict::kFail:
+      return kFailed;
+    case Verdict::kError:
+      break;
+  }
+  return kInternalError;
+}
+
+}  // namespace
+
+void AddFly(CLI::App& app, Run& run) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("fly", "Fly a scenario, judge it, and leave its files");
+  command.add_option("SCENARIO", options->scenario, "The scenario's YAML file")->required();
+  command.add_option("--set", options->overrides, "Change a key of the scenario, as in --set camera.noise_sigma=5")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command.add_option("--seed", options->seed, "Seed of every random source (default: the scenario's)");
+  command.add_option("--estimator", options->estimator, "Name of the estimator (default: the scenario's)");
+  command.add_option("--out", options->out, "Folder for the files (default: out/NAME)");
+  command.callback([options, &run] { run = [options] { return FlyWith(*options); }; });
+}
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "scenarios/cli/command.h"
+
+namespace touchdown::scenarios {
+
+/// `touchdown fly SCENARIO [--set key=value]... [--seed N] [--estimator NAME] [--out DIR]`: one flight, its verdict and
+/// its files.
+AddCommand AddFly;
+
+}  // namespace touchdown::scenarios

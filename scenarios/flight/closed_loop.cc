@@ -1,0 +1,100 @@
+#include "scenarios/flight/closed_loop.h"
+
+#include "controller/flight_controller.h"
+#include "estimator/attitude_estimator.h"
+#include "estimator/make_estimator.h"
+#include "estimator/pose_filter.h"
+#include "scenarios/flight/end_watch.h"
+#include "scenarios/flight/event_player.h"
+#include "scenarios/flight/flight_recorder.h"
+#include "scenarios/flight/pad_view.h"
+#include "scenarios/flight/stopwatch.h"
+#include "sim/camera.h"
+#include "sim/imu.h"
+#include "sim/mujoco_errors.h"
+#include "sim/scene.h"
+#include "sim/tracking_system.h"
+#include "sim/world.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+Eigen::Isometry3d StartPose(const Start& start, const sim::World& world) {
+  if (!start.airborne) return world.RestingPose(start.position_m.x(), start.position_m.y(), start.yaw);
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  X_WB.linear() = models::RotationFromTaitBryan({.roll = 0.0, .pitch = 0.0, .yaw = start.yaw});
+  X_WB.translation() = start.position_m;
+  return X_WB;
+}
+
+models::VehicleEstimate Combine(models::Tick tick, const estimator::AttitudeEstimator& attitude,
+                                const estimator::PoseFilter& filter) {
+  return {.tick = tick,
+          .attitude = attitude.attitude(),
+          .w_WB_B = attitude.w_WB_B(),
+          .motion = filter.At(tick),
+          .pad_seen = filter.newest()};
+}
+
+}  // namespace
+
+FlightLog FlyClosedLoop(const Scenario& s, const FrameObserver& on_frame, const StopRequested& stop_requested) {
+  sim::World world(s.world, s.vehicle, sim::MakeScene(s.scene, s.pad, s.seed), s.time, s.seed);
+  world.Reset(StartPose(s.start, world), s.start.airborne);
+  sim::Camera camera(s.camera, s.vehicle.X_BC(), world, s.time, s.seed);
+  sim::Imu imu(s.imu, s.vehicle.X_BU(), s.time, s.seed);
+  sim::TrackingSystem tracking_system(s.tracking, s.time, s.seed);
+
+  const auto estimator = estimator::MakeEstimator(s.estimator, {s.camera.model, s.pad, s.vehicle.X_BC(), s.time});
+  estimator::AttitudeEstimator attitude(s.attitude_estimator, s.time, s.vehicle.X_BU().linear());
+  estimator::PoseFilter filter(s.pose_filter, s.time);
+  controller::FlightController controller(s.controller, s.vehicle, s.time, s.imu.rate_hz, s.script, s.start.airborne);
+  controller::ControlOutput control;
+
+  EventPlayer events(s.events, s.time);
+  EndWatch end_watch(s);
+  FlightRecorder recorder(s);
+  const Stopwatch flight_clock;
+  const auto finish = [&](const Ending& ending) {
+    FlightLog log = recorder.Finish(ending.outcome, ending.reason);
+    log.wall_s = flight_clock.seconds();
+    return log;
+  };
+
+  try {
+    for (;;) {
+      const sim::TrueState& truth = world.state();
+      events.Apply(truth.tick, world);
+      recorder.OnTruth(truth, camera.X_WC(truth), events.pad_is_covered(), control.phase);
+
+      if (const auto frame = camera.Sample(truth); frame && !events.frames_are_lost()) {
+        const Stopwatch vision_clock;
+        const estimator::FrameEstimate seen =
+            estimator->Estimate(frame->image.View(), frame->mid_exposure, attitude.GravityAt(frame->mid_exposure));
+        const double vision_ms = vision_clock.milliseconds();
+        if (seen.status == estimator::FrameStatus::kOk) {
+          const Eigen::Isometry3d X_WB = NearerTwin(seen.pose.value().X_WB, attitude.attitude().yaw);
+          filter.Update(frame->mid_exposure, X_WB.translation());
+          attitude.CorrectYaw(frame->mid_exposure, models::TaitBryanFromRotation(X_WB.linear()).yaw);
+        }
+        const FrameRecord& record = recorder.OnFrame(seen, camera.render_ms(), vision_ms);
+        if (on_frame) on_frame(*frame, seen, record);
+      }
+      if (const auto tracked = tracking_system.Sample(truth)) recorder.OnTracking(*tracked);
+
+      if (const auto sample = imu.Sample(truth)) {
+        attitude.Update(*sample, controller.phase() == controller::Phase::kStandby);
+        const models::VehicleEstimate estimate = Combine(truth.tick, attitude, filter);
+        control = controller.Update(estimate);
+        recorder.OnControl(estimate, control);
+        if (stop_requested && stop_requested()) throw Interrupted();
+      }
+      if (const auto ending = end_watch.Judge(truth, control)) return finish(*ending);
+      world.Step(control.rotors);
+    }
+  } catch (const sim::SimulationError& error) {
+    return finish({Outcome::kError, error.what()});
+  }
+}
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,29 @@
+#include "scenarios/flight/flight_folder.h"
+
+#include "scenarios/flight/output_folder.h"
+#include "scenarios/report/contact_sheet.h"
+
+namespace touchdown::scenarios {
+
+FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path& place,
+                           const StopRequested& stop_requested) {
+  OutputFolder folder(place, {"result.json", "scenario.yaml", "flight.csv", "frames.csv", "tracking.csv",
+                              "frame_timing.csv", "timing.json", "frames.png"});
+  ContactSheet sheet(scenario.camera.model, scenario.time);
+  const FlightResult result = Fly(
+      scenario,
+      [&sheet](const auto& frame, const auto& estimate, const auto& record) { sheet.Add(frame, estimate, record); },
+      stop_requested);
+  folder.Write("scenario.yaml", ScenarioYaml(scenario));
+  folder.Write("flight.csv", result.tables.flight_csv);
+  folder.Write("frames.csv", result.tables.frames_csv);
+  folder.Write("tracking.csv", result.tables.tracking_csv);
+  folder.Write("frame_timing.csv", result.tables.frame_timing_csv);
+  folder.Write("timing.json", TimingJson(result.timing));
+  folder.Write("frames.png", sheet.Png());
+  folder.Write("result.json", ResultJson(scenario, result));
+  folder.Commit();
+  return result;
+}
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+
+#include "scenarios/flight/fly.h"
+
+namespace touchdown::scenarios {
+
+/// Flies a scenario and leaves its folder at `place`: scenario.yaml, result.json, the tables, timing.json and
+/// frames.png (docs/scenarios.md says what each holds). The folder appears when everything is written, see
+/// OutputFolder. Throws InputError for a place that cannot be used, before the flight, and as Fly does.
+FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path& place,
+                           const StopRequested& stop_requested);
+
+}  // namespace touchdown::scenarios

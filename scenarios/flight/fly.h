@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenarios/flight/closed_loop.h"
+#include "scenarios/flight/flight_log.h"
+#include "scenarios/flight/interrupted.h"
+#include "scenarios/flight/metrics.h"
+#include "scenarios/flight/scenario.h"
+
+namespace touchdown::scenarios {
+
+enum class Verdict {
+  kPass,   ///< Every check was kept.
+  kFail,   ///< A check was not.
+  kError,  ///< The simulation went wrong.
+};
+inline constexpr std::array<std::string_view, 3> kVerdictNames = {"pass", "fail", "error"};
+
+/// What the wall clock says of a flight.
+struct Timing {
+  double vision_ms_mean = 0.0;
+  double vision_ms_p99 = 0.0;
+  double render_ms_mean = 0.0;
+  double realtime_factor = 0.0;  ///< Simulated over real time.
+};
+
+/// The logs' text, as the files of the same names hold it.
+struct FlightTables {
+  std::string flight_csv;
+  std::string frames_csv;
+  std::string tracking_csv;
+  std::string frame_timing_csv;
+};
+
+struct FlightResult {
+  Verdict verdict = Verdict::kError;
+  Outcome outcome = Outcome::kError;
+  std::string reason;
+  Metrics metrics;
+  std::vector<Check> checks;
+  Timing timing;
+  std::string log_sha256;  ///< Of flight.csv followed by frames.csv.
+  FlightTables tables;
+};
+
+/// Flies a scenario and judges the flight. Touches no file. Throws as FlyClosedLoop does.
+FlightResult Fly(const Scenario& scenario, const FrameObserver& on_frame = nullptr,
+                 const StopRequested& stop_requested = nullptr);
+
+/// Judges a flight that has been flown.
+FlightResult JudgeFlight(const Scenario& scenario, const FlightLog& log);
+
+/// The text of result.json and timing.json.
+std::string ResultJson(const Scenario& scenario, const FlightResult& result);
+std::string TimingJson(const Timing& timing);
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,112 @@
+#include "scenarios/flight/output_folder.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <stdio.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+
+#include "models/error.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+namespace fs = std::filesystem;
+
+InputError Unusable(const fs::path& place, std::string_view why) {
+  return InputError(fmt::format("output folder {}: {}", place.string(), why));
+}
+
+bool Contains(const std::vector<std::string>& names, const fs::path& name) {
+  return std::find(names.begin(), names.end(), name.string()) != names.end();
+}
+
+}  // namespace
+
+OutputFolder::OutputFolder(const fs::path& place, std::vector<std::string> kind_files)
+    : kind_files_(std::move(kind_files)) {
+  std::error_code error;
+  place_ = fs::weakly_canonical(fs::absolute(place, error), error);
+  if (error || place_.empty() || !place_.has_filename()) {
+    if (!error && place_.has_parent_path() && place_ != place_.root_path()) {
+      place_ = place_.parent_path();
+    } else {
+      throw Unusable(place, "is no place for a folder");
+    }
+  }
+  CheckPlace();
+  MakeFolders();
+}
+
+void OutputFolder::CheckPlace() const {
+  std::error_code error;
+  const fs::file_status status = fs::status(place_, error);
+  if (!fs::exists(status)) return;
+  if (!fs::is_directory(status)) throw Unusable(place_, "is a file");
+  if (fs::equivalent(place_, fs::current_path(error), error)) {
+    throw Unusable(place_, "is the folder you are in; name another");
+  }
+  const bool empty = fs::is_empty(place_, error);
+  if (error) throw Unusable(place_, error.message());
+  if (!empty && !fs::exists(place_ / kind_files_.front(), error)) {
+    throw Unusable(place_, fmt::format("holds other files (it has no {}); nothing was written", kind_files_.front()));
+  }
+}
+
+void OutputFolder::MakeFolders() {
+  std::error_code error;
+  for (fs::path parent = place_.parent_path(); !fs::exists(parent, error) && parent != parent.root_path();
+       parent = parent.parent_path()) {
+    made_.insert(made_.begin(), parent);
+  }
+  temporary_ = place_.parent_path() / fmt::format(".{}.partial-{}", place_.filename().string(), getpid());
+  fs::create_directories(temporary_, error);
+  if (error) {
+    const std::string why = error.message();
+    for (auto parent = made_.rbegin(); parent != made_.rend(); ++parent) fs::remove(*parent, error);
+    throw Unusable(place_, why);
+  }
+}
+
+OutputFolder::~OutputFolder() {
+  std::error_code error;
+  fs::remove_all(temporary_, error);
+  if (committed_) return;
+  for (auto parent = made_.rbegin(); parent != made_.rend(); ++parent) fs::remove(*parent, error);
+}
+
+void OutputFolder::Write(std::string_view name, std::string_view content) {
+  std::ofstream file(temporary_ / name, std::ios::binary);
+  file.write(content.data(), static_cast<std::streamsize>(content.size()));
+  file.close();
+  if (!file) throw Unusable(place_, fmt::format("{} cannot be written", name));
+}
+
+void OutputFolder::Commit() {
+  std::error_code error;
+  if (!fs::exists(place_, error)) {
+    fs::rename(temporary_, place_, error);
+    if (error) throw Unusable(place_, error.message());
+  } else {
+    CheckPlace();
+    if (renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, place_.c_str(), RENAME_EXCHANGE) != 0) {
+      throw Unusable(place_, std::generic_category().message(errno));
+    }
+    KeepOthersFiles(temporary_);
+  }
+  committed_ = true;
+}
+
+void OutputFolder::KeepOthersFiles(const fs::path& old_folder) const {
+  std::vector<fs::path> kept;
+  for (const fs::directory_entry& entry : fs::directory_iterator(old_folder)) {
+    if (!Contains(kind_files_, entry.path().filename())) kept.push_back(entry.path().filename());
+  }
+  for (const fs::path& name : kept) fs::rename(old_folder / name, place_ / name);
+}
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <opencv2/core/mat.hpp>
+#include <string>
+#include <vector>
+
+#include "estimator/estimator.h"
+#include "models/camera_model.h"
+#include "models/signals.h"
+#include "scenarios/flight/flight_log.h"
+
+namespace touchdown::scenarios {
+
+/// A frame in colour with what the estimator saw in it, in the paper's colours (Sec. IV-A, Fig. 2 and 5): components'
+/// boxes green for circles, blue for letters H and red for others, the fitted ellipses, an orange cross on the pad, and
+/// a line with time, phase and status.
+cv::Mat AnnotateFrame(const models::ImageView& image, const models::CameraModel& camera,
+                      const estimator::FrameTrace& trace, const FrameRecord& record, double time_s);
+
+/// Some annotated frames, evenly spread over a flight of unknown length, on one picture.
+class ContactSheet {
+ public:
+  ContactSheet(const models::CameraModel& camera, const models::TimeBase& time) : camera_(camera), time_(time) {}
+
+  /// Takes note of the next frame. Keeps a bounded number of them.
+  void Add(const models::CameraFrame& frame, const estimator::FrameEstimate& estimate, const FrameRecord& record);
+
+  /// The picture as PNG, four frames a row; empty when there were no frames.
+  std::string Png() const;
+
+ private:
+  struct Kept {
+    models::Image image;
+    estimator::FrameTrace trace;
+    FrameRecord record;
+  };
+
+  std::vector<std::size_t> Selection() const;
+
+  models::CameraModel camera_;
+  models::TimeBase time_;
+  std::vector<Kept> kept_;
+  std::size_t stride_ = 1;
+  std::size_t count_ = 0;
+};
+
+}  // namespace touchdown::scenarios
