@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "estimator/estimator.h"
+#include "estimator/paper/classifier.h"
+#include "models/camera_model.h"
+#include "models/landing_pad.h"
+#include "models/random_stream.h"
+#include "scenarios/study/classifier_truth.h"
+#include "scenarios/study/classifier_views.h"
+
+namespace touchdown::scenarios {
+
+/// A component as the classifier sees it, and what it is.
+struct LabelledPattern {
+  estimator::Pattern pattern{};
+  estimator::FrameTrace::Label label = estimator::FrameTrace::Label::kOther;
+};
+
+/// What one scene gives.
+struct SceneSamplesConfig {
+  models::CameraModel camera;
+  ViewConfig views;
+  TruthConfig truth;
+  int frames = 80;
+  int lone_circles = 12;  ///< More decoys than a flight's scene has: each adds proportions of its own.
+  int lone_letters = 12;
+  int clutter_per_frame = 24;  ///< At most; drawn at random from the frame's.
+
+  /// Throws InputError when a count is not positive or the views' settings are unusable.
+  void Validate() const;
+};
+
+struct SceneSamples {
+  std::vector<LabelledPattern> patterns;
+  int unclear = 0;                  ///< Components left out since their truth is unclear.
+  std::vector<cv::Mat3b> pictures;  ///< The first frames, with each component's box in its label's colour.
+};
+
+/// A landing pad of proportions that somebody might print: half the time the default one.
+models::LandingPad DrawPad(models::RandomStream& random);
+
+/// Builds a scene from the seed, renders frames of it from many views, and binarizes, labels and classifies by the
+/// truth. Half of the views look for the pad, the others for a lone ring or letter. The same seed gives the same
+/// samples. `pictures` is how many annotated frames to keep.
+SceneSamples CollectSceneSamples(const SceneSamplesConfig& config, std::uint64_t seed, int pictures);
+
+}  // namespace touchdown::scenarios

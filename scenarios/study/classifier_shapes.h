@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <vector>
+
+#include "estimator/estimator.h"
+#include "models/camera_model.h"
+#include "sim/scene.h"
+
+namespace touchdown::scenarios {
+
+/// A ring or a letter H printed on the floor, as the truth has it.
+struct GroundShape {
+  estimator::FrameTrace::Label label = estimator::FrameTrace::Label::kOther;
+  Eigen::Vector2d position_m = Eigen::Vector2d::Zero();  ///< Centre of its ink's bounding box, in W.
+  double radius_m = 0.0;                                 ///< From there to the farthest ink.
+  std::vector<Eigen::Vector2d> hull_m;                   ///< Convex hull of its ink, in W.
+  double ink_share = 0.0;                                ///< Ink's area over the hull's.
+};
+
+/// Every ring and letter H of the scene: the pad's two, and the lone ones as they are printed.
+std::vector<GroundShape> ShapesOf(const sim::Scene& scene);
+
+/// Where a shape appears in the image.
+struct ProjectedShape {
+  cv::Rect2d box;          ///< Of its ink, px; a pixel at (u, v) covers [u - 0.5, u + 0.5] x [v - 0.5, v + 0.5].
+  cv::Rect2d visible_box;  ///< The part of `box` inside the image; empty when it is outside.
+  double ink_area = 0.0;   ///< Of the whole shape, square px.
+};
+
+/// nullopt when a part of the shape lies behind the camera or beyond the radius at which its distortion folds.
+std::optional<ProjectedShape> Project(const GroundShape& shape, const models::CameraModel& camera,
+                                      const Eigen::Isometry3d& X_WC);
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "scenarios/study/classifier_report.h"
+#include "scenarios/study/classifier_samples.h"
+#include "scenarios/study/classifier_training.h"
+
+namespace touchdown::scenarios {
+
+/// The classifier's experiment (Sec. IV-A.3): scenes to learn from, scenes to stop the training by, and scenes to test
+/// on. No scene belongs to two of the three.
+struct ClassifierStudyConfig {
+  SceneSamplesConfig scene;
+  int training_scenes = 30;
+  int validation_scenes = 8;
+  int test_scenes = 16;
+  int circles = 3000;  ///< Of the training set, at most, as for the other two.
+  int letters = 3000;
+  int clutter = 7000;
+  double hard_clutter = 0.5;  ///< Share of the clutter that a first network found hardest to tell from circle and H.
+  int first_network_epochs = 25;
+  TrainingConfig training;
+
+  /// Throws InputError when a count is not positive or a share is outside [0, 1].
+  void Validate() const;
+};
+
+struct ClassifierStudy {
+  Perceptron network;
+  ConfusionMatrix training;
+  ConfusionMatrix test;
+  std::vector<LabelledPattern> test_patterns;
+  std::vector<LabelledPattern> mistaken;  ///< Those of the test that the network gets wrong.
+  std::vector<cv::Mat3b> pictures;        ///< Frames of the test scenes, boxes coloured by the truth.
+  int unclear = 0;                        ///< Test components left out since their truth is unclear.
+};
+
+/// Renders, trains and tests. The same config and seed give the same network, bit for bit, on the same type of CPU.
+/// `say` receives a line now and then, and may throw to stop.
+ClassifierStudy StudyClassifier(const ClassifierStudyConfig& config, std::uint64_t seed,
+                                const std::function<void(const std::string&)>& say);
+
+/// The patterns of the study's test scenes alone.
+std::vector<LabelledPattern> ClassifierTestPatterns(const ClassifierStudyConfig& config, std::uint64_t seed);
+
+/// Writes classifier_weights.c, confusion.txt, confusion.json and the sheets circle.png, h.png, other.png, mistaken.png
+/// and frames.png into an existing folder. Throws InputError when it cannot.
+void WriteClassifierStudy(const ClassifierStudy& study, const std::filesystem::path& folder);
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <span>
+
+#include "models/camera_model.h"
+#include "models/random_stream.h"
+#include "scenarios/study/classifier_shapes.h"
+#include "sim/scene.h"
+
+namespace touchdown::scenarios {
+
+/// From where, and how well, the training set sees its shapes.
+struct ViewConfig {
+  double nearest_m = 0.12;  ///< Distance of the camera from the shape looked at ...
+  double farthest_m = 3.0;  ///< ... drawn evenly on a logarithmic scale.
+  double largest_tilt_deg = 55.0;
+  double fastest_m_s = 1.5;  ///< Of the camera during the exposure, when it moves.
+  double fastest_rad_s = 1.0;
+  double shortest_exposure_s = 0.001;
+  double longest_exposure_s = 0.012;
+  double largest_defocus_px = 1.5;  ///< 1-sigma of the lens's blur.
+  double largest_noise_sigma = 10.0;
+  double weakest_contrast = 0.25;  ///< Of 1, the renderer's own.
+
+  /// Throws InputError when a range is empty or a number is not finite.
+  void Validate() const;
+};
+
+/// How a frame is taken.
+struct View {
+  Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();  ///< At mid-exposure.
+  Eigen::Vector3d v_WC = Eigen::Vector3d::Zero();          ///< m/s, in W.
+  Eigen::Vector3d w_WC_C = Eigen::Vector3d::Zero();        ///< rad/s, in C.
+  double exposure_s = 0.004;
+  double defocus_px = 0.0;
+  double noise_sigma = 3.0;
+  double contrast = 1.0;    ///< The image's gain about 0 ...
+  double brightness = 0.0;  ///< ... and what is added to it, of 255.
+
+  /// Pose `offset_s` after mid-exposure.
+  Eigen::Isometry3d PoseAt(double offset_s) const;
+};
+
+/// A view of `target` somewhere in the image, from outside the scene's solid objects.
+View DrawView(const ViewConfig& config, const sim::Scene& scene, const GroundShape& target,
+              const models::CameraModel& camera, models::RandomStream& random);
+
+}  // namespace touchdown::scenarios
