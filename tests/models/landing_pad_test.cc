@@ -1,0 +1,94 @@
+#include "models/landing_pad.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "models/angles.h"
+#include "models/error.h"
+
+namespace touchdown::models {
+namespace {
+
+TEST(LandingPad, IsAnA4SheetWithARingOfNinetyMillimetres) {
+  const LandingPad pad;
+  EXPECT_NO_THROW(pad.Validate());
+  EXPECT_EQ(pad.outer_radius_m, 0.090);
+  EXPECT_EQ(pad.sheet_length_m, 0.297);
+  EXPECT_EQ(pad.sheet_width_m, 0.210);
+}
+
+TEST(LandingPad, IsBlackOnItsRingAllTheWayRound) {
+  const LandingPad pad;
+  for (double angle = 0.0; angle < 2.0 * kPi; angle += 0.1) {
+    const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
+    EXPECT_FALSE(pad.IsBlack((pad.inner_radius_m() - 1e-6) * direction));
+    EXPECT_TRUE(pad.IsBlack((pad.inner_radius_m() + 1e-6) * direction));
+    EXPECT_TRUE(pad.IsBlack((pad.outer_radius_m - 1e-6) * direction));
+    EXPECT_FALSE(pad.IsBlack((pad.outer_radius_m + 1e-6) * direction));
+  }
+}
+
+TEST(LandingPad, HasTheLongStrokesOfItsHAlongX) {
+  const LandingPad pad;
+  const double stroke_y = (pad.h_width_m - pad.h_stroke_m) / 2.0;
+  for (const double side : {-1.0, 1.0}) {
+    EXPECT_TRUE(pad.IsBlack({pad.h_height_m / 2.0 - 1e-6, side * stroke_y}));
+    EXPECT_TRUE(pad.IsBlack({-pad.h_height_m / 2.0 + 1e-6, side * stroke_y}));
+    EXPECT_FALSE(pad.IsBlack({pad.h_height_m / 2.0 + 1e-6, side * stroke_y}));
+  }
+  EXPECT_TRUE(pad.IsBlack({0.0, 0.0})) << "the cross-bar";
+  EXPECT_FALSE(pad.IsBlack({pad.h_stroke_m / 2.0 + 1e-6, 0.0})) << "white between the strokes";
+  EXPECT_FALSE(pad.IsBlack({0.0, pad.h_width_m / 2.0 + 1e-6})) << "white beside the H";
+}
+
+TEST(LandingPad, LooksTheSameTurnedByHalfATurn) {
+  const LandingPad pad;
+  for (double x = -0.1; x <= 0.1; x += 0.0037) {
+    for (double y = -0.1; y <= 0.1; y += 0.0037) {
+      EXPECT_EQ(pad.IsBlack({x, y}), pad.IsBlack({-x, -y}));
+      EXPECT_EQ(pad.IsBlack({x, y}), pad.IsBlack({x, -y}));
+    }
+  }
+}
+
+TEST(LandingPad, HasTheInkOfRingAndH) {
+  const LandingPad pad;
+  constexpr double kStep_m = 0.0005;
+  double black = 0.0;
+  for (double x = -0.1 + kStep_m / 2.0; x < 0.1; x += kStep_m) {
+    for (double y = -0.1 + kStep_m / 2.0; y < 0.1; y += kStep_m) {
+      if (pad.IsBlack({x, y})) black += kStep_m * kStep_m;
+    }
+  }
+  const double ring = kPi * (0.090 * 0.090 - 0.074 * 0.074);
+  const double letter = 2.0 * 0.100 * 0.016 + (0.056 - 2.0 * 0.016) * 0.016;
+  EXPECT_NEAR(black, ring + letter, 0.01 * (ring + letter));
+}
+
+TEST(LandingPadValidate, RefusesWhatCannotBePrinted) {
+  const std::vector<std::function<void(LandingPad&)>> faults = {
+      [](LandingPad& p) { p.outer_radius_m = 0.0; },
+      [](LandingPad& p) { p.ring_width_m = -0.01; },
+      [](LandingPad& p) { p.ring_width_m = 0.09; },
+      [](LandingPad& p) { p.h_height_m = std::nan(""); },
+      [](LandingPad& p) { p.h_width_m = std::numeric_limits<double>::infinity(); },
+      [](LandingPad& p) { p.h_stroke_m = 0.0; },
+      [](LandingPad& p) { p.h_stroke_m = 0.028; },
+      [](LandingPad& p) { p.h_height_m = 0.015; },
+      [](LandingPad& p) { p.h_height_m = 0.140; },
+      [](LandingPad& p) { p.sheet_length_m = 0.1; },
+      [](LandingPad& p) { p.sheet_width_m = 0.179; },
+  };
+  for (std::size_t i = 0; i < faults.size(); ++i) {
+    LandingPad pad;
+    faults[i](pad);
+    EXPECT_THROW(pad.Validate(), InputError) << "fault " << i;
+  }
+}
+
+}  // namespace
+}  // namespace touchdown::models

@@ -1,0 +1,46 @@
+#include "models/time.h"
+
+#include <gtest/gtest.h>
+
+#include "models/error.h"
+
+namespace touchdown::models {
+namespace {
+
+TEST(TimeBase, CountsTwelveHundredTicksToTheSecond) {
+  const TimeBase time;
+  EXPECT_EQ(time.FromSeconds(1.0), 1200);
+  EXPECT_EQ(time.ToSeconds(600), 0.5);
+  EXPECT_EQ(time.period_s(), 1.0 / 1200.0);
+}
+
+TEST(TimeBase, RoundsToTheNearestTickOnBothSidesOfZero) {
+  const TimeBase time;
+  EXPECT_EQ(time.FromSeconds(0.0040), 5);
+  EXPECT_EQ(time.FromSeconds(-0.0040), -5);
+  EXPECT_EQ(time.FromSeconds(0.4 / 1200.0), 0);
+  EXPECT_EQ(time.FromSeconds(-0.6 / 1200.0), -1);
+}
+
+TEST(TimeBase, BringsEveryTickBack) {
+  for (const int ticks_per_s : {100, 1000, 1200, 44100}) {
+    const TimeBase time{.ticks_per_s = ticks_per_s};
+    for (Tick tick = -50000; tick < 5000000; tick += 997) ASSERT_EQ(time.FromSeconds(time.ToSeconds(tick)), tick);
+  }
+}
+
+TEST(TimeBase, GivesThePeriodsOfTheSensors) {
+  const TimeBase time;
+  EXPECT_EQ(time.PeriodOf(200), 6);
+  EXPECT_EQ(time.PeriodOf(100), 12);
+  EXPECT_EQ(time.PeriodOf(60), 20);
+  EXPECT_EQ(time.PeriodOf(1200), 1);
+}
+
+TEST(TimeBase, RefusesARateThatDoesNotDivideTheTicks) {
+  const TimeBase time;
+  for (const int rate_hz : {0, -60, 7, 90, 2400}) EXPECT_THROW(time.PeriodOf(rate_hz), InputError) << rate_hz;
+}
+
+}  // namespace
+}  // namespace touchdown::models
