@@ -62,8 +62,8 @@ FloorPattern::FloorPattern(std::uint64_t seed) {
   unit_m_ = random.Uniform(0.8, 1.3);
   specks_per_cell_ = random.Uniform(0.15, 0.6);
   const double warmth = kind_ == Kind::kPlanks ? random.Uniform(0.15, 0.3) : random.Uniform(-0.08, 0.1);
-  red_ = 1.0 + warmth;
-  blue_ = 1.0 - warmth;
+  green_ = 1.0 - warmth;
+  blue_ = 1.0 - 2.0 * warmth;
 }
 
 double FloorPattern::At(const Eigen::Vector2d& p_W) const {

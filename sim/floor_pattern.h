@@ -14,8 +14,8 @@ class FloorPattern {
   /// Reflectance, 0 to 255, at a place of the floor in W.
   double At(const Eigen::Vector2d& p_W) const;
 
-  /// Red and blue of the floor over its green.
-  double red() const { return red_; }
+  /// Green and blue of the floor over its red.
+  double green() const { return green_; }
   double blue() const { return blue_; }
 
  private:
@@ -34,7 +34,7 @@ class FloorPattern {
   double contrast_;
   double unit_m_;
   double specks_per_cell_;
-  double red_, blue_;
+  double green_, blue_;
 };
 
 }  // namespace touchdown::sim

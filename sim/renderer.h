@@ -24,7 +24,7 @@ struct PinholeView {
 
 /// What a camera without lens errors, exposure time and noise sees: MuJoCo's renderer on a GL context of its own.
 ///
-/// The camera's spectral response is the green channel. The vehicle (geom group 2) is not shown. Several renderers can
+/// The camera's spectral response is the red channel. The vehicle (geom group 2) is not shown. Several renderers can
 /// live in one process, on one thread each or on the same.
 class Renderer {
  public:

@@ -21,7 +21,7 @@ constexpr int kLargeSheetTexels = 512;
 constexpr int kSmallSheetTexels = 256;
 constexpr double kLargeSheet_m = 0.2;
 constexpr int kFaceTexels = 64;
-constexpr int kLightCells = 64;
+constexpr int kLightCells = 32;
 
 /// Where a texture lies on the floor.
 struct Placement {
@@ -36,13 +36,13 @@ struct Placement {
   }
 };
 
-/// Red and blue over green.
+/// Green and blue over red.
 struct Tint {
-  double red = 1.0;
+  double green = 1.0;
   double blue = 1.0;
 };
 
-/// Fills the textures of a model. The camera sees the green channel alone; red and blue are for the eyes of people.
+/// Fills the textures of a model. The camera sees the red channel alone; green and blue are for the eyes of people.
 class Painter {
  public:
   Painter(const Scene& scene, mjModel& model) : scene_(scene), model_(model), light_(scene) {}
@@ -62,7 +62,7 @@ class Painter {
         print(row, column) = cv::saturate_cast<std::uint8_t>(level);
       }
     }
-    PaintFlat(name, place, {pattern.red(), pattern.blue()}, print);
+    PaintFlat(name, place, {pattern.green(), pattern.blue()}, print);
   }
 
  private:
@@ -85,8 +85,8 @@ class Painter {
     }
     const double gain = scene_.config.illumination;
     std::array<cv::Mat, 3> channels;
-    level.convertTo(channels[0], CV_8U, gain * tint.red);
-    level.convertTo(channels[1], CV_8U, gain);
+    level.convertTo(channels[0], CV_8U, gain);
+    level.convertTo(channels[1], CV_8U, gain * tint.green);
     level.convertTo(channels[2], CV_8U, gain * tint.blue);
     cv::Mat rgb(level.rows, level.cols, CV_8UC3, model_.tex_rgb + model_.tex_adr[texture]);
     cv::merge(channels.data(), channels.size(), rgb);
