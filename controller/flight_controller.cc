@@ -76,8 +76,9 @@ ControlOutput FlightController::Update(const models::VehicleEstimate& estimate) 
 }
 
 bool FlightController::MotionIsPredicted(const models::VehicleEstimate& estimate) const {
-  const bool by_design = guidance_.phase() == Phase::kBlindDescent || MotorsOff(guidance_.phase());
-  return by_design || !estimate.motion.has_value() || !pad_.found() || !pad_.fresh();
+  const double vision_floor_m = standing_height_m_ + config_.guidance.vision_floor_clearance_m;
+  const bool too_low = guidance_.phase() == Phase::kBlindDescent && predictor_.motion().p_WB.z() < vision_floor_m;
+  return too_low || MotorsOff(guidance_.phase()) || !estimate.motion.has_value() || !pad_.found() || !pad_.fresh();
 }
 
 PositionController::Demand FlightController::Follow(const Guidance::Output& guidance,

@@ -79,6 +79,9 @@ void GuidanceConfig::Validate() const {
   if (!std::isfinite(h_land_clearance_m) || h_land_clearance_m >= blind_clearance_m) {
     throw InputError("h_land_clearance must be finite and below blind_clearance");
   }
+  if (!std::isfinite(vision_floor_clearance_m) || vision_floor_clearance_m > blind_clearance_m) {
+    throw InputError("vision_floor_clearance must be finite and not above blind_clearance");
+  }
   if (max_thrust_ratio < start_thrust_ratio) throw InputError("max_thrust_ratio must not be below start_thrust_ratio");
   if (cone_half_angle_rad >= models::kPi / 2.0) throw InputError("cone_half_angle must be below 90 degrees");
 }

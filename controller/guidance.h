@@ -45,8 +45,9 @@ struct GuidanceConfig {
   double landing_limit_s = 60.0;
 
   // Blind descent.
-  double blind_clearance_m = 0.11;      ///< Below it the ring may be larger than the image.
-  double blind_entry_speed_m_s = 0.10;  ///< No faster, in any direction, when the blind descent begins.
+  double blind_clearance_m = 0.11;         ///< Below it the ring may be larger than the image.
+  double vision_floor_clearance_m = 0.05;  ///< Down to here a sighting still helps the blind descent, if there is one.
+  double blind_entry_speed_m_s = 0.10;     ///< No faster, in any direction, when the blind descent begins.
   double blind_descent_rate_m_s = 0.20;
   double h_land_clearance_m = -0.025;  ///< Motors off, by prediction: h_land less the gear's height. Below 0, so that a
                                        ///< prediction that is off by this much still does not let the vehicle fall.

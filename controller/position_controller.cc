@@ -21,17 +21,17 @@ Eigen::Vector3d WithHorizontalLimit(Eigen::Vector3d v, double length) {
 void PositionControllerConfig::Validate() const {
   RequireNotNegative(xy_position_gain_1_s, "xy_position_gain");
   RequireNotNegative(xy_velocity_gain_1_s, "xy_velocity_gain");
-  RequireNotNegative(xy_integral_gain_1_s3, "xy_integral_gain");
+  RequireNotNegative(xy_integral_gain_1_s2, "xy_integral_gain");
   RequireNotNegative(z_position_gain_1_s, "z_position_gain");
   RequireNotNegative(z_velocity_gain_1_s, "z_velocity_gain");
-  RequireNotNegative(z_integral_gain_1_s3, "z_integral_gain");
+  RequireNotNegative(z_integral_gain_1_s2, "z_integral_gain");
   RequirePositive(max_xy_speed_m_s, "max_xy_speed");
   RequirePositive(max_z_speed_m_s, "max_z_speed");
   RequirePositive(max_tilt_rad, "max_tilt");
   RequirePositive(max_z_acceleration_m_s2, "max_z_acceleration");
   RequirePositive(max_xy_integral_m_s2, "max_xy_integral");
   RequirePositive(max_z_integral_m_s2, "max_z_integral");
-  RequirePositive(max_integrated_error_m, "max_integrated_error");
+  RequirePositive(max_integrated_error_m_s, "max_integrated_error");
   if (max_tilt_rad >= models::kPi / 3.0) throw InputError("max_tilt must be below 60 degrees");
   if (max_z_acceleration_m_s2 >= models::kGravity_m_s2) throw InputError("max_z_acceleration must be below gravity");
 }
@@ -43,19 +43,20 @@ PositionController::PositionController(const PositionControllerConfig& config, c
       period_s_(period_s),
       position_gain_(config.xy_position_gain_1_s, config.xy_position_gain_1_s, config.z_position_gain_1_s),
       velocity_gain_(config.xy_velocity_gain_1_s, config.xy_velocity_gain_1_s, config.z_velocity_gain_1_s),
-      integral_gain_(config.xy_integral_gain_1_s3, config.xy_integral_gain_1_s3, config.z_integral_gain_1_s3) {
+      integral_gain_(config.xy_integral_gain_1_s2, config.xy_integral_gain_1_s2, config.z_integral_gain_1_s2) {
   config.Validate();
 }
 
 PositionController::Demand PositionController::Update(const Target& target,
                                                       const models::VehicleEstimate::Motion& motion,
                                                       const models::TaitBryan& attitude) {
-  error_ = target.p_m - motion.p_WB;
-  Eigen::Vector3d velocity = WithHorizontalLimit(position_gain_.cwiseProduct(error_), config_.max_xy_speed_m_s);
+  const Eigen::Vector3d error = target.p_m - motion.p_WB;
+  Eigen::Vector3d velocity = WithHorizontalLimit(position_gain_.cwiseProduct(error), config_.max_xy_speed_m_s);
   velocity.z() = std::clamp(velocity.z(), -config_.max_z_speed_m_s, config_.max_z_speed_m_s);
   velocity += target.v_m_s;
 
-  const Eigen::Vector3d acceleration = velocity_gain_.cwiseProduct(velocity - motion.v_WB) + integral_;
+  velocity_error_ = velocity - motion.v_WB;
+  const Eigen::Vector3d acceleration = velocity_gain_.cwiseProduct(velocity_error_) + integral_;
   const Eigen::Vector3d limited = Limited(acceleration);
   excess_ = acceleration - limited;
   const Demand demand = DemandFor(limited, attitude);
@@ -91,8 +92,8 @@ PositionController::Demand PositionController::DemandFor(Eigen::Vector3d acceler
 }
 
 void PositionController::Integrate(double achieved_thrust_n) {
-  const Eigen::Vector3d error = WithHorizontalLimit(error_, config_.max_integrated_error_m);
-  const double z_error = std::clamp(error.z(), -config_.max_integrated_error_m, config_.max_integrated_error_m);
+  const Eigen::Vector3d error = WithHorizontalLimit(velocity_error_, config_.max_integrated_error_m_s);
+  const double z_error = std::clamp(error.z(), -config_.max_integrated_error_m_s, config_.max_integrated_error_m_s);
   constexpr double kTolerance_n = 1e-6;
   const double missing_n = asked_thrust_n_ - achieved_thrust_n;
   const bool thrust_short = std::abs(missing_n) > kTolerance_n && missing_n * z_error > 0.0;

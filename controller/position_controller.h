@@ -8,16 +8,16 @@
 
 namespace touchdown::controller {
 
-/// A cascade on each axis of W: position error to velocity, velocity error to acceleration, and an integral on the
-/// position error. The horizontal gains are low since the velocity comes late: from vision, through a filter that does
-/// not know the vehicle's acceleration.
+/// A cascade on each axis of W: position P to velocity, velocity PI to acceleration. The integral is on the velocity's
+/// error so that a step of the set-point does not wind it up. The horizontal gains are low since the velocity comes
+/// late: from vision, through a filter that does not know the vehicle's acceleration.
 struct PositionControllerConfig {
-  double xy_position_gain_1_s = 1.2;
-  double xy_velocity_gain_1_s = 2.6;
-  double xy_integral_gain_1_s3 = 1.0;  ///< Learns the trim against wind and a level error of the IMU.
-  double z_position_gain_1_s = 1.6;
-  double z_velocity_gain_1_s = 3.5;
-  double z_integral_gain_1_s3 = 2.0;  ///< Learns the trim against an error of mass or thrust.
+  double xy_position_gain_1_s = 1.1;
+  double xy_velocity_gain_1_s = 2.4;
+  double xy_integral_gain_1_s2 = 1.2;  ///< Learns the trim against wind and a level error of the IMU.
+  double z_position_gain_1_s = 2.0;
+  double z_velocity_gain_1_s = 4.5;
+  double z_integral_gain_1_s2 = 1.5;  ///< Learns the trim against an error of mass or thrust.
 
   double max_xy_speed_m_s = 0.7;  ///< Of the speed asked for; what a set-point moves at comes on top.
   double max_z_speed_m_s = 0.5;
@@ -25,7 +25,7 @@ struct PositionControllerConfig {
   double max_z_acceleration_m_s2 = 3.0;
   double max_xy_integral_m_s2 = 1.5;  ///< 8.7 deg of trim: 4.8 m/s of wind.
   double max_z_integral_m_s2 = 2.0;
-  double max_integrated_error_m = 0.30;  ///< Errors beyond it integrate as if they were this large: a push is no wind.
+  double max_integrated_error_m_s = 0.6;  ///< Errors beyond it integrate as if they were this large: a push is no wind.
 
   /// Throws InputError when a number is not finite, a gain is negative, a limit is not positive, or the tilt is not
   /// below 60 degrees.
@@ -55,8 +55,8 @@ class PositionController {
   /// The thrust and tilt that hold the trim, and a vertical acceleration in m/s^2 on top.
   Demand Trimmed(double z_acceleration_m_s2, const models::TaitBryan& attitude) const;
 
-  /// Steps the integrators by the newest Update's error, but not further into a limit that the tilt, the acceleration
-  /// or (by `achieved_thrust_n`) the rotors have reached.
+  /// Steps the integrators by the newest Update's velocity error, but not further into a limit that the tilt, the
+  /// acceleration or (by `achieved_thrust_n`) the rotors have reached.
   void Integrate(double achieved_thrust_n);
 
   /// Takes the trim to be the tilt in which the vehicle stands: true of a level pad (the second assumption of
@@ -74,7 +74,7 @@ class PositionController {
   double mass_kg_;
   double period_s_;
   Eigen::Vector3d position_gain_, velocity_gain_, integral_gain_;
-  Eigen::Vector3d error_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d velocity_error_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d excess_ = Eigen::Vector3d::Zero();  ///< Asked-for acceleration less the limited one.
   double asked_thrust_n_ = 0.0;
   Eigen::Vector3d integral_ = Eigen::Vector3d::Zero();
