@@ -45,12 +45,18 @@ class FloorCaster {
   const Eigen::Isometry3d& X_WC_;
 };
 
-/// The pixel's mean over its square. The floor's point is interpolated between the pixel's corners, which is exact to
-/// some 1e-4 px; `corners` are those at (u, v) - 0.5 and so on, row by row.
+/// The pixel's mean over its square; where its corners and its centre are of one grey, that grey. The floor's point is
+/// interpolated between the pixel's corners, which is exact to some 1e-4 px; `corners` are those at (u, v) - 0.5 and so
+/// on, row by row.
 double PixelMean(const models::LandingPad& pad, const PadPicture& picture,
                  const std::array<std::optional<Vector2d>, 4>& corners) {
   for (const auto& corner : corners) {
     if (!corner) return picture.floor;
+  }
+  const auto grey_at = [&](const Vector2d& p) { return GreyAt(pad, picture, p); };
+  const double center = grey_at(0.25 * (*corners[0] + *corners[1] + *corners[2] + *corners[3]));
+  if (std::all_of(corners.begin(), corners.end(), [&](const auto& corner) { return grey_at(*corner) == center; })) {
+    return center;
   }
   const int n = picture.samples_per_side;
   double sum = 0.0;
@@ -60,7 +66,7 @@ double PixelMean(const models::LandingPad& pad, const PadPicture& picture,
     const Vector2d right = (1.0 - y) * *corners[1] + y * *corners[3];
     for (int i = 0; i < n; ++i) {
       const double x = (i + 0.5) / n;
-      sum += GreyAt(pad, picture, (1.0 - x) * left + x * right);
+      sum += grey_at((1.0 - x) * left + x * right);
     }
   }
   return sum / (n * n);

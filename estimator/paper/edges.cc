@@ -1,0 +1,156 @@
+#include "estimator/paper/edges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+
+#include "models/error.h"
+
+namespace touchdown::estimator {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr int kPatchMargin_px = 8;
+
+// Half the window across an edge is at most this, which holds the whole transition of an edge that is blurred by 2 px.
+constexpr double kLongestReach_px = 3.0;
+constexpr double kProfileStep_px = 0.5;
+constexpr double kFarthestMove_px = 1.5;
+constexpr double kLeastContrast = 20.0;
+
+enum class Part : std::uint8_t { kNone, kRing, kLetter };
+
+struct Patch {
+  int u, v, width, height;
+  cv::Mat grey;                    // The image's own pixels.
+  cv::Mat gradient_u, gradient_v;  // Sobel, 16 bit.
+  cv::Mat edges;
+  std::vector<Part> parts;
+
+  Part PartAt(int x, int y) const {
+    if (x < 0 || y < 0 || x >= width || y >= height) return Part::kNone;
+    return parts[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+  }
+  Vector2d GradientAt(int x, int y) const { return {gradient_u.at<short>(y, x), gradient_v.at<short>(y, x)}; }
+
+  double GreyAt(const Vector2d& p) const {
+    const int x = static_cast<int>(std::floor(p.x())), y = static_cast<int>(std::floor(p.y()));
+    const double a = p.x() - x, b = p.y() - y;
+    const std::uint8_t* upper = grey.ptr(y) + x;
+    const std::uint8_t* lower = grey.ptr(y + 1) + x;
+    return (1 - b) * ((1 - a) * upper[0] + a * upper[1]) + b * ((1 - a) * lower[0] + a * lower[1]);
+  }
+  bool Holds(const Vector2d& p) const {
+    return p.x() >= 0.0 && p.y() >= 0.0 && p.x() < width - 1 && p.y() < height - 1;
+  }
+};
+
+/// The narrowest black or white stripe next to an edge of the pad, m.
+double NarrowestStripe(const models::LandingPad& pad) {
+  const double gap = pad.inner_radius_m() - 0.5 * std::hypot(pad.h_height_m, pad.h_width_m);
+  const double margin = 0.5 * std::min(pad.sheet_length_m, pad.sheet_width_m) - pad.outer_radius_m;
+  return std::min({pad.ring_width_m, pad.h_stroke_m, gap, margin});
+}
+
+void Paint(const ComponentSet& components, const Component& component, Part part, Patch& patch) {
+  for (const Run& run : components.RunsOf(component)) {
+    auto* row = patch.parts.data() + static_cast<std::ptrdiff_t>(run.v - patch.v) * patch.width - patch.u;
+    std::fill(row + run.u_begin, row + run.u_end, part);
+  }
+}
+
+Patch MakePatch(const models::ImageView& image, const ComponentSet& components, const DetectedPad& detected,
+                const EdgeConfig& config) {
+  const Component& ring = detected.ring;
+  Patch patch;
+  patch.u = std::max(0, ring.u - kPatchMargin_px);
+  patch.v = std::max(0, ring.v - kPatchMargin_px);
+  patch.width = std::min(image.width, ring.u + ring.width + kPatchMargin_px) - patch.u;
+  patch.height = std::min(image.height, ring.v + ring.height + kPatchMargin_px) - patch.v;
+  patch.grey = cv::Mat(patch.height, patch.width, CV_8UC1, const_cast<std::uint8_t*>(image.Row(patch.v) + patch.u),
+                       static_cast<std::size_t>(image.stride));
+  cv::Sobel(patch.grey, patch.gradient_u, CV_16S, 1, 0);
+  cv::Sobel(patch.grey, patch.gradient_v, CV_16S, 0, 1);
+  cv::Canny(patch.gradient_u, patch.gradient_v, patch.edges, config.canny_low, config.canny_high, true);
+  patch.parts.assign(static_cast<std::size_t>(patch.width) * static_cast<std::size_t>(patch.height), Part::kNone);
+  Paint(components, ring, Part::kRing, patch);
+  Paint(components, detected.letter, Part::kLetter, patch);
+  return patch;
+}
+
+Part PartOnDarkSide(const Patch& patch, const Vector2d& pixel, const Vector2d& to_bright) {
+  for (const double step : {0.0, 1.0, 2.0}) {
+    const Vector2d p = pixel - step * to_bright;
+    const Part part = patch.PartAt(static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y())));
+    if (part != Part::kNone) return part;
+  }
+  return Part::kNone;
+}
+
+/// The place along the gradient about which the window's mean is midway between its ends: where a window centred on it
+/// sees as much dark as bright. A blur that is the same on both sides does not move it, even when the window cuts its
+/// tails off. nullopt where the window leaves the patch, the contrast is too weak or the place too far from the pixel.
+std::optional<Vector2d> SubpixelPlace(const Patch& patch, const Vector2d& pixel, const Vector2d& to_bright,
+                                      double reach) {
+  const int half_count = std::max(2, static_cast<int>(reach / kProfileStep_px));
+  const double half_window = half_count * kProfileStep_px;
+  double move = 0.0;
+  constexpr int kIterations = 2;
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    const Vector2d middle = pixel + move * to_bright;
+    const Vector2d dark_end = middle - half_window * to_bright, bright_end = middle + half_window * to_bright;
+    if (!patch.Holds(dark_end) || !patch.Holds(bright_end)) return std::nullopt;
+    const double dark = patch.GreyAt(dark_end), bright = patch.GreyAt(bright_end);
+    const double contrast = bright - dark;
+    if (contrast < kLeastContrast) return std::nullopt;
+    double above_dark = 0.5 * contrast;
+    for (int i = 1 - half_count; i < half_count; ++i) {
+      above_dark += patch.GreyAt(middle + i * kProfileStep_px * to_bright) - dark;
+    }
+    move += std::clamp(half_window - kProfileStep_px * above_dark / contrast, -1.0, 1.0);
+  }
+  if (std::abs(move) > kFarthestMove_px) return std::nullopt;
+  return pixel + move * to_bright;
+}
+
+}  // namespace
+
+void EdgeConfig::Validate() const {
+  if (!std::isfinite(canny_low) || !std::isfinite(canny_high) || canny_low <= 0.0 || canny_high < canny_low) {
+    throw InputError("Canny's thresholds must be positive, finite and in order");
+  }
+}
+
+PadContours FindContours(const models::ImageView& image, const ComponentSet& components, const DetectedPad& detected,
+                         const models::LandingPad& pad, const EdgeConfig& config) {
+  const Patch patch = MakePatch(image, components, detected, config);
+  const Component& ring = detected.ring;
+  const Vector2d center(ring.u - patch.u + 0.5 * (ring.width - 1), ring.v - patch.v + 0.5 * (ring.height - 1));
+  const double px_per_m = std::min(ring.width, ring.height) / (2.0 * pad.outer_radius_m);
+  const double narrowest_px = NarrowestStripe(pad) * px_per_m;
+  // So far from an edge the ring's other edge, the H and the end of the sheet are not met.
+  const double reach = std::min(kLongestReach_px, 0.5 * narrowest_px);
+
+  PadContours contours;
+  for (int y = 1; y < patch.height - 1; ++y) {
+    const std::uint8_t* edge_row = patch.edges.ptr(y);
+    for (int x = 1; x < patch.width - 1; ++x) {
+      if (edge_row[x] == 0) continue;
+      const Vector2d pixel(x, y), to_bright = patch.GradientAt(x, y).normalized();
+      const Part part = PartOnDarkSide(patch, pixel, to_bright);
+      if (part == Part::kNone) continue;
+      auto& contour = part == Part::kLetter                 ? contours.letter
+                      : to_bright.dot(pixel - center) > 0.0 ? contours.ring_outer
+                                                            : contours.ring_inner;
+      const auto point =
+          config.contour_points == ContourPoints::kInteger ? pixel : SubpixelPlace(patch, pixel, to_bright, reach);
+      if (point) contour.push_back(*point + Vector2d(patch.u, patch.v));
+    }
+  }
+  return contours;
+}
+
+}  // namespace touchdown::estimator

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <optional>
+
+#include "estimator/paper/ellipse_fit.h"
+#include "models/landing_pad.h"
+
+namespace touchdown::estimator {
+
+/// The ellipse that the direct fit gives for the outline of the pad's letter H, and what its major axis tells of the H
+/// (Sec. IV-C.3).
+class LetterEllipse {
+ public:
+  /// Throws InputError when the pad is impossible, or its H so nearly as wide as high that the ellipse has no
+  /// direction.
+  explicit LetterEllipse(const models::LandingPad& pad);
+
+  /// Direction of the H's long strokes in the image, from the major axis of the ellipse fitted to the H there: the same
+  /// for an H that is higher than wide, across it for a wider one. From the first coordinate's axis towards the
+  /// second's, (-pi/2, pi/2].
+  double StrokeAngle(const Ellipse& seen) const;
+
+  /// The StrokeAngle of the H in the normalized image of a camera at X_CW: what Sec. IV-C.3 takes for the direction of
+  /// the strokes, perspective and all. nullopt where the H's ellipse is not seen as an ellipse.
+  std::optional<double> StrokeAngleSeenFrom(const Eigen::Isometry3d& X_CW) const;
+
+ private:
+  Ellipse in_pad_;  // In the plane of W, m.
+};
+
+}  // namespace touchdown::estimator

@@ -1,0 +1,98 @@
+#include "estimator/paper/pad_detector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "models/error.h"
+
+namespace touchdown::estimator {
+namespace {
+
+struct Candidate {
+  const Component* component;
+  double posterior;
+};
+
+double PosteriorOf(const Classification& classification, FrameTrace::Label label) {
+  return classification.posterior[static_cast<std::size_t>(label)];
+}
+
+/// From the centre of b's box to that of a's, px.
+Eigen::Vector2d CenterOffset(const Component& a, const Component& b) {
+  return 0.5 * Eigen::Vector2d(2 * a.u + a.width - 2 * b.u - b.width, 2 * a.v + a.height - 2 * b.v - b.height);
+}
+
+}  // namespace
+
+void PadDetectorConfig::Validate() const {
+  if (!std::isfinite(size_tolerance) || size_tolerance < 1.0) {
+    throw InputError("the pad detector's size tolerance must be at least 1");
+  }
+  for (const double value : {center_tolerance, pixel_tolerance_px}) {
+    if (!std::isfinite(value) || value < 0.0) {
+      throw InputError("the pad detector's tolerances must be finite and not negative");
+    }
+  }
+}
+
+// An affine view A takes the ring to an ellipse whose box has the half sides R |row of A|, and the H, a rectangle of
+// half sides a and b, to one whose box has the half sides a |A_i1| + b |A_i2|: between min(a, b) and hypot(a, b) times
+// |row of A|. So on each axis of the image the ratio of the boxes' sides lies within these bounds over R.
+PadDetector::PadDetector(const models::LandingPad& pad, ComponentClassifier classify, const PadDetectorConfig& config)
+    : classify_(std::move(classify)),
+      config_(config),
+      smallest_size_ratio_(std::min(pad.h_height_m, pad.h_width_m) / (2.0 * pad.outer_radius_m) /
+                           config.size_tolerance),
+      largest_size_ratio_(std::hypot(pad.h_height_m, pad.h_width_m) / (2.0 * pad.outer_radius_m) *
+                          config.size_tolerance) {
+  pad.Validate();
+  config.Validate();
+}
+
+bool PadDetector::MayBePad(const Component& ring, const Component& letter) const {
+  if (letter.u < ring.u || letter.u + letter.width > ring.u + ring.width || letter.v < ring.v ||
+      letter.v + letter.height > ring.v + ring.height) {
+    return false;
+  }
+  const Eigen::Vector2d ring_size(ring.width, ring.height), letter_size(letter.width, letter.height);
+  const Eigen::Array2d slack = Eigen::Array2d::Constant(config_.pixel_tolerance_px);
+  const bool size_fits = (letter_size.array() + slack >= smallest_size_ratio_ * ring_size.array()).all() &&
+                         (letter_size.array() - slack <= largest_size_ratio_ * ring_size.array()).all();
+  const bool center_fits =
+      (CenterOffset(ring, letter).array().abs() - slack <= config_.center_tolerance * ring_size.array()).all();
+  return size_fits && center_fits;
+}
+
+PadDetector::Result PadDetector::Detect(const ComponentSet& components) const {
+  Result result{FrameStatus::kNoComponent, {}};
+  if (components.components.empty()) return result;
+
+  std::vector<Candidate> circles, letters;
+  for (const Component& component : components.components) {
+    const Classification seen = classify_(components, component);
+    const double posterior = PosteriorOf(seen, seen.label);
+    result.labelled.push_back({component.u, component.v, component.width, component.height, seen.label, posterior});
+    if (seen.label == FrameTrace::Label::kCircle) circles.push_back({&component, posterior});
+    if (seen.label == FrameTrace::Label::kH) letters.push_back({&component, posterior});
+  }
+  result.outcome = circles.empty() ? FrameStatus::kNoCircle : FrameStatus::kNoH;
+  if (circles.empty() || letters.empty()) return result;
+
+  result.outcome = FrameStatus::kNoPair;
+  std::optional<std::pair<double, double>> best;
+  for (const Candidate& ring : circles) {
+    for (const Candidate& letter : letters) {
+      if (!MayBePad(*ring.component, *letter.component)) continue;
+      const std::pair score(ring.posterior * letter.posterior,
+                            -CenterOffset(*ring.component, *letter.component).norm());
+      if (best && score <= *best) continue;
+      best = score;
+      result.outcome = DetectedPad{*ring.component, *letter.component};
+    }
+  }
+  return result;
+}
+
+}  // namespace touchdown::estimator

@@ -1,0 +1,160 @@
+#include "estimator/paper/paper_estimator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "estimator/paper/pad_pose.h"
+#include "models/angles.h"
+#include "models/error.h"
+
+namespace touchdown::estimator {
+namespace {
+
+using Eigen::Vector2d;
+
+models::CameraModel Validated(const models::CameraModel& camera) {
+  camera.Validate();
+  return camera;
+}
+
+const PaperEstimatorConfig& Validated(const PaperEstimatorConfig& config) {
+  config.Validate();
+  return config;
+}
+
+Vector2d CenterOf(const Component& component) {
+  return {component.u + 0.5 * (component.width - 1), component.v + 0.5 * (component.height - 1)};
+}
+
+FrameTrace::Ellipse Traced(const Ellipse& ellipse) { return {ellipse.center, ellipse.semi_axes, ellipse.angle}; }
+
+/// From pixels to normalized coordinates: x_px = K x.
+Eigen::Matrix3d CameraMatrix(const models::CameraModel& camera) {
+  Eigen::Matrix3d K = Eigen::Matrix3d::Identity();
+  K(0, 0) = camera.fx_px;
+  K(1, 1) = camera.fy_px;
+  K(0, 2) = camera.cx_px;
+  K(1, 2) = camera.cy_px;
+  return K;
+}
+
+Eigen::Matrix3d NormalizedConic(const Ellipse& ellipse, const models::CameraModel& camera) {
+  const Eigen::Matrix3d K = CameraMatrix(camera);
+  return K.transpose() * ellipse.Conic() * K;
+}
+
+}  // namespace
+
+void PaperEstimatorConfig::Validate() const {
+  binarize.Validate();
+  components.Validate();
+  pad_detector.Validate();
+  edges.Validate();
+  outlier_gate.Validate();
+  covariance.Validate();
+  if (!std::isfinite(largest_ring_rms_px) || largest_ring_rms_px <= 0.0) {
+    throw InputError("the largest distance of ring points from their ellipse must be positive and finite");
+  }
+}
+
+ComponentClassifier PaperEstimator::NetworkClassifier() {
+  return [](const ComponentSet& set, const Component& component) { return Classify(set, component); };
+}
+
+PaperEstimator::PaperEstimator(const EstimatorSetup& setup, const PaperEstimatorConfig& config,
+                               ComponentClassifier classify)
+    : setup_(setup),
+      config_(Validated(config)),
+      undistort_(Validated(setup.camera)),
+      detector_(setup.pad, std::move(classify), config.pad_detector),
+      letter_(setup.pad),
+      gate_(config.outlier_gate, setup.time) {}
+
+FrameEstimate PaperEstimator::Estimate(const models::ImageView& image, models::Tick mid_exposure,
+                                       const Eigen::Vector3d& gravity_B) {
+  if (image.data == nullptr || image.width != setup_.camera.width_px || image.height != setup_.camera.height_px) {
+    throw std::invalid_argument("the image has another size than the camera");
+  }
+  FrameEstimate estimate;
+  estimate.mid_exposure = mid_exposure;
+
+  const models::Image dark = Binarize(image, config_.binarize);
+  const ComponentSet components = ExtractComponents(dark.View(), config_.components);
+  PadDetector::Result detection = detector_.Detect(components);
+  estimate.trace.components = std::move(detection.labelled);
+  if (const auto* failed = std::get_if<FrameStatus>(&detection.outcome)) {
+    estimate.status = *failed;
+    return estimate;
+  }
+  const DetectedPad& detected = std::get<DetectedPad>(detection.outcome);
+  estimate.pad_px = CenterOf(detected.letter);
+  estimate.status = FrameStatus::kNoEllipse;
+
+  const auto ellipses = FitPad(image, components, detected);
+  if (!ellipses) return estimate;
+  estimate.trace.ring_outer = Traced(ellipses->ring_outer);
+  if (ellipses->ring_inner) estimate.trace.ring_inner = Traced(*ellipses->ring_inner);
+  estimate.trace.letter = Traced(ellipses->letter);
+
+  const auto ring_pose = RingPose(ellipses->ring_outer, gravity_B);
+  const auto X_WB = Pose(ellipses->ring_outer, ellipses->stroke_angle, gravity_B);
+  if (!ring_pose || !X_WB) return estimate;
+  const auto covariance = Covariance(*ellipses, *X_WB, gravity_B);
+  if (!covariance) return estimate;
+  if (const auto center = setup_.camera.Project(ring_pose->p_CW)) estimate.pad_px = *center;
+  estimate.pose = VisionPose{*X_WB, *covariance};
+  estimate.status = gate_.Accepts(mid_exposure, *X_WB) ? FrameStatus::kOk : FrameStatus::kOutlier;
+  return estimate;
+}
+
+std::optional<PaperEstimator::PadEllipses> PaperEstimator::FitPad(const models::ImageView& image,
+                                                                  const ComponentSet& components,
+                                                                  const DetectedPad& detected) const {
+  PadContours contours = FindContours(image, components, detected, setup_.pad, config_.edges);
+  for (auto* contour : {&contours.ring_outer, &contours.ring_inner, &contours.letter}) {
+    for (Vector2d& point : *contour) point = undistort_.At(point);
+  }
+  const auto ring_outer = FitEllipse(contours.ring_outer);
+  const auto letter = FitEllipse(contours.letter);
+  if (!ring_outer || !letter) return std::nullopt;
+  const auto normalized_letter = Ellipse::FromConic(NormalizedConic(*letter, setup_.camera));
+  if (!normalized_letter) return std::nullopt;
+  if (RmsDistance(*ring_outer, contours.ring_outer) > config_.largest_ring_rms_px) return std::nullopt;
+  return PadEllipses{*ring_outer, FitEllipse(contours.ring_inner), *letter, letter_.StrokeAngle(*normalized_letter),
+                     std::move(contours)};
+}
+
+std::optional<CirclePose> PaperEstimator::RingPose(const Ellipse& ring, const Eigen::Vector3d& gravity_B) const {
+  const auto poses = PosesOfCircle(NormalizedConic(ring, setup_.camera), setup_.pad.outer_radius_m);
+  if (!poses) return std::nullopt;
+  return ResolveByGravity(*poses, ReferenceNormal(gravity_B, setup_.X_BC.linear()));
+}
+
+std::optional<Eigen::Isometry3d> PaperEstimator::Pose(const Ellipse& ring, double stroke_angle,
+                                                      const Eigen::Vector3d& gravity_B) const {
+  const auto ring_pose = RingPose(ring, gravity_B);
+  if (!ring_pose) return std::nullopt;
+  const double psi_C = CameraYaw(stroke_angle, setup_.X_BC.linear());
+  return BodyPose(CameraRotation(ring_pose->n_C, psi_C), ring_pose->p_CW, setup_.X_BC);
+}
+
+std::optional<Eigen::Matrix<double, 6, 6>> PaperEstimator::Covariance(const PadEllipses& ellipses,
+                                                                      const Eigen::Isometry3d& X_WB,
+                                                                      const Eigen::Vector3d& gravity_B) const {
+  const auto ring_covariance = EllipseCovariance(ellipses.ring_outer, ellipses.contours.ring_outer, config_.covariance);
+  if (!ring_covariance) return std::nullopt;
+  const double edge_sigma_px = RmsDistance(ellipses.ring_outer, ellipses.contours.ring_outer);
+  const auto seen_at_pose = letter_.StrokeAngleSeenFrom((X_WB * setup_.X_BC).inverse());
+  const double not_rectified =
+      models::WrapToHalfPi(seen_at_pose.value_or(ellipses.stroke_angle) - ellipses.stroke_angle);
+  const double stroke_sigma =
+      StrokeSigma(ellipses.letter, ellipses.contours.letter.size(), edge_sigma_px, not_rectified, config_.covariance);
+  return PoseCovariance(
+      ellipses.ring_outer, *ring_covariance, ellipses.stroke_angle, stroke_sigma, X_WB,
+      [&](const Ellipse& ring, double stroke_angle) { return Pose(ring, stroke_angle, gravity_B); },
+      config_.covariance);
+}
+
+}  // namespace touchdown::estimator

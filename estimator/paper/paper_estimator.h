@@ -1,0 +1,77 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <optional>
+
+#include "estimator/estimator.h"
+#include "estimator/make_estimator.h"
+#include "estimator/paper/binarize.h"
+#include "estimator/paper/components.h"
+#include "estimator/paper/conic_pose.h"
+#include "estimator/paper/edges.h"
+#include "estimator/paper/ellipse_fit.h"
+#include "estimator/paper/letter_ellipse.h"
+#include "estimator/paper/outlier_gate.h"
+#include "estimator/paper/pad_detector.h"
+#include "estimator/paper/pose_covariance.h"
+#include "estimator/paper/undistort_table.h"
+
+namespace touchdown::estimator {
+
+/// The settings of every step, with the values that the flights are flown with.
+struct PaperEstimatorConfig {
+  BinarizeConfig binarize;
+  ComponentsConfig components;
+  PadDetectorConfig pad_detector;
+  EdgeConfig edges;
+  /// An ellipse whose points lie further from it, as a root mean square in px, was not the outer boundary of a ring.
+  double largest_ring_rms_px = 1.5;
+  OutlierGateConfig outlier_gate;
+  PoseCovarianceConfig covariance;
+
+  /// Throws InputError when a setting is impossible.
+  void Validate() const;
+};
+
+/// The paper's method (Sec. IV), a step after the other.
+class PaperEstimator final : public Estimator {
+ public:
+  /// `classify` labels the components: the compiled-in network unless a test brings the truth. Throws InputError when
+  /// the camera, the pad or a setting is impossible, or the pad's H is so nearly as wide as high that its ellipse has
+  /// no direction.
+  explicit PaperEstimator(const EstimatorSetup& setup, const PaperEstimatorConfig& config = {},
+                          ComponentClassifier classify = NetworkClassifier());
+
+  FrameEstimate Estimate(const models::ImageView& image, models::Tick mid_exposure,
+                         const Eigen::Vector3d& gravity_B) override;
+
+  /// The compiled-in perceptron of Sec. IV-A.3.
+  static ComponentClassifier NetworkClassifier();
+
+ private:
+  struct PadEllipses {
+    Ellipse ring_outer;
+    std::optional<Ellipse> ring_inner;
+    Ellipse letter;
+    double stroke_angle;   // In the normalized image.
+    PadContours contours;  // Undistorted px.
+  };
+
+  std::optional<PadEllipses> FitPad(const models::ImageView& image, const ComponentSet& components,
+                                    const DetectedPad& detected) const;
+  std::optional<CirclePose> RingPose(const Ellipse& ring, const Eigen::Vector3d& gravity_B) const;
+  std::optional<Eigen::Isometry3d> Pose(const Ellipse& ring, double stroke_angle,
+                                        const Eigen::Vector3d& gravity_B) const;
+  std::optional<Eigen::Matrix<double, 6, 6>> Covariance(const PadEllipses& ellipses, const Eigen::Isometry3d& X_WB,
+                                                        const Eigen::Vector3d& gravity_B) const;
+
+  EstimatorSetup setup_;
+  PaperEstimatorConfig config_;
+  UndistortTable undistort_;
+  PadDetector detector_;
+  LetterEllipse letter_;
+  OutlierGate gate_;
+};
+
+}  // namespace touchdown::estimator

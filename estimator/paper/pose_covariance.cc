@@ -1,0 +1,141 @@
+#include "estimator/paper/pose_covariance.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "models/angles.h"
+#include "models/error.h"
+
+namespace touchdown::estimator {
+namespace {
+
+using Matrix5d = Eigen::Matrix<double, 5, 5>;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+
+Eigen::Matrix2d ShapeOf(const EllipseParameters& parameters) {
+  Eigen::Matrix2d S;
+  S << parameters(2), parameters(3), parameters(3), parameters(4);
+  return S;
+}
+
+/// Derivative of DistanceFrom(ellipse, point) with respect to the ellipse's parameters. With W = S^-1 and d = point -
+/// center, the distance is (d^T W d - 1) / (2 |W d|), and dW = -W dS W.
+EllipseParameters DistanceGradient(const Eigen::Matrix2d& W, const Eigen::Vector2d& from_center) {
+  const Eigen::Vector2d Wd = W * from_center;
+  EllipseParameters gradient;
+  gradient << -2.0 * Wd, -Wd.x() * Wd.x(), -2.0 * Wd.x() * Wd.y(), -Wd.y() * Wd.y();
+  return gradient / (2.0 * Wd.norm());
+}
+
+Vector6d Difference(const Eigen::Isometry3d& X_WB, const Eigen::Isometry3d& reference) {
+  Vector6d difference;
+  difference << X_WB.translation() - reference.translation(),
+      models::RotationLog(X_WB.linear() * reference.linear().transpose());
+  return difference;
+}
+
+}  // namespace
+
+void PoseCovarianceConfig::Validate() const {
+  for (const double value : {smallest_edge_sigma_px, points_per_independent_point, letter_sigma_rad,
+                             smallest_position_sigma_m, smallest_angle_sigma_rad}) {
+    if (!std::isfinite(value) || value <= 0.0) {
+      throw InputError("the pose covariance's settings must be positive and finite");
+    }
+  }
+}
+
+EllipseParameters ParametersOf(const Ellipse& ellipse) {
+  const Eigen::Matrix2d S = ellipse.Shape();
+  EllipseParameters parameters;
+  parameters << ellipse.center, S(0, 0), S(0, 1), S(1, 1);
+  return parameters;
+}
+
+std::optional<Ellipse> EllipseOf(const EllipseParameters& parameters) {
+  const Eigen::Matrix2d S = ShapeOf(parameters);
+  if (!parameters.allFinite() || S.trace() <= 0.0 || S.determinant() <= 0.0) return std::nullopt;
+  const Eigen::Matrix2d W = S.inverse();
+  const Eigen::Vector2d center = parameters.head<2>();
+  Eigen::Matrix3d conic;
+  conic.topLeftCorner<2, 2>() = W;
+  conic.topRightCorner<2, 1>() = -W * center;
+  conic.bottomLeftCorner<1, 2>() = -(W * center).transpose();
+  conic(2, 2) = center.dot(W * center) - 1.0;
+  return Ellipse::FromConic(conic);
+}
+
+std::optional<Matrix5d> EllipseCovariance(const Ellipse& ellipse, std::span<const Eigen::Vector2d> points,
+                                          const PoseCovarianceConfig& config) {
+  constexpr std::size_t kParameters = 5;
+  if (points.size() <= kParameters) return std::nullopt;
+  // In units of the ellipse's own size, so that the information matrix is well conditioned.
+  const double size = ellipse.semi_axes.x();
+  const Eigen::Matrix2d W = (ellipse.Shape() / (size * size)).inverse();
+  Matrix5d information = Matrix5d::Zero();
+  double squares = 0.0;
+  for (const Eigen::Vector2d& point : points) {
+    const Eigen::Vector2d from_center = (point - ellipse.center) / size;
+    const EllipseParameters gradient = DistanceGradient(W, from_center);
+    if (!gradient.allFinite()) continue;
+    information += gradient * gradient.transpose();
+    const double distance = DistanceFrom(ellipse, point);
+    squares += distance * distance;
+  }
+  const double variance = std::max(squares / static_cast<double>(points.size() - kParameters),
+                                   config.smallest_edge_sigma_px * config.smallest_edge_sigma_px);
+  const Eigen::LDLT<Matrix5d> factors(information);
+  if (factors.info() != Eigen::Success || factors.vectorD().minCoeff() <= 1e-12 * factors.vectorD().maxCoeff()) {
+    return std::nullopt;
+  }
+  const double scaled = variance / (size * size) * config.points_per_independent_point;
+  EllipseParameters units;
+  units << size, size, size * size, size * size, size * size;
+  return Matrix5d(units.asDiagonal() * (scaled * factors.solve(Matrix5d::Identity())) * units.asDiagonal());
+}
+
+double StrokeSigma(const Ellipse& letter, std::size_t point_count, double edge_sigma_px, double not_rectified,
+                   const PoseCovarianceConfig& config) {
+  // Points at the ends of a line of half length a turn it by their own error over some a / sqrt(3); across an ellipse
+  // only what exceeds a circle counts.
+  const double elongation = letter.semi_axes.x() / letter.semi_axes.y();
+  const double arm_px = letter.semi_axes.x() / std::sqrt(3.0) * (1.0 - 1.0 / (elongation * elongation));
+  const double independent_points = static_cast<double>(point_count) / config.points_per_independent_point;
+  const double of_edges = edge_sigma_px / (std::max(arm_px, 0.1) * std::sqrt(std::max(independent_points, 1.0)));
+  return std::hypot(of_edges, config.letter_sigma_rad, not_rectified);
+}
+
+Matrix6d PoseCovariance(
+    const Ellipse& ring, const Matrix5d& ring_covariance, double stroke_angle, double stroke_sigma,
+    const Eigen::Isometry3d& X_WB,
+    const std::function<std::optional<Eigen::Isometry3d>(const Ellipse& ring, double stroke_angle)>& pose_of,
+    const PoseCovarianceConfig& config) {
+  constexpr int kInputs = 6;
+  const double spread = std::sqrt(static_cast<double>(kInputs));
+  const Eigen::LLT<Matrix5d> root(ring_covariance);
+  const Matrix5d L = root.matrixL();
+  const EllipseParameters mean = ParametersOf(ring);
+
+  Matrix6d sum = Matrix6d::Zero();
+  int count = 0;
+  const auto add = [&](const std::optional<Ellipse>& ellipse, double angle) {
+    const auto pose = ellipse ? pose_of(*ellipse, angle) : std::nullopt;
+    if (!pose) return;
+    const Vector6d difference = Difference(*pose, X_WB);
+    sum += difference * difference.transpose();
+    ++count;
+  };
+  for (const double side : {-spread, spread}) {
+    for (int i = 0; i < 5; ++i) add(EllipseOf(mean + side * L.col(i)), stroke_angle);
+    add(ring, stroke_angle + side * stroke_sigma);
+  }
+  Matrix6d covariance = sum / std::max(count, 1);
+  const double position = config.smallest_position_sigma_m, angle = config.smallest_angle_sigma_rad;
+  covariance.diagonal().head<3>().array() += position * position;
+  covariance.diagonal().tail<3>().array() += angle * angle;
+  return covariance;
+}
+
+}  // namespace touchdown::estimator

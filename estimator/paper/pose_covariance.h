@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "estimator/paper/ellipse_fit.h"
+
+namespace touchdown::estimator {
+
+struct PoseCovarianceConfig {
+  /// What an edge point is off by at least, 1-sigma, px: what is left of the pixels' grid.
+  double smallest_edge_sigma_px = 0.02;
+  /// Neighbouring edge points share pixels, and so errors: this many count as one.
+  double points_per_independent_point = 3.0;
+  /// 1-sigma of the direction of the ellipse fitted to a letter H against that of the H, rad.
+  double letter_sigma_rad = 0.01;
+  /// Added to every pose's: whatever the edges do not show.
+  double smallest_position_sigma_m = 0.0005;
+  double smallest_angle_sigma_rad = 0.001;
+
+  /// Throws InputError when a number is not finite and positive.
+  void Validate() const;
+};
+
+/// An ellipse as the parameters (center u, center v, S_uu, S_uv, S_vv) with S = Ellipse::Shape(), which vary smoothly
+/// even where the ellipse is a circle and has no axes.
+using EllipseParameters = Eigen::Matrix<double, 5, 1>;
+EllipseParameters ParametersOf(const Ellipse& ellipse);
+/// nullopt when S is not positive definite.
+std::optional<Ellipse> EllipseOf(const EllipseParameters& parameters);
+
+/// Covariance of the parameters of an ellipse fitted to `points`, each off by a normal error across the ellipse, whose
+/// size is taken from the points' own distances: the first-order covariance of the geometric fit, which the direct fit
+/// comes close to. nullopt for fewer points than 6 or when they do not fix the parameters.
+std::optional<Eigen::Matrix<double, 5, 5>> EllipseCovariance(const Ellipse& ellipse,
+                                                             std::span<const Eigen::Vector2d> points,
+                                                             const PoseCovarianceConfig& config = {});
+
+/// 1-sigma error of the direction of the H's strokes in the image, rad, when the ellipse `letter` was fitted to
+/// `point_count` points off by `edge_sigma_px` each, and `not_rectified` is by how much perspective turns the ellipse
+/// away from the strokes at the pose found: Sec. IV-C.3 leaves it in the yaw, so that it counts as an error.
+double StrokeSigma(const Ellipse& letter, std::size_t point_count, double edge_sigma_px, double not_rectified,
+                   const PoseCovarianceConfig& config = {});
+
+/// 6x6 covariance of (p_WB in m, rotation vector in W in rad) about `X_WB` when the ring's ellipse has the covariance
+/// `ring_covariance` and the strokes' direction in the image the 1-sigma error `stroke_sigma`. Both are carried through
+/// `pose_of`, the map from them to the pose, by 12 sigma points rather than by derivatives: where the ellipse is nearly
+/// a circle the tilt goes with the square root of its flattening and has no derivative. Sigma points without a pose are
+/// left out.
+Eigen::Matrix<double, 6, 6> PoseCovariance(
+    const Ellipse& ring, const Eigen::Matrix<double, 5, 5>& ring_covariance, double stroke_angle, double stroke_sigma,
+    const Eigen::Isometry3d& X_WB,
+    const std::function<std::optional<Eigen::Isometry3d>(const Ellipse& ring, double stroke_angle)>& pose_of,
+    const PoseCovarianceConfig& config = {});
+
+}  // namespace touchdown::estimator
