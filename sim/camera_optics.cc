@@ -9,25 +9,14 @@
 namespace touchdown::sim {
 namespace {
 
-constexpr int kFractionBits = 16;
-constexpr double kOne = 1 << kFractionBits;
-constexpr int kCell_px = 16;
+constexpr double kOne = 1 << PackedImage::kFractionBits;
+constexpr int kCell_px = 64;
 constexpr int kMargin_px = 4;
 constexpr int kMaxView_px = 4096;
 constexpr double kStill_px = 0.25;
 constexpr double kTapSpacing_px = 0.75;
 
 std::int32_t ToFixed(double value) { return static_cast<std::int32_t>(std::lround(value * kOne)); }
-
-/// Bilinear lookup at (x, y) in 1/65536 px: the grey level in 1/65536.
-std::uint32_t Lookup(const std::uint8_t* pixels, int stride, std::int32_t x, std::int32_t y) {
-  const std::uint8_t* p = pixels + (y >> kFractionBits) * stride + (x >> kFractionBits);
-  const std::uint32_t wx = (static_cast<std::uint32_t>(x) >> 8) & 255u,
-                      wy = (static_cast<std::uint32_t>(y) >> 8) & 255u;
-  const std::uint32_t upper = p[0] * (256u - wx) + p[1] * wx;
-  const std::uint32_t lower = p[stride] * (256u - wx) + p[stride + 1] * wx;
-  return upper * (256u - wy) + lower * wy;
-}
 
 }  // namespace
 
@@ -74,10 +63,15 @@ void CameraOptics::MakeLookups(const models::CameraModel& camera) {
   view_.height_px = static_cast<int>(size.y());
   view_.cx_px = centre.x() - origin.x();
   view_.cy_px = centre.y() - origin.y();
-  lookups_.reserve(points.size());
   for (const Eigen::Vector2d& point : points) {
-    lookups_.emplace_back(ToFixed(point.x() - origin.x()), ToFixed(point.y() - origin.y()));
+    lookups_x_.push_back(ToFixed(point.x() - origin.x()));
+    lookups_y_.push_back(ToFixed(point.y() - origin.y()));
   }
+}
+
+Eigen::Vector2d CameraOptics::LookupOf(int u, int v) const {
+  const auto i = static_cast<std::size_t>(v * width_ + u);
+  return Eigen::Vector2d(lookups_x_[i], lookups_y_[i]) / kOne;
 }
 
 int CameraOptics::NodeColumn(int i) const { return std::min(i * kCell_px, width_ - 1); }
@@ -101,15 +95,12 @@ Eigen::Vector2d CameraOptics::ShiftAt(const Eigen::Vector2d& pixel, const Eigen:
 CameraOptics::ShiftGrid CameraOptics::ShiftsBetween(const Eigen::Isometry3d& X_WM,
                                                     const Eigen::Isometry3d& X_WS) const {
   ShiftGrid shifts;
-  shifts.nodes.reserve(static_cast<std::size_t>(grid_columns_) * static_cast<std::size_t>(grid_rows_));
+  shifts.reserve(static_cast<std::size_t>(grid_columns_) * static_cast<std::size_t>(grid_rows_));
   for (int j = 0; j < grid_rows_; ++j) {
     for (int i = 0; i < grid_columns_; ++i) {
-      const Vector2i& lookup = lookups_[static_cast<std::size_t>(NodeRow(j) * width_ + NodeColumn(i))];
-      const Eigen::Vector2d shift = ShiftAt(lookup.cast<double>() / kOne, X_WM, X_WS);
-      shifts.longest_px = std::max(shifts.longest_px, shift.lpNorm<Eigen::Infinity>());
+      const Eigen::Vector2d shift = ShiftAt(LookupOf(NodeColumn(i), NodeRow(j)), X_WM, X_WS);
       const double limit = kMaxView_px;
-      shifts.nodes.emplace_back(ToFixed(std::clamp(shift.x(), -limit, limit)),
-                                ToFixed(std::clamp(shift.y(), -limit, limit)));
+      shifts.emplace_back(ToFixed(std::clamp(shift.x(), -limit, limit)), ToFixed(std::clamp(shift.y(), -limit, limit)));
     }
   }
   return shifts;
@@ -119,7 +110,7 @@ int CameraOptics::TapsFor(ExposurePath X_WC) const {
   double longest = 0.0;
   for (const int v : {0, height_ / 2, height_ - 1}) {
     for (const int u : {0, width_ / 2, width_ - 1}) {
-      const Eigen::Vector2d pixel = lookups_[static_cast<std::size_t>(v * width_ + u)].cast<double>() / kOne;
+      const Eigen::Vector2d pixel = LookupOf(u, v);
       double length = 0.0;
       for (std::size_t i = 1; i < X_WC.size(); ++i) length += ShiftAt(pixel, X_WC[i - 1], X_WC[i]).norm();
       longest = std::max(longest, length);
@@ -129,32 +120,25 @@ int CameraOptics::TapsFor(ExposurePath X_WC) const {
   return static_cast<int>(std::clamp(std::ceil(longest / kTapSpacing_px), 2.0, static_cast<double>(kMaxTaps)));
 }
 
-template <bool kClamp>
-void CameraOptics::AddRow(const models::Image& pinhole, const ShiftGrid& shifts, int v, std::uint32_t* sums) const {
+void CameraOptics::AddRow(const PackedImage& pinhole, const ShiftGrid& shifts, int v, std::uint32_t* sums) const {
   const int cell_row = v / kCell_px;
   const int rows = std::max(1, NodeRow(cell_row + 1) - NodeRow(cell_row)), down = v - NodeRow(cell_row);
-  const Vector2i* lookups = lookups_.data() + static_cast<std::ptrdiff_t>(v) * width_;
   const auto shift_at = [&](int i) -> Vector2i {
-    const Vector2i& upper = shifts.nodes[static_cast<std::size_t>(cell_row * grid_columns_ + i)];
-    const Vector2i& lower = shifts.nodes[static_cast<std::size_t>((cell_row + 1) * grid_columns_ + i)];
+    const Vector2i& upper = shifts[static_cast<std::size_t>(cell_row * grid_columns_ + i)];
+    const Vector2i& lower = shifts[static_cast<std::size_t>((cell_row + 1) * grid_columns_ + i)];
     return upper + (lower - upper) / rows * down;
   };
-  const std::int32_t x_limit = ((view_.width_px - 1) << kFractionBits) - 1;
-  const std::int32_t y_limit = ((view_.height_px - 1) << kFractionBits) - 1;
   Vector2i left = shift_at(0);
   for (int i = 0; i + 1 < grid_columns_; ++i) {
     const Vector2i right = shift_at(i + 1);
-    const int begin = i * kCell_px, end = std::min(begin + kCell_px, width_);
-    const Vector2i step = (right - left) / std::max(1, NodeColumn(i + 1) - NodeColumn(i));
-    Vector2i shift = left;
-    for (int u = begin; u < end; ++u, shift += step) {
-      std::int32_t x = lookups[u].x() + shift.x(), y = lookups[u].y() + shift.y();
-      if constexpr (kClamp) {
-        x = std::clamp(x, 0, x_limit);
-        y = std::clamp(y, 0, y_limit);
-      }
-      sums[u] += Lookup(pinhole.pixels.data(), view_.width_px, x, y);
-    }
+    const int begin = i * kCell_px;
+    const std::size_t first = static_cast<std::size_t>(v * width_ + begin);
+    pinhole.AddLookups({.x = &lookups_x_[first],
+                        .y = &lookups_y_[first],
+                        .count = std::min(kCell_px, width_ - begin),
+                        .shift = left,
+                        .step = (right - left) / std::max(1, NodeColumn(i + 1) - NodeColumn(i))},
+                       sums + begin);
     left = right;
   }
 }
@@ -166,20 +150,13 @@ FineImage CameraOptics::Expose(const models::Image& pinhole, ExposurePath X_WC) 
   for (int i = 0; i < taps; ++i) {
     shifts.push_back(ShiftsBetween(X_WM, taps == 1 ? X_WM : PoseAlong(X_WC, (i + 0.5) / taps)));
   }
-  FineImage frame{width_, height_, std::vector<std::uint16_t>(lookups_.size())};
+  const PackedImage packed(pinhole);
+  FineImage frame{width_, height_, std::vector<std::uint16_t>(lookups_x_.size())};
   std::vector<std::uint32_t> sums(static_cast<std::size_t>(width_));
-  const std::uint32_t divisor = static_cast<std::uint32_t>(taps) << 8;
   for (int v = 0; v < height_; ++v) {
-    std::fill(sums.begin(), sums.end(), divisor / 2);
-    for (const ShiftGrid& shift : shifts) {
-      if (shift.longest_px > kMargin_px - 1) {
-        AddRow<true>(pinhole, shift, v, sums.data());
-      } else {
-        AddRow<false>(pinhole, shift, v, sums.data());
-      }
-    }
-    std::uint16_t* row = frame.pixels.data() + static_cast<std::ptrdiff_t>(v) * width_;
-    for (int u = 0; u < width_; ++u) row[u] = static_cast<std::uint16_t>(sums[static_cast<std::size_t>(u)] / divisor);
+    std::fill(sums.begin(), sums.end(), 0u);
+    for (const ShiftGrid& grid : shifts) AddRow(packed, grid, v, sums.data());
+    WriteMeans(sums, taps, frame.pixels.data() + static_cast<std::ptrdiff_t>(v) * width_);
   }
   return frame;
 }

@@ -8,16 +8,10 @@
 
 #include "models/camera_model.h"
 #include "models/signals.h"
+#include "sim/packed_image.h"
 #include "sim/renderer.h"
 
 namespace touchdown::sim {
-
-/// A frame before its noise: grey levels in units of 1/256, row by row.
-struct FineImage {
-  int width = 0;
-  int height = 0;
-  std::vector<std::uint16_t> pixels;
-};
 
 /// The camera's poses at equal steps of time from the opening of the shutter to its closing, both included. One pose: a
 /// camera at rest.
@@ -54,28 +48,25 @@ class CameraOptics {
 
  private:
   using Vector2i = Eigen::Matrix<std::int32_t, 2, 1>;
-
   /// Shifts in the pinhole view at the nodes of a coarse grid over the frame, in 1/65536 px.
-  struct ShiftGrid {
-    std::vector<Vector2i> nodes;
-    double longest_px = 0.0;
-  };
+  using ShiftGrid = std::vector<Vector2i>;
 
   void MakeLookups(const models::CameraModel& camera);
+  Eigen::Vector2d LookupOf(int u, int v) const;
   int NodeColumn(int i) const;
   int NodeRow(int j) const;
   Eigen::Vector2d ShiftAt(const Eigen::Vector2d& pixel, const Eigen::Isometry3d& X_WM,
                           const Eigen::Isometry3d& X_WS) const;
   ShiftGrid ShiftsBetween(const Eigen::Isometry3d& X_WM, const Eigen::Isometry3d& X_WS) const;
-  template <bool kClamp>
-  void AddRow(const models::Image& pinhole, const ShiftGrid& shifts, int v, std::uint32_t* sums) const;
+  void AddRow(const PackedImage& pinhole, const ShiftGrid& shifts, int v, std::uint32_t* sums) const;
 
   int width_;
   int height_;
   PinholeView view_;
   int grid_columns_;
   int grid_rows_;
-  std::vector<Vector2i> lookups_;  ///< Where each pixel of the frame lies in the pinhole view, in 1/65536 px.
+  /// Where each pixel of the frame lies in the pinhole view, in 1/65536 px.
+  std::vector<std::int32_t> lookups_x_, lookups_y_;
 };
 
 }  // namespace touchdown::sim

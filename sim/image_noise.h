@@ -5,7 +5,7 @@
 
 #include "models/random_stream.h"
 #include "models/signals.h"
-#include "sim/camera_optics.h"
+#include "sim/packed_image.h"
 
 namespace touchdown::sim {
 

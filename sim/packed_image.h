@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "models/signals.h"
+
+namespace touchdown::sim {
+
+/// A frame before its noise: grey levels in units of 1/256, row by row.
+struct FineImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint16_t> pixels;
+};
+
+/// A grey image laid out for fast bilinear lookups: each word holds a pixel and its three neighbours to the right and
+/// below. All arithmetic is on integers, so that sums do not depend on the instructions a CPU has.
+class PackedImage {
+ public:
+  static constexpr int kFractionBits = 16;  ///< Positions are told in 1/65536 px.
+
+  /// A run of lookups: position i is (x[i], y[i]) + shift + i * step. Positions beyond the image are drawn to its
+  /// border.
+  struct Run {
+    const std::int32_t* x = nullptr;
+    const std::int32_t* y = nullptr;
+    int count = 0;
+    Eigen::Matrix<std::int32_t, 2, 1> shift = {0, 0};
+    Eigen::Matrix<std::int32_t, 2, 1> step = {0, 0};
+  };
+
+  /// Of an image of at least 2 x 2 px.
+  explicit PackedImage(const models::Image& image);
+
+  /// Adds the grey levels of a run, interpolated at 1/256 px, to sums[0] to sums[count - 1], in 1/65536 grey level.
+  void AddLookups(const Run& run, std::uint32_t* sums) const;
+
+ private:
+  std::int32_t stride_;
+  std::int32_t x_limit_;
+  std::int32_t y_limit_;
+  std::vector<std::uint32_t> words_;
+};
+
+/// Divides sums of `taps` lookups each (up to 32) by their number: levels[i] is their mean in 1/256 grey level.
+void WriteMeans(std::span<const std::uint32_t> sums, int taps, std::uint16_t* levels);
+
+}  // namespace touchdown::sim
