@@ -48,6 +48,11 @@ double FractalNoise(double x, double y, int octaves, std::uint32_t seed) {
   return sum;
 }
 
+/// 1 within a joint of the given half width, 0 outside, with an edge as soft as a texel is wide.
+double Joint(double distance_m, double half_width_m) {
+  return std::clamp((half_width_m - distance_m) / 0.003 + 0.5, 0.0, 1.0);
+}
+
 }  // namespace
 
 FloorPattern::FloorPattern(std::uint64_t seed) {
@@ -101,8 +106,7 @@ double FloorPattern::Planks(const Eigen::Vector2d& p) const {
   const double along_edge = length * std::min(along - plank, plank + 1 - along);
   const double shade = 50.0 * (CellValue(row, plank, seed_ + 1) - 0.5);
   const double grain = FractalNoise(p.x() / 0.25 + 7.0 * row, p.y() / 0.012, 2, seed_ + 2);
-  const double joint = std::min(across_edge, along_edge) < 0.002 ? -45.0 : 0.0;
-  return shade + 42.0 * grain + joint;
+  return shade + 42.0 * grain - 45.0 * Joint(std::min(across_edge, along_edge), 0.002);
 }
 
 double FloorPattern::Carpet(const Eigen::Vector2d& p) const {
@@ -120,7 +124,7 @@ double FloorPattern::Tiles(const Eigen::Vector2d& p) const {
       std::min({p.x() - column * tile, (column + 1) * tile - p.x(), p.y() - row * tile, (row + 1) * tile - p.y()});
   const double marble = FractalNoise(p.x() / 0.1 + 3.0 * column, p.y() / 0.1 + 5.0 * row, 3, seed_);
   const double shade = 40.0 * (CellValue(column, row, seed_ + 5) - 0.5);
-  return to_edge < 0.003 ? -50.0 : shade + 40.0 * marble;
+  return std::lerp(shade + 40.0 * marble, -50.0, Joint(to_edge, 0.003));
 }
 
 double FloorPattern::Specks(const Eigen::Vector2d& p) const {

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
 
+#include <algorithm>
 #include <string>
+#include <utility>
 
 #include "models/angles.h"
 #include "models/vehicle.h"
@@ -51,6 +53,21 @@ std::string Assets(const Scene& scene) {
   return assets;
 }
 
+/// The room's four walls, plain, seen at steep tilts only.
+std::string Walls(const Scene& scene) {
+  constexpr double kWallReflectance = 0.6;
+  const double grey = std::min(1.0, kWallReflectance * scene.config.illumination);
+  const double half = 0.5 * scene.config.floor_size_m;
+  std::string walls;
+  for (const auto& [x, y] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
+    walls += fmt::format(
+        "    <geom type='plane' pos='{} {} {}' zaxis='{} {} 0' size='{} {} 100' contype='0' conaffinity='0' "
+        "rgba='{} {} {} 1'/>\n",
+        x * half, y * half, half, -x, -y, half, half, grey, grey, grey);
+  }
+  return walls;
+}
+
 /// What is drawn first hides the rest, and hidden pixels cost nothing: from the top down.
 std::string Things(const Scene& scene) {
   std::string things;
@@ -70,7 +87,7 @@ std::string Things(const Scene& scene) {
                   Eigen::Vector2d::Constant(kFloorCentreSize_m), "material='floor_centre'");
   things += Sheet("floor_print", Eigen::Vector2d::Zero(), -kFloorDepth_m, 0.0,
                   Eigen::Vector2d::Constant(scene.config.floor_size_m), "material='floor'");
-  return things;
+  return things + Walls(scene);
 }
 
 }  // namespace

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "models/angles.h"
+#include "models/signals.h"
+#include "models/vehicle.h"
+#include "sim/mujoco_model.h"
+#include "sim/scene.h"
+
+namespace touchdown::testing {
+
+/// A scene with a vehicle parked out of the way, ready to be rendered.
+struct Room {
+  explicit Room(const sim::SceneConfig& config = {}, std::uint64_t seed = 1)
+      : scene(sim::MakeScene(config, models::LandingPad{}, seed)) {
+    constexpr const char* kParked = "<body name='parked' pos='0 0 3'><freejoint/><geom size='0.1' group='2'/></body>";
+    model = sim::LoadModel(sim::SceneMjcf(scene, kParked, 1.0 / 1200.0));
+    sim::PaintTextures(scene, *model);
+    data = sim::MakeData(*model);
+  }
+
+  sim::Scene scene;
+  sim::MujocoModel model;
+  sim::MujocoData data;
+};
+
+/// A floor with nothing but the pad.
+inline sim::SceneConfig OnlyThePad() { return {.posters = 0, .lone_circles = 0, .lone_letters = 0, .objects = 0}; }
+
+/// X_WC of a camera that looks straight down when all angles are 0, the image's up along X_W.
+inline Eigen::Isometry3d CameraAt(const Eigen::Vector3d& p_WC, const models::TaitBryan& tilt = {}) {
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  X_WB.linear() = models::RotationFromTaitBryan(tilt);
+  models::Vehicle vehicle;
+  vehicle.camera = {};
+  Eigen::Isometry3d X_WC = X_WB * vehicle.X_BC();
+  X_WC.translation() = p_WC;
+  return X_WC;
+}
+
+inline double LevelAt(const models::Image& image, const Eigen::Vector2d& pixel) {
+  const int u = static_cast<int>(std::floor(pixel.x())), v = static_cast<int>(std::floor(pixel.y()));
+  const double wu = pixel.x() - u, wv = pixel.y() - v;
+  const models::ImageView view = image.View();
+  return (1 - wv) * ((1 - wu) * view.At(u, v) + wu * view.At(u + 1, v)) +
+         wv * ((1 - wu) * view.At(u, v + 1) + wu * view.At(u + 1, v + 1));
+}
+
+/// Where along `direction` (a unit vector) the image crosses from ink to paper, in px from `edge`, which lies within 2
+/// px of the crossing; both sides must be plain for 4 px.
+inline double EdgeOffset(const models::Image& image, const Eigen::Vector2d& edge, const Eigen::Vector2d& direction) {
+  const auto level = [&](double offset) { return LevelAt(image, edge + offset * direction); };
+  const double middle = 0.25 * (level(-4.0) + level(-3.0) + level(3.0) + level(4.0));
+  const double sign = level(4.0) > level(-4.0) ? 1.0 : -1.0;
+  double previous = -3.0;
+  for (double offset = -3.0; offset <= 3.0; offset += 0.05) {
+    if (sign * (level(offset) - middle) >= 0.0) {
+      const double below = level(previous), above = level(offset);
+      return above == below ? offset : previous + (offset - previous) * (middle - below) / (above - below);
+    }
+    previous = offset;
+  }
+  return 3.0;
+}
+
+}  // namespace touchdown::testing
