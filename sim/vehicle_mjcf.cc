@@ -1,5 +1,6 @@
 #include "sim/vehicle_mjcf.h"
 
+#include <algorithm>
 #include <initializer_list>
 #include <limits>
 #include <sstream>
@@ -63,7 +64,9 @@ std::string Between(const Vector3d& from, const Vector3d& to, double radius) {
 
 std::string HullGeoms(const models::Vehicle& vehicle) {
   const double arm = vehicle.arm_m;
-  return Geom("hull", "box", At(Vector3d::Zero(), {0.32 * arm, 0.20 * arm, 0.09 * arm}), kHullPaint, Contact::kBody) +
+  const double hull_half_height = std::min(0.09 * arm, 0.4 * vehicle.gear.height_m);
+  return Geom("hull", "box", At(Vector3d::Zero(), {0.32 * arm, 0.20 * arm, hull_half_height}), kHullPaint,
+              Contact::kBody) +
          Geom("battery", "box", At({-0.02 * arm, 0.0, 0.12 * arm}, {0.26 * arm, 0.13 * arm, 0.07 * arm}), kCarbon,
               Contact::kNone) +
          Geom("camera_housing", "box",

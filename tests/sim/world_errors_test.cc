@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <string>
 
 #include "sim/mujoco_errors.h"
 #include "sim/world.h"
