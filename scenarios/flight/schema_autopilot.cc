@@ -111,14 +111,14 @@ void Describe(ConfigVisitor& v, controller::PositionControllerConfig& c) {
            kNotNegative);
   v.Number({"xy_velocity_gain_1_s", "Acceleration asked for per velocity error."}, c.xy_velocity_gain_1_s, kPerSecond,
            kNotNegative);
-  v.Number({"xy_integral_gain_1_s3", "Learns the trim against wind and a level error of the IMU."},
-           c.xy_integral_gain_1_s3, {"1/s^3"}, kNotNegative);
+  v.Number({"xy_integral_gain_1_s2", "Learns the trim against wind and a level error of the IMU."},
+           c.xy_integral_gain_1_s2, {"1/s^2"}, kNotNegative);
   v.Number({"z_position_gain_1_s", "Speed asked for per height error."}, c.z_position_gain_1_s, kPerSecond,
            kNotNegative);
   v.Number({"z_velocity_gain_1_s", "Acceleration asked for per velocity error."}, c.z_velocity_gain_1_s, kPerSecond,
            kNotNegative);
-  v.Number({"z_integral_gain_1_s3", "Learns the trim against an error of mass or thrust."}, c.z_integral_gain_1_s3,
-           {"1/s^3"}, kNotNegative);
+  v.Number({"z_integral_gain_1_s2", "Learns the trim against an error of mass or thrust."}, c.z_integral_gain_1_s2,
+           {"1/s^2"}, kNotNegative);
   v.Number({"max_xy_speed_m_s", "Of the speed asked for."}, c.max_xy_speed_m_s, kMetrePerSecond, kPositive);
   v.Number({"max_z_speed_m_s", "Of the speed asked for."}, c.max_z_speed_m_s, kMetrePerSecond, kPositive);
   v.Number({"max_tilt_deg", "Of the attitude asked for."}, c.max_tilt_rad, kDegree, PositiveUpTo(59.0));
@@ -126,8 +126,8 @@ void Describe(ConfigVisitor& v, controller::PositionControllerConfig& c) {
            kPositive);
   v.Number({"max_xy_integral_m_s2", "Of the trim."}, c.max_xy_integral_m_s2, kMetrePerSecond2, kPositive);
   v.Number({"max_z_integral_m_s2", "Of the trim."}, c.max_z_integral_m_s2, kMetrePerSecond2, kPositive);
-  v.Number({"max_integrated_error_m", "Errors beyond it integrate as if they were this large."},
-           c.max_integrated_error_m, kMetre, kPositive);
+  v.Number({"max_integrated_error_m_s", "Errors beyond it integrate as if they were this large."},
+           c.max_integrated_error_m_s, kMetrePerSecond, kPositive);
   v.Check("", [&c] { c.Validate(); });
 }
 
