@@ -144,6 +144,10 @@ void Describe(ConfigVisitor& v, Scenario& s) {
   v.Keys({"attitude_estimator", "Roll and pitch from the IMU, yaw from vision."}, s.attitude_estimator);
   v.Keys({"pose_filter", "The Kalman filter on vision's position."}, s.pose_filter);
   v.Keys({"controller", "Guidance, position loop, attitude loop."}, s.controller);
+  v.Check("scene", [&s] { sim::MakeScene(s.scene, s.pad, s.seed); });
+  v.Check("script", [&s] {
+    controller::FlightController(s.controller, s.vehicle, s.time, s.imu.rate_hz, s.script, s.start.airborne);
+  });
 }
 
 }  // namespace touchdown::scenarios

@@ -130,7 +130,7 @@ void DescribeCamera(ConfigVisitor& v, sim::CameraConfig& c, const models::TimeBa
                [](ConfigNode root) { return IsCameraInfo(root) ? CameraModelFromCameraInfo(root) : root; });
   v.Integer({"rate_hz", "Frames a second; divides time.ticks_per_s."}, c.rate_hz, Between(1, 100000));
   v.Number({"noise_sigma", "1-sigma of each pixel's noise, of 255 grey levels."}, c.noise_sigma, kNoUnit,
-           Between(0.0, 255.0));
+           Between(0.0, 64.0));
   v.Number({"exposure_ms", "How long the shutter is open."}, c.exposure_s, kMillisecond, Between(0.0, 1000.0));
   v.Number({"latency_ms", "From mid-exposure to delivery; at least half the exposure."}, c.latency_s, kMillisecond,
            Between(0.0, 1000.0));

@@ -1,0 +1,104 @@
+#include "scenarios/flight/config_reference.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenarios/flight/config_writer.h"
+#include "scenarios/flight/scenario_schema.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+std::string RangeText(const Range& range) {
+  return std::isfinite(range.min) || std::isfinite(range.max) ? range.Describe() : "";
+}
+
+}  // namespace
+
+void ConfigReference::BeginVariant(int variant) {
+  variant_ = variant;
+  next_ = 0;
+}
+
+void ConfigReference::Row(const Key& key, std::string_view unit, const std::string& default_value,
+                          const std::string& range) {
+  const std::string path = path_ + std::string(key.name);
+  const auto known = std::find_if(rows_.begin(), rows_.end(), [&path](const auto& row) { return row.path == path; });
+  if (known != rows_.end()) {
+    next_ = static_cast<std::size_t>(known - rows_.begin()) + 1;
+    return;
+  }
+  const std::string shown = key.required ? "required" : default_value;
+  rows_.insert(rows_.begin() + static_cast<std::ptrdiff_t>(next_),
+               {path, std::string(unit), shown, range, std::string(key.doc)});
+  ++next_;
+}
+
+void ConfigReference::Number(const Key& key, double& value_si, const Unit& unit, const Range& range) {
+  Row(key, unit.name, WriteNumber(value_si, unit), RangeText(range));
+}
+
+void ConfigReference::OptionalNumber(const Key& key, std::optional<double>&, const Unit& unit, const Range& range) {
+  Row(key, unit.name, "none", RangeText(range));
+}
+
+void ConfigReference::Numbers(const Key& key, const std::vector<double*>& values_si, const Unit& unit,
+                              const Range& range) {
+  std::vector<std::string> numbers;
+  for (const double* value : values_si) numbers.push_back(WriteNumber(*value, unit));
+  Row(key, unit.name, fmt::format("[{}]", fmt::join(numbers, ", ")), RangeText(range));
+}
+
+void ConfigReference::Integer64(const Key& key, std::int64_t& value, const Range& range) {
+  Row(key, "-", fmt::format("{}", value), RangeText(range));
+}
+
+void ConfigReference::Boolean(const Key& key, bool& value) {
+  Row(key, "-", value ? "true" : "false", "must be true or false");
+  value = variant_ % 2 != 0;
+}
+
+void ConfigReference::Text(const Key& key, std::string& value) {
+  Row(key, "-", value.empty() ? "" : WriteText(value), "");
+}
+
+void ConfigReference::Choice(const Key& key, int& index, std::span<const std::string_view> names) {
+  Row(key, "-", index < 0 ? "none" : std::string(names[static_cast<std::size_t>(index)]),
+      fmt::format("must be one of {}", fmt::join(names, ", ")));
+  index = variant_ % static_cast<int>(names.size());
+}
+
+void ConfigReference::Section(const Key& key, const SectionFile& file,
+                              const std::function<void(ConfigVisitor&)>& describe) {
+  Row(key, "-", file.allowed ? "keys, or a file" : "keys", "");
+  const std::string parent = path_;
+  path_ += std::string(key.name) + ".";
+  describe(*this);
+  path_ = parent;
+}
+
+void ConfigReference::List(const Key& key, std::size_t, const std::function<void(std::size_t)>& resize,
+                           const std::function<void(ConfigVisitor&, std::size_t)>& describe) {
+  Row(key, "-", "[]", "");
+  resize(1);
+  const std::string parent = path_;
+  path_ += std::string(key.name) + ".N.";
+  describe(*this, 0);
+  path_ = parent;
+}
+
+std::vector<ScenarioKey> ScenarioReference() {
+  constexpr int kVariants = 5;  // The most names that a choice has.
+  ConfigReference reference;
+  for (int variant = 0; variant < kVariants; ++variant) {
+    Scenario scenario;
+    reference.BeginVariant(variant);
+    Describe(reference, scenario);
+  }
+  return reference.rows();
+}
+
+}  // namespace touchdown::scenarios

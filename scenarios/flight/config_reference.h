@@ -1,0 +1,41 @@
+#pragma once
+
+#include <map>
+
+#include "scenarios/flight/config_visitor.h"
+#include "scenarios/flight/scenario.h"
+
+namespace touchdown::scenarios {
+
+/// Lists every key it visits, with the defaults that the visited structs hold. What is visited depends on the values of
+/// choices: `variant` says which of the choices each list's items, and every yes or no, are shown with. The rows of
+/// several variants come together in one reference.
+class ConfigReference : public ConfigVisitor {
+ public:
+  const std::vector<ScenarioKey>& rows() const { return rows_; }
+
+  /// To be called before the description is walked once more.
+  void BeginVariant(int variant);
+
+  void Number(const Key& key, double& value_si, const Unit& unit, const Range& range) override;
+  void OptionalNumber(const Key& key, std::optional<double>& value_si, const Unit& unit, const Range& range) override;
+  void Numbers(const Key& key, const std::vector<double*>& values_si, const Unit& unit, const Range& range) override;
+  void Integer64(const Key& key, std::int64_t& value, const Range& range) override;
+  void Boolean(const Key& key, bool& value) override;
+  void Text(const Key& key, std::string& value) override;
+  void Choice(const Key& key, int& index, std::span<const std::string_view> names) override;
+  void Section(const Key& key, const SectionFile& file, const std::function<void(ConfigVisitor&)>& describe) override;
+  void List(const Key& key, std::size_t count, const std::function<void(std::size_t)>& resize,
+            const std::function<void(ConfigVisitor&, std::size_t)>& describe) override;
+  void Check(std::string_view, const std::function<void()>&) override {}
+
+ private:
+  void Row(const Key& key, std::string_view unit, const std::string& default_value, const std::string& range);
+
+  std::vector<ScenarioKey> rows_;
+  std::size_t next_ = 0;  ///< Where a row that is new in this variant goes.
+  std::string path_;
+  int variant_ = 0;
+};
+
+}  // namespace touchdown::scenarios

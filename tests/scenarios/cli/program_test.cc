@@ -1,0 +1,183 @@
+// The program as a user meets it: exit status, what it says, and what it leaves behind.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/run_program.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::UnorderedElementsAre;
+using touchdown::testing::ProgramRun;
+
+constexpr const char* kGoodScript = "script:\n  - {do: takeoff, height_m: 1}\n  - {do: land}\n";
+
+class Program : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void Put(const std::string& name, const std::string& content) const {
+    std::ofstream(folder_ / name, std::ios::binary) << content;
+  }
+  ProgramRun Run(const std::vector<std::string>& arguments, int interrupt_after_ms = -1) const {
+    return touchdown::testing::RunProgram(TOUCHDOWN_PROGRAM, arguments, folder_, interrupt_after_ms);
+  }
+  std::vector<std::string> Names() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_)) names.push_back(entry.path().filename().string());
+    return names;
+  }
+  /// Flies `scenario`, expects exit 2, one line on stderr, and no folder; returns the line.
+  std::string ErrorOfFlying(const std::string& scenario, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments = {"fly", scenario, "--out", "result"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const std::vector<std::string> before = Names();
+    const ProgramRun run = Run(arguments);
+    EXPECT_EQ(run.status, 2) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(Names(), before);
+    return run.err;
+  }
+  std::string ErrorOfText(const std::string& text, const std::vector<std::string>& more = {}) const {
+    Put("bad.yaml", text);
+    return ErrorOfFlying("bad.yaml", more);
+  }
+
+  const fs::path folder_ =
+      fs::path(::testing::TempDir()) /
+      ("program_test_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+};
+
+TEST_F(Program, TellsItsVersionAndItsHelp) {
+  const ProgramRun version = Run({"--version"});
+  EXPECT_EQ(version.status, 0);
+  EXPECT_THAT(version.out, HasSubstr("0."));
+  const ProgramRun help = Run({"fly", "--help"});
+  EXPECT_EQ(help.status, 0);
+  EXPECT_THAT(help.out, AllOf(HasSubstr("--set"), HasSubstr("--seed"), HasSubstr("--estimator"), HasSubstr("--out")));
+}
+
+TEST_F(Program, ExitsWithTwoOnBadUsage) {
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{},
+                                             {"flie"},
+                                             {"fly"},
+                                             {"fly", "a.yaml", "--sed", "1"},
+                                             {"fly", "a.yaml", "--seed", "one"},
+                                             {"fly", "a.yaml", "--seed", "-1"},
+                                             {"fly", "a.yaml", "b.yaml"}}) {
+    const ProgramRun run = Run(arguments);
+    EXPECT_EQ(run.status, 2) << run.err;
+    EXPECT_NE(run.err, "");
+  }
+  EXPECT_TRUE(Names().empty());
+}
+
+TEST_F(Program, RefusesAnUnknownKey) {
+  EXPECT_THAT(ErrorOfText(std::string(kGoodScript) + "camera:\n  fps: 60\n"),
+              HasSubstr("bad.yaml:5: camera.fps: unknown key"));
+}
+
+TEST_F(Program, RefusesADuplicateKey) {
+  EXPECT_THAT(ErrorOfText(std::string(kGoodScript) + "seed: 1\nseed: 2\n"),
+              HasSubstr("bad.yaml:5: seed: duplicate key"));
+}
+
+TEST_F(Program, RefusesAWrongType) {
+  EXPECT_THAT(ErrorOfText(std::string(kGoodScript) + "seed: [1]\n"),
+              HasSubstr("bad.yaml:4: seed: must be a whole number"));
+}
+
+TEST_F(Program, RefusesWhatIsNotANumber) {
+  EXPECT_THAT(ErrorOfText(std::string(kGoodScript) + "camera: {noise_sigma: .nan}\n"),
+              HasSubstr("bad.yaml:4: camera.noise_sigma: must be a finite number"));
+}
+
+TEST_F(Program, RefusesANegativeMass) {
+  EXPECT_THAT(ErrorOfText(std::string(kGoodScript) + "vehicle: {mass_kg: -1}\n"),
+              HasSubstr("bad.yaml:4: vehicle.mass_kg: must be above 0"));
+}
+
+TEST_F(Program, RefusesAnImageOfNoSize) {
+  EXPECT_THAT(ErrorOfText(std::string(kGoodScript) + "camera: {model: {height_px: 0}}\n"),
+              HasSubstr("bad.yaml:4: camera.model.height_px: must be at least 1"));
+}
+
+TEST_F(Program, RefusesAMissingFile) {
+  EXPECT_THAT(ErrorOfFlying("none.yaml"), HasSubstr("none.yaml: no such file"));
+  EXPECT_THAT(ErrorOfText(std::string(kGoodScript) + "pad: none.yaml\n"),
+              AllOf(HasSubstr("bad.yaml:4: pad: "), HasSubstr("none.yaml: no such file")));
+}
+
+TEST_F(Program, RefusesAnEmptyFile) { EXPECT_THAT(ErrorOfText(""), HasSubstr("bad.yaml:1: is empty")); }
+
+TEST_F(Program, RefusesAHundredThousandBrackets) {
+  EXPECT_THAT(ErrorOfText("script: " + std::string(100000, '[')), HasSubstr("bad.yaml:1: nested"));
+}
+
+TEST_F(Program, RefusesAFolderForAScenario) {
+  fs::create_directories(folder_ / "folder.yaml");
+  EXPECT_THAT(ErrorOfFlying("folder.yaml"), HasSubstr("folder.yaml: is a folder"));
+}
+
+TEST_F(Program, RefusesAnUnknownEstimator) {
+  EXPECT_THAT(ErrorOfText(std::string(kGoodScript) + "estimator: {name: magic}\n"),
+              HasSubstr("bad.yaml:4: estimator.name: unknown estimator 'magic', known: paper"));
+  EXPECT_THAT(ErrorOfText(kGoodScript, {"--estimator", "magic"}), HasSubstr("estimator.name: unknown estimator"));
+}
+
+TEST_F(Program, RefusesToSetAKeyThatDoesNotExist) {
+  EXPECT_THAT(ErrorOfText(kGoodScript, {"--set", "camera.fps=60"}),
+              HasSubstr("--set camera.fps=60: camera.fps: unknown key"));
+}
+
+TEST_F(Program, RefusesAnOutputFolderThatHoldsOtherThings) {
+  fs::create_directories(folder_ / "result");
+  std::ofstream(folder_ / "result" / "thesis.tex") << "years of work";
+  EXPECT_THAT(ErrorOfText(kGoodScript), HasSubstr("holds other files"));
+  EXPECT_TRUE(fs::exists(folder_ / "result" / "thesis.tex"));
+}
+
+TEST_F(Program, RefusesAnOutputFolderThatCannotBeWritten) {
+  Put("good.yaml", kGoodScript);
+  Put("file", "");
+  for (const char* place : {"file", "file/below", "/proc/touchdown"}) {
+    const ProgramRun run = Run({"fly", "good.yaml", "--out", place});
+    EXPECT_EQ(run.status, 2) << place;
+    EXPECT_THAT(run.err, HasSubstr("output folder"));
+  }
+  EXPECT_THAT(Names(), UnorderedElementsAre("good.yaml", "file"));
+}
+
+TEST_F(Program, RefusesToWriteOverTheScenarioItFlies) {
+  fs::create_directories(folder_ / "result");
+  std::ofstream(folder_ / "result" / "scenario.yaml") << kGoodScript;
+  std::ofstream(folder_ / "result" / "result.json") << "{}";
+  const ProgramRun run = Run({"fly", "result/scenario.yaml", "--out", "result"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.err, HasSubstr("holds the scenario that is flown"));
+}
+
+TEST_F(Program, LeavesNothingWhenInterrupted) {
+  Put("good.yaml", kGoodScript);
+  const ProgramRun run = Run({"fly", "good.yaml", "--out", "a/result"}, 700);
+  EXPECT_EQ(run.status, 130);
+  EXPECT_THAT(Names(), UnorderedElementsAre("good.yaml"));
+}
+
+}  // namespace
+}  // namespace touchdown::scenarios

@@ -1,0 +1,85 @@
+#include "scenarios/flight/end_watch.h"
+
+#include <gtest/gtest.h>
+
+namespace touchdown::scenarios {
+namespace {
+
+using controller::Phase;
+
+class EndWatchTest : public ::testing::Test {
+ protected:
+  EndWatchTest() {
+    scenario_.time_limit_s = 10.0;
+    truth_.X_WB.translation() << 0.0, 0.0, 1.0;
+  }
+  /// The ending within so many seconds of the same state.
+  std::optional<Ending> Within(double seconds) {
+    for (const models::Tick end = truth_.tick + scenario_.time.FromSeconds(seconds); truth_.tick < end; ++truth_.tick) {
+      if (const auto ending = watch_->Judge(truth_, control_)) return ending;
+    }
+    return std::nullopt;
+  }
+  Outcome OutcomeWithin(double seconds) {
+    const auto ending = Within(seconds);
+    EXPECT_TRUE(ending.has_value());
+    return ending ? ending->outcome : Outcome::kError;
+  }
+
+  Scenario scenario_;
+  sim::TrueState truth_;
+  controller::ControlOutput control_{.phase = Phase::kHover};
+  std::optional<EndWatch> watch_{scenario_};
+};
+
+TEST_F(EndWatchTest, LetsAFlightGoOn) { EXPECT_FALSE(Within(5.0)); }
+
+TEST_F(EndWatchTest, EndsAFlightThatIsOverTime) {
+  scenario_.time_limit_s = 1.0;
+  watch_.emplace(scenario_);
+  EXPECT_FALSE(Within(1.0));
+  EXPECT_EQ(OutcomeWithin(0.1), Outcome::kGaveUp);
+}
+
+TEST_F(EndWatchTest, EndsWithTheScriptInTheAir) {
+  control_.script_done = true;
+  EXPECT_EQ(OutcomeWithin(0.1), Outcome::kHovered);
+}
+
+TEST_F(EndWatchTest, CallsItLandedASecondAfterTheVehicleCameToRest) {
+  control_.phase = Phase::kTouchdown;
+  control_.script_done = true;
+  EXPECT_FALSE(Within(0.2));
+  truth_.gear_in_contact = true;
+  truth_.v_WB.x() = 0.1;
+  EXPECT_FALSE(Within(0.5));
+  truth_.v_WB.x() = 0.0;
+  EXPECT_FALSE(Within(1.0));
+  EXPECT_EQ(OutcomeWithin(0.01), Outcome::kLanded);
+}
+
+TEST_F(EndWatchTest, CallsItACrashWhenTheVehicleDoesNotComeToRest) {
+  control_.phase = Phase::kTouchdown;
+  truth_.v_WB.x() = 0.1;
+  EXPECT_EQ(OutcomeWithin(6.0), Outcome::kCrashed);
+}
+
+TEST_F(EndWatchTest, SeesThatControlWasHandedOver) {
+  control_.phase = Phase::kGaveUp;
+  EXPECT_EQ(OutcomeWithin(0.1), Outcome::kGaveUp);
+}
+
+TEST_F(EndWatchTest, SeesCrashes) {
+  const sim::TrueState fine = truth_;
+  truth_.body_in_contact = true;
+  EXPECT_EQ(OutcomeWithin(0.1), Outcome::kCrashed);
+  truth_ = fine;
+  truth_.X_WB.linear() = models::RotationFromTaitBryan({.roll = models::DegToRad(91), .pitch = 0.0, .yaw = 0.0});
+  EXPECT_EQ(OutcomeWithin(0.1), Outcome::kCrashed);
+  truth_ = fine;
+  truth_.X_WB.translation().x() = -scenario_.scene.floor_size_m / 2.0 - 0.01;
+  EXPECT_EQ(OutcomeWithin(0.1), Outcome::kCrashed);
+}
+
+}  // namespace
+}  // namespace touchdown::scenarios

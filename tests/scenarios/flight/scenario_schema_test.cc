@@ -1,0 +1,83 @@
+#include "scenarios/flight/scenario_schema.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+namespace touchdown::scenarios {
+namespace {
+
+/// Stands for a field of any type in an aggregate's braces.
+struct AnyField {
+  template <typename T>
+  operator T() const;  // NOLINT: it must convert silently. Never called.
+};
+
+template <typename T, std::size_t... I>
+constexpr bool TakesFields(std::index_sequence<I...>) {
+  return requires { T{((void)I, AnyField{})...}; };
+}
+
+/// How many fields a struct has: the most that its braces take.
+template <typename T, std::size_t N = 48>
+constexpr std::size_t FieldCount() {
+  if constexpr (TakesFields<T>(std::make_index_sequence<N>())) {
+    return N;
+  } else {
+    return FieldCount<T, N - 1>();
+  }
+}
+
+/// Counts the keys of one struct, those of its sections as one each.
+class KeyCounter : public ConfigVisitor {
+ public:
+  std::size_t count = 0;
+
+  void Number(const Key&, double&, const Unit&, const Range&) override { ++count; }
+  void OptionalNumber(const Key&, std::optional<double>&, const Unit&, const Range&) override { ++count; }
+  void Numbers(const Key&, const std::vector<double*>&, const Unit&, const Range&) override { ++count; }
+  void Integer64(const Key&, std::int64_t&, const Range&) override { ++count; }
+  void Boolean(const Key&, bool&) override { ++count; }
+  void Text(const Key&, std::string&) override { ++count; }
+  void Choice(const Key&, int&, std::span<const std::string_view>) override { ++count; }
+  void Section(const Key&, const SectionFile&, const std::function<void(ConfigVisitor&)>&) override { ++count; }
+  void List(const Key&, std::size_t, const std::function<void(std::size_t)>&,
+            const std::function<void(ConfigVisitor&, std::size_t)>&) override {
+    ++count;
+  }
+  void Check(std::string_view, const std::function<void()>&) override {}
+};
+
+template <typename T>
+std::size_t KeyCount() {
+  T value;
+  KeyCounter counter;
+  Describe(counter, value);
+  return counter.count;
+}
+
+template <typename T>
+class SchemaOf : public ::testing::Test {};
+
+using Structs =
+    ::testing::Types<Scenario, models::Vehicle, models::CameraModel, models::LandingPad, sim::ImuConfig,
+                     sim::TrackingSystemConfig, sim::SceneConfig, sim::WorldConfig, estimator::EstimatorConfig,
+                     estimator::AttitudeEstimatorConfig, estimator::PoseFilterConfig, controller::GuidanceConfig,
+                     controller::PositionControllerConfig, controller::AttitudeControllerConfig,
+                     controller::FlightControllerConfig, Criterion>;
+TYPED_TEST_SUITE(SchemaOf, Structs);
+
+TYPED_TEST(SchemaOf, HasAKeyForEveryField) { EXPECT_EQ(KeyCount<TypeParam>(), FieldCount<TypeParam>()); }
+
+TEST(SchemaOfCamera, HasAKeyForEveryField) {
+  sim::CameraConfig camera;
+  KeyCounter counter;
+  DescribeCamera(counter, camera, models::TimeBase());
+  EXPECT_EQ(counter.count, FieldCount<sim::CameraConfig>());
+}
+
+}  // namespace
+}  // namespace touchdown::scenarios

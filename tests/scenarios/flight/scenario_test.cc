@@ -1,0 +1,269 @@
+#include "scenarios/flight/scenario.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "models/error.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::EndsWith;
+using ::testing::Field;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const fs::path kFlights = fs::path(TOUCHDOWN_SOURCE_DIR) / "scenarios" / "flights";
+
+/// A scenario that can be flown, and what is added to it.
+std::string With(const std::string& lines) {
+  return "script:\n  - {do: takeoff, height_m: 1}\n  - {do: land}\n" + lines;
+}
+
+Scenario Parse(const std::string& text, std::vector<std::string> overrides = {}) {
+  return ParseScenario(text, "f.yaml", fs::path(TOUCHDOWN_SOURCE_DIR), overrides);
+}
+
+std::string ErrorOf(const std::string& text, std::vector<std::string> overrides = {}) {
+  try {
+    Parse(text, std::move(overrides));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "no InputError for\n" << text;
+  return "";
+}
+
+TEST(Scenario, ReadsTheFlightsOfTheProject) {
+  for (const char* name : {"takeoff_hover_land", "disturbed_hover", "landing"}) {
+    const Scenario scenario = LoadScenario(kFlights / (std::string(name) + ".yaml"));
+    EXPECT_EQ(scenario.name, name);
+    EXPECT_FALSE(scenario.criteria.empty());
+  }
+}
+
+TEST(Scenario, ConvertsUnitsToSi) {
+  const Scenario s = Parse(With("camera: {exposure_ms: 4, latency_ms: 30}\nstart: {yaw_deg: 30}\n"));
+  EXPECT_DOUBLE_EQ(s.camera.exposure_s, 0.004);
+  EXPECT_DOUBLE_EQ(s.camera.latency_s, 0.030);
+  EXPECT_DOUBLE_EQ(s.start.yaw, models::kPi / 6.0);
+}
+
+TEST(Scenario, ExpectsTheEndThatItsScriptHas) {
+  EXPECT_EQ(Parse(With("")).expected_outcome(), Outcome::kLanded);
+  const std::string in_the_air = "script: [{do: takeoff, height_m: 1}, {do: hover, duration_s: 5}]\n";
+  EXPECT_EQ(Parse(in_the_air).expected_outcome(), Outcome::kHovered);
+  EXPECT_EQ(Parse(in_the_air + "expect: gave_up\n").expected_outcome(), Outcome::kGaveUp);
+  EXPECT_EQ(Parse(With("expect: hovered\n")).expected_outcome(), Outcome::kHovered);
+}
+
+TEST(Scenario, KeepsWhatAnOverrideDoesNotName) {
+  const Scenario s = Parse(With("camera: {noise_sigma: 5, exposure_ms: 2}\n"), {"camera.noise_sigma=7", "seed=9"});
+  EXPECT_EQ(s.camera.noise_sigma, 7.0);
+  EXPECT_DOUBLE_EQ(s.camera.exposure_s, 0.002);
+  EXPECT_EQ(s.seed, 9u);
+}
+
+TEST(Scenario, TakesTheLastOfTwoOverrides) { EXPECT_EQ(Parse(With(""), {"seed=2", "seed=3"}).seed, 3u); }
+
+TEST(Scenario, ChangesItemsOfListsByTheirNumber) {
+  const std::string text = With("events:\n  - {at_s: 1, do: push, force_n: [1, 2, 3], duration_s: 1}\n");
+  const Scenario s = Parse(text, {"events.0.force_n.1=7", "events.0.at_s=4", "script.0.height_m=2"});
+  EXPECT_EQ(s.events[0].force_n, Eigen::Vector3d(1, 7, 3));
+  EXPECT_EQ(s.events[0].at_s, 4.0);
+  EXPECT_EQ(s.script[0].position_m.z(), 2.0);
+  EXPECT_THAT(ErrorOf(text, {"events.1.at_s=4"}), HasSubstr("events.1: unknown key, the list has 1 items"));
+  EXPECT_THAT(ErrorOf(text, {"events.0.force_n.3=4"}), HasSubstr("events.0.force_n.3: unknown key"));
+}
+
+TEST(Scenario, JudgesOverridesTogether) {
+  EXPECT_THAT(ErrorOf(With(""), {"vehicle.mass_kg=3"}), AllOf(HasSubstr("vehicle"), HasSubstr("cannot lift")));
+  EXPECT_NO_THROW(Parse(With(""), {"vehicle.mass_kg=3", "vehicle.rotor.max_speed_rad_s=1200"}));
+}
+
+TEST(Scenario, NamesFileLineAndKeyOfWhatIsWrong) {
+  EXPECT_THAT(ErrorOf(With("\ncamera:\n  fps: 60\n")), StartsWith("f.yaml:6: camera.fps: unknown key"));
+  EXPECT_THAT(ErrorOf(With("seed: 1\nseed: 2\n")), StartsWith("f.yaml:5: seed: duplicate key"));
+  EXPECT_THAT(ErrorOf(With("camera: {noise_sigma: much}\n")),
+              StartsWith("f.yaml:4: camera.noise_sigma: must be a number"));
+  EXPECT_THAT(ErrorOf(With("camera: {noise_sigma: \"3\"}\n")), HasSubstr("camera.noise_sigma: must be a number"));
+  EXPECT_THAT(ErrorOf(With("camera: {noise_sigma: [3]}\n")), HasSubstr("camera.noise_sigma: must be a number"));
+  EXPECT_THAT(ErrorOf(With("camera: {noise_sigma: .nan}\n")), HasSubstr("camera.noise_sigma: must be a finite number"));
+  EXPECT_THAT(ErrorOf(With("time_limit_s: .inf\n")), HasSubstr("time_limit_s: must be a finite number"));
+  EXPECT_THAT(ErrorOf(With("time_limit_s: nan\n")), HasSubstr("time_limit_s: must be a finite number"));
+  EXPECT_THAT(ErrorOf(With("time_limit_s: 1e999\n")), HasSubstr("time_limit_s: must be a finite number"));
+  EXPECT_THAT(ErrorOf(With("vehicle: {mass_kg: -1.2}\n")), HasSubstr("vehicle.mass_kg: must be above 0, is -1.2"));
+  EXPECT_THAT(ErrorOf(With("camera: {model: {width_px: 0}}\n")),
+              HasSubstr("camera.model.width_px: must be at least 1"));
+  EXPECT_THAT(ErrorOf(With("camera: {model: {width_px: 1.5}}\n")), HasSubstr("width_px: must be a whole number"));
+  EXPECT_THAT(ErrorOf(With("scene: {pad: maybe}\n")), HasSubstr("scene.pad: must be true or false"));
+  EXPECT_THAT(ErrorOf(With("expect: won\n")), HasSubstr("expect: must be one of landed, hovered"));
+  EXPECT_THAT(ErrorOf(With("world: {wind_m_s: [1, 2]}\n")), HasSubstr("world.wind_m_s: must be a list of 3 numbers"));
+  EXPECT_THAT(ErrorOf(With("camera: 3\n")), HasSubstr("camera"));
+  EXPECT_THAT(ErrorOf(With("seed:\n")), StartsWith("f.yaml:4: seed: has no value"));
+  EXPECT_THAT(ErrorOf(With("seed: -1\n")), HasSubstr("seed: must be at least 0"));
+  EXPECT_THAT(ErrorOf(With("seed: 99999999999999999999\n")), HasSubstr("seed: is too large"));
+  EXPECT_THAT(ErrorOf(With("name: ../up\n")), StartsWith("f.yaml:4: name: must be letters"));
+  EXPECT_THAT(ErrorOf("seed: 1\n"), HasSubstr("script: must be given"));
+}
+
+TEST(Scenario, NamesTheKeyThatWasMeant) {
+  EXPECT_THAT(ErrorOf(With("camera: {noise_sgima: 3}\n")), HasSubstr("did you mean noise_sigma?"));
+}
+
+TEST(Scenario, NamesTheOverrideThatIsWrong) {
+  EXPECT_THAT(ErrorOf(With(""), {"camera.fps=60"}), StartsWith("--set camera.fps=60: camera.fps: unknown key"));
+  EXPECT_THAT(ErrorOf(With(""), {"camera.rate_hz=fast"}), HasSubstr("camera.rate_hz: must be a whole number"));
+  EXPECT_THAT(ErrorOf(With(""), {"camera.noise_sigma=.nan"}), HasSubstr("must be a finite number"));
+  EXPECT_THAT(ErrorOf(With(""), {"camera.noise_sigma="}), HasSubstr("camera.noise_sigma: has no value"));
+}
+
+TEST(Scenario, ChecksWhatKeysMeanTogether) {
+  EXPECT_THAT(ErrorOf(With("\ncamera:\n  rate_hz: 7\n")), AllOf(StartsWith("f.yaml:"), HasSubstr("camera")));
+  EXPECT_THAT(ErrorOf(With("time: {ticks_per_s: 1000}\n")), HasSubstr("does not divide"));
+  EXPECT_THAT(ErrorOf(With("pad: {h_width_m: 0.2}\n")), StartsWith("f.yaml:4: pad: "));
+  EXPECT_THAT(ErrorOf(With("estimator: {name: magic}\n")), StartsWith("f.yaml:4: estimator.name: unknown estimator"));
+  EXPECT_THAT(ErrorOf(With("criteria: [{metric: flight.beauty, min: 1}]\n")),
+              HasSubstr("criteria.0.metric: unknown metric"));
+  EXPECT_THAT(ErrorOf(With("criteria: [{metric: flight.sim_time_s}]\n")), HasSubstr("needs a min or a max"));
+  EXPECT_THAT(ErrorOf("script: [{do: hover, duration_s: 3}]\n"), StartsWith("f.yaml:1: script: "));
+  EXPECT_THAT(ErrorOf("script: []\n"), HasSubstr("script"));
+}
+
+TEST(Scenario, KnowsOnlyTheKeysOfAnItemsKind) {
+  EXPECT_THAT(ErrorOf("script: [{do: takeoff, duration_s: 3}]\n"), HasSubstr("script.0.duration_s: unknown key"));
+  EXPECT_THAT(ErrorOf(With("events: [{at_s: 1, do: wind, duration_s: 2, velocity_m_s: [1, 0, 0]}]\n")),
+              HasSubstr("events.0.duration_s: unknown key"));
+  EXPECT_THAT(ErrorOf(With("events: [{do: push, duration_s: 2}]\n")), HasSubstr("events.0.at_s: must be given"));
+}
+
+TEST(Scenario, ReadsItsOwnYamlToTheSameScenario) {
+  for (const char* name : {"takeoff_hover_land", "disturbed_hover", "landing"}) {
+    const std::vector<std::string> overrides = {"start.yaw_deg=12.3456789", "camera.exposure_ms=3.3333333333333335",
+                                                "imu.gyro_range_deg_s=499.99999999999994", "description=\"a: b\\n#c\""};
+    const Scenario scenario = LoadScenario(kFlights / (std::string(name) + ".yaml"), overrides);
+    const std::string yaml = ScenarioYaml(scenario);
+    const Scenario again = ParseScenario(yaml, "other.yaml", "");
+    EXPECT_EQ(ScenarioYaml(again), yaml);
+    EXPECT_EQ(again.name, name);
+    EXPECT_EQ(again.start.yaw, scenario.start.yaw);
+    EXPECT_EQ(again.camera.exposure_s, scenario.camera.exposure_s);
+    EXPECT_EQ(again.imu.gyro_range_rad_s, scenario.imu.gyro_range_rad_s);
+    EXPECT_EQ(again.controller.guidance.cone_half_angle_rad, scenario.controller.guidance.cone_half_angle_rad);
+    EXPECT_EQ(again.description, scenario.description);
+    EXPECT_EQ(again.vehicle.imu.misalignment.pitch, scenario.vehicle.imu.misalignment.pitch);
+  }
+}
+
+TEST(Scenario, FliesDefaultsAsItWouldReadThemAgain) {
+  const Scenario scenario = Parse(With(""));
+  EXPECT_EQ(Parse(ScenarioYaml(scenario)).imu.gyro_range_rad_s, scenario.imu.gyro_range_rad_s);
+  EXPECT_EQ(Parse(ScenarioYaml(scenario)).tracking.rotation_noise_rad, scenario.tracking.rotation_noise_rad);
+}
+
+class ScenarioWithFiles : public ::testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+  void Put(const std::string& name, const std::string& content) const { std::ofstream(folder_ / name) << content; }
+  Scenario Load(const std::string& lines) const {
+    Put("flight.yaml", With(lines));
+    return LoadScenario(folder_ / "flight.yaml");
+  }
+  std::string LoadError(const std::string& lines) const {
+    try {
+      Load(lines);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    ADD_FAILURE() << "no InputError";
+    return "";
+  }
+  const fs::path folder_ =
+      fs::path(::testing::TempDir()) /
+      ("scenario_test_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+};
+
+constexpr const char* kCameraInfo = R"(image_width: 752
+image_height: 480
+camera_name: cam0
+camera_matrix: {rows: 3, cols: 3, data: [458.654, 0, 367.215, 0.0, 457.296, 248.375, 0, 0, 1]}
+distortion_model: plumb_bob
+distortion_coefficients: {rows: 1, cols: 5, data: [-0.28340811, 0.07395907, 0.0, 0, 0]}
+rectification_matrix: {rows: 3, cols: 3, data: [1, 0, 0, 0, 1, 0, 0, 0, 1]}
+projection_matrix: {rows: 3, cols: 4, data: [458, 0, 367, 0, 0, 457, 248, 0, 0, 0, 1, 0]}
+)";
+
+TEST_F(ScenarioWithFiles, ReadsARosCalibrationBesideIt) {
+  Put("camera.yaml", kCameraInfo);
+  for (const char* lines : {"camera: camera.yaml\n", "camera: {model: camera.yaml, rate_hz: 30}\n"}) {
+    const models::CameraModel model = Load(lines).camera.model;
+    EXPECT_EQ(model.width_px, 752);
+    EXPECT_EQ(model.height_px, 480);
+    EXPECT_EQ(model.fx_px, 458.654);
+    EXPECT_EQ(model.fy_px, 457.296);
+    EXPECT_EQ(model.cx_px, 367.215);
+    EXPECT_EQ(model.cy_px, 248.375);
+    EXPECT_EQ(model.k1, -0.28340811);
+    EXPECT_EQ(model.k2, 0.07395907);
+    EXPECT_EQ(LoadCameraModel(folder_ / "camera.yaml"), model);
+  }
+}
+
+TEST_F(ScenarioWithFiles, RefusesACalibrationItCannotRender) {
+  std::string text = kCameraInfo;
+  text.replace(text.find("0.0, 0, 0]"), 3, "1e-4");
+  Put("camera.yaml", text);
+  EXPECT_THAT(LoadError("camera: camera.yaml\n"), AllOf(HasSubstr("camera.yaml:6"), HasSubstr("only the first two")));
+  text = kCameraInfo;
+  text.replace(text.find("plumb_bob"), 9, "equidistant");
+  Put("camera.yaml", text);
+  EXPECT_THAT(LoadError("camera: camera.yaml\n"), HasSubstr("must be plumb_bob"));
+  Put("camera.yaml", "image_width: 640\n");
+  EXPECT_THAT(LoadError("camera: camera.yaml\n"), HasSubstr("must be given"));
+}
+
+TEST_F(ScenarioWithFiles, ReadsPadAndVehicleBesideItAndResolvesThemInPlace) {
+  Put("pad.yaml", "outer_radius_m: 0.08\n");
+  Put("heavy.yaml", "mass_kg: 1.5\n");
+  const Scenario scenario = Load("pad: pad.yaml\nvehicle: heavy.yaml\n");
+  EXPECT_EQ(scenario.pad.outer_radius_m, 0.08);
+  EXPECT_EQ(scenario.vehicle.mass_kg, 1.5);
+  EXPECT_EQ(LoadPad(folder_ / "pad.yaml"), scenario.pad);
+  EXPECT_EQ(ParseScenario(ScenarioYaml(scenario), "f", "/nowhere").pad, scenario.pad);
+}
+
+TEST_F(ScenarioWithFiles, NamesTheFileAndTheKeyThatNamedIt) {
+  EXPECT_THAT(LoadError("pad: none.yaml\n"),
+              AllOf(HasSubstr("flight.yaml:4: pad: "), HasSubstr("none.yaml: no such file")));
+  Put("pad.yaml", "\nradius: 1\n");
+  EXPECT_THAT(LoadError("pad: pad.yaml\n"), HasSubstr("pad.yaml:2: pad.radius: unknown key"));
+}
+
+TEST(ScenarioReference, ListsKeysOfEveryKind) {
+  const std::vector<ScenarioKey> reference = ScenarioReference();
+  const auto has = [](const char* path, const char* unit, const char* value) {
+    return Contains(AllOf(Field(&ScenarioKey::path, path), Field(&ScenarioKey::unit, unit),
+                          Field(&ScenarioKey::default_value, value)));
+  };
+  EXPECT_THAT(reference, has("camera.exposure_ms", "ms", "4"));
+  EXPECT_THAT(reference, has("camera.model.width_px", "-", "640"));
+  EXPECT_THAT(reference, has("events.N.force_n", "N", "[0, 0, 0]"));
+  EXPECT_THAT(reference, has("events.N.velocity_m_s", "m/s", "required"));
+  EXPECT_THAT(reference, has("script.N.duration_s", "s", "required"));
+  EXPECT_THAT(reference, has("start.position_m", "m", "[0, 0, 1]"));
+  EXPECT_THAT(reference, has("start.x_m", "m", "0"));
+  EXPECT_THAT(reference, has("estimator.contour_points", "-", "subpixel"));
+  EXPECT_THAT(reference, has("scene.pad", "-", "true"));
+  for (const ScenarioKey& key : reference) EXPECT_THAT(key.doc, EndsWith(".")) << key.path;
+}
+
+}  // namespace
+}  // namespace touchdown::scenarios

@@ -1,0 +1,93 @@
+// Whole flights, as a user flies them: the three scenarios of the project, and what must hold of any flight.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <future>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "scenarios/flight/flight_folder.h"
+#include "scenarios/flight/fly.h"
+#include "scenarios/flight/scenario.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+namespace fs = std::filesystem;
+
+Scenario Flight(const std::string& name, const std::vector<std::string>& overrides = {}) {
+  return LoadScenario(fs::path(TOUCHDOWN_SOURCE_DIR) / "scenarios" / "flights" / (name + ".yaml"), overrides);
+}
+
+void ExpectPass(const FlightResult& result) {
+  EXPECT_EQ(result.verdict, Verdict::kPass) << result.reason;
+  for (const Check& check : result.checks) {
+    EXPECT_TRUE(check.pass) << check.name << " is " << (check.value ? std::to_string(*check.value) : check.text)
+                            << ", limit " << check.limit;
+  }
+}
+
+/// A short flight: up, and given up in the air because the pad is covered.
+std::vector<std::string> Short() { return {"time_limit_s=3"}; }
+
+TEST(Flights, TakeoffHoverLandPasses) { ExpectPass(Fly(Flight("takeoff_hover_land"))); }
+
+TEST(Flights, DisturbedHoverPasses) { ExpectPass(Fly(Flight("disturbed_hover"))); }
+
+TEST(Flights, LandingPasses) { ExpectPass(Fly(Flight("landing"))); }
+
+TEST(Flights, ACoveredPadEndsInGivingUp) {
+  const FlightResult result =
+      Fly(Flight("landing", {"events=[{at_s: 1.0, do: cover_pad, duration_s: 100}]", "expect=gave_up", "criteria=[]"}));
+  EXPECT_EQ(result.outcome, Outcome::kGaveUp);
+  EXPECT_EQ(result.verdict, Verdict::kPass);
+  EXPECT_FALSE(result.metrics.contains("flight.touchdown_xy_error_m"));
+  EXPECT_EQ(result.metrics.at("estimate.false_pads"), 0.0);
+}
+
+TEST(Flights, AShortLossOfFramesIsBridged) {
+  ExpectPass(Fly(Flight("takeoff_hover_land", {"events=[{at_s: 8, do: lose_frames, duration_s: 0.4}]"})));
+}
+
+TEST(Flights, TheSameSeedGivesTheSameLogAlsoBesideAnotherFlight) {
+  const Scenario scenario = Flight("takeoff_hover_land", Short());
+  const FlightResult alone = Fly(scenario);
+  auto other = std::async(std::launch::async, [] { return Fly(Flight("landing", Short())); });
+  const FlightResult beside = Fly(scenario);
+  other.get();
+  EXPECT_EQ(alone.log_sha256, beside.log_sha256);
+  EXPECT_EQ(alone.tables.flight_csv, beside.tables.flight_csv);
+}
+
+TEST(Flights, AnotherSeedGivesAnotherLog) {
+  EXPECT_NE(Fly(Flight("takeoff_hover_land", Short())).log_sha256,
+            Fly(Flight("takeoff_hover_land", {"time_limit_s=3", "seed=2"})).log_sha256);
+}
+
+TEST(Flights, TheResolvedScenarioFliesTheSameFlight) {
+  const Scenario scenario = Flight("landing", Short());
+  EXPECT_EQ(Fly(scenario).log_sha256, Fly(ParseScenario(ScenarioYaml(scenario), "f", "")).log_sha256);
+}
+
+TEST(Flights, LeaveTheirFolderWhole) {
+  const fs::path place = fs::path(::testing::TempDir()) / "flights_test_folder";
+  fs::remove_all(place);
+  const FlightResult result = FlyIntoFolder(Flight("landing", Short()), place, nullptr);
+  EXPECT_EQ(result.verdict, Verdict::kFail);
+  for (const char* name : {"scenario.yaml", "result.json", "flight.csv", "frames.csv", "tracking.csv",
+                           "frame_timing.csv", "timing.json", "frames.png"}) {
+    EXPECT_GT(fs::file_size(place / name), 0u) << name;
+  }
+  std::ifstream stream(place / "result.json");
+  const nlohmann::json json = nlohmann::json::parse(stream);
+  EXPECT_EQ(json.at("outcome"), "gave_up");
+  EXPECT_EQ(json.at("verdict"), "fail");
+  EXPECT_EQ(json.at("log_sha256"), result.log_sha256);
+  fs::remove_all(place);
+}
+
+}  // namespace
+}  // namespace touchdown::scenarios

@@ -1,0 +1,67 @@
+#include "scenarios/report/contact_sheet.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgcodecs.hpp>
+
+namespace touchdown::scenarios {
+namespace {
+
+cv::Mat Decode(const std::string& png) {
+  return cv::imdecode(std::vector<unsigned char>(png.begin(), png.end()), cv::IMREAD_COLOR);
+}
+
+TEST(ContactSheet, IsEmptyWithoutFrames) {
+  EXPECT_TRUE(ContactSheet(models::CameraModel(), models::TimeBase()).Png().empty());
+}
+
+TEST(ContactSheet, ShowsTwelveFramesOfALongFlightFromItsStartToItsEnd) {
+  models::CameraModel camera;
+  camera.width_px = 64;
+  camera.height_px = 48;
+  ContactSheet sheet(camera, models::TimeBase());
+  constexpr int kFrames = 1000;
+  for (int i = 0; i < kFrames; ++i) {
+    models::CameraFrame frame;
+    frame.mid_exposure = 20 * i;
+    frame.image = models::Image(64, 48, static_cast<std::uint8_t>(i * 250 / kFrames));
+    sheet.Add(frame, {}, {});
+  }
+  const cv::Mat picture = Decode(sheet.Png());
+  ASSERT_EQ(picture.cols, 4 * 480);
+  ASSERT_EQ(picture.rows, 3 * 360);
+  int previous = -1;
+  for (int tile = 0; tile < 12; ++tile) {
+    const int grey = picture.at<cv::Vec3b>(360 * (tile / 4) + 330, 480 * (tile % 4) + 450)[0];
+    EXPECT_GT(grey, previous);
+    if (tile > 0) EXPECT_NEAR(grey - previous, 250.0 / 11.0, 12.0);
+    previous = grey;
+  }
+  EXPECT_GT(previous, 220);
+}
+
+TEST(AnnotateFrame, DrawsBoxesInThePapersColours) {
+  using Label = estimator::FrameTrace::Label;
+  const models::Image image(640, 480, 128);
+  estimator::FrameTrace trace;
+  trace.components = {{100, 100, 50, 50, Label::kCircle, 1.0},
+                      {200, 100, 50, 50, Label::kH, 1.0},
+                      {300, 100, 50, 50, Label::kOther, 1.0}};
+  FrameRecord record;
+  record.pad_px = Eigen::Vector2d(500, 300);
+  const cv::Mat picture = AnnotateFrame(image.View(), models::CameraModel(), trace, record, 0.0);
+  const auto strongest = [&picture](int u, int v) {
+    const cv::Vec3b pixel = picture.at<cv::Vec3b>(v, u);
+    return std::max_element(pixel.val, pixel.val + 3) - pixel.val;
+  };
+  EXPECT_EQ(strongest(125, 100), 1);
+  EXPECT_EQ(strongest(225, 100), 0);
+  EXPECT_EQ(strongest(325, 100), 2);
+  const cv::Vec3b orange = picture.at<cv::Vec3b>(300, 500);
+  EXPECT_GT(orange[2], orange[1]);
+  EXPECT_GT(orange[1], orange[0]);
+  EXPECT_EQ(picture.at<cv::Vec3b>(400, 600), cv::Vec3b(128, 128, 128));
+}
+
+}  // namespace
+}  // namespace touchdown::scenarios
