@@ -19,7 +19,7 @@ struct FlightControllerConfig {
   PositionControllerConfig position;
   AttitudeControllerConfig attitude;
   /// How old the pad's newest sighting may be for the position loop to use vision: beyond, it uses its own prediction.
-  double vision_fresh_s = 0.10;
+  double vision_fresh_s = 0.07;
 
   /// Throws InputError.
   void Validate() const;

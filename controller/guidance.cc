@@ -11,7 +11,7 @@ namespace touchdown::controller {
 namespace {
 
 PhaseLimits LimitsOf(const GuidanceConfig& config, const models::TimeBase& time) {
-  const double blind_path_m = config.blind_clearance_m - config.h_land_clearance_m;
+  const double blind_path_m = config.blind_clearance_m + config.h_err_m - config.h_land_clearance_m;
   PhaseLimits limits;
   const auto set = [&](Phase phase, double limit_s) {
     limits[static_cast<std::size_t>(phase)] = time.FromSeconds(limit_s);

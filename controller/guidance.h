@@ -55,8 +55,8 @@ struct GuidanceConfig {
   // The pad is not seen.
   double pad_lost_s = 0.30;   ///< After which it counts as lost.
   double pad_found_s = 0.10;  ///< For which it must have been seen to be relied on (again).
-  double hold_limit_s = 0.8;
-  double search_climb_rate_m_s = 0.30;
+  double hold_limit_s = 0.6;
+  double search_climb_rate_m_s = 0.40;
   double search_climb_limit_s = 5.0;
   double search_ceiling_m = 2.5;  ///< By prediction.
 
