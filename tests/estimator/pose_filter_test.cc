@@ -1,0 +1,128 @@
+#include "estimator/pose_filter.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "models/error.h"
+#include "models/random_stream.h"
+
+namespace touchdown::estimator {
+namespace {
+
+using Eigen::Vector3d;
+using Motion = models::VehicleEstimate::Motion;
+
+const models::TimeBase kTime;
+
+PoseFilter Fresh() { return {PoseFilterConfig{}, kTime}; }
+
+TEST(PoseFilter, KnowsNothingBeforeTheFirstPosition) {
+  const PoseFilter filter = Fresh();
+  EXPECT_FALSE(filter.At(100).has_value());
+  EXPECT_FALSE(filter.newest().has_value());
+}
+
+TEST(PoseFilter, TakesTheFirstPositionAsItIs) {
+  PoseFilter filter = Fresh();
+  filter.Update(40, {1.0, 2.0, 3.0});
+  const auto motion = filter.At(60);
+  ASSERT_TRUE(motion.has_value());
+  EXPECT_EQ(motion->p_WB, Vector3d(1.0, 2.0, 3.0));
+  EXPECT_EQ(motion->v_WB, Vector3d::Zero());
+  EXPECT_EQ(filter.newest(), 40);
+}
+
+TEST(PoseFilter, ConvergesToAConstantVelocityAtAnySpacingOfTheFrames) {
+  PoseFilter filter = Fresh();
+  models::RandomStream random(1, "pose_filter_test");
+  const Vector3d p0(0.3, -0.2, 1.0), v(0.2, -0.1, 0.05);
+  models::Tick tick = 0;
+  for (int i = 0; i < 200; ++i) {
+    filter.Update(tick, p0 + kTime.ToSeconds(tick) * v);
+    tick += random.UniformInt(5, 60);
+  }
+  const models::Tick later = *filter.newest() + 48;
+  const Motion motion = *filter.At(later);
+  EXPECT_NEAR((motion.v_WB - v).norm(), 0.0, 1e-4);
+  EXPECT_NEAR((motion.p_WB - (p0 + kTime.ToSeconds(later) * v)).norm(), 0.0, 1e-4);
+}
+
+/// RMSE of (position, velocity) when positions with white noise come at 60 Hz.
+Eigen::Vector2d ErrorsAtRest(double height_m, const Vector3d& noise) {
+  PoseFilter filter = Fresh();
+  models::RandomStream random(7, "pose_filter_test.noise");
+  double p_sum = 0.0, v_sum = 0.0;
+  constexpr int kFrames = 4000, kWarmUp = 100;
+  for (int i = 0; i < kFrames; ++i) {
+    filter.Update(20 * i, Vector3d(0.0, 0.0, height_m) + noise.cwiseProduct(random.NormalVector3()));
+    if (i < kWarmUp) continue;
+    const Motion motion = *filter.At(20 * i + 24);
+    p_sum += motion.p_WB.head<2>().squaredNorm() / 2.0;
+    v_sum += motion.v_WB.head<2>().squaredNorm() / 2.0;
+  }
+  return Eigen::Vector2d(p_sum, v_sum).cwiseSqrt() / std::sqrt(kFrames - kWarmUp);
+}
+
+TEST(PoseFilter, TakesMostOfTheNoiseOut) {
+  const Eigen::Vector2d errors = ErrorsAtRest(1.0, {0.02, 0.02, 0.005});
+  EXPECT_LT(errors[0], 0.013);
+  EXPECT_LT(errors[1], 0.10);
+}
+
+TEST(PoseFilter, TrustsHorizontalPositionsTheMoreTheLowerTheVehicleIs) {
+  const Vector3d noise(0.01, 0.01, 0.002);
+  EXPECT_LT(ErrorsAtRest(1.5, noise)[1], 0.7 * ErrorsAtRest(0.25, noise)[1]);
+}
+
+TEST(PoseFilter, FollowsAnAccelerationWithASmallLag) {
+  PoseFilter filter = Fresh();
+  const double a = 1.0;
+  for (int i = 0; i <= 120; ++i) {
+    const double t = i / 60.0;
+    filter.Update(20 * i, {0.5 * a * t * t, 0.0, 1.0});
+  }
+  const Motion motion = *filter.At(20 * 120);
+  EXPECT_NEAR(motion.v_WB.x(), 2.0 * a, 0.20 * a);
+  EXPECT_NEAR(motion.p_WB.x(), 2.0 * a, 0.03 * a);
+}
+
+TEST(PoseFilter, RegainsAVehicleThatMovedWhileUnseen) {
+  PoseFilter filter = Fresh();
+  for (int i = 0; i < 60; ++i) filter.Update(20 * i, {0.0, 0.0, 1.0});
+  const models::Tick again = 20 * 60 + 2400;
+  for (int i = 0; i < 30; ++i) filter.Update(again + 20 * i, {0.6, 0.0, 1.2});
+  EXPECT_NEAR((filter.At(*filter.newest())->p_WB - Vector3d(0.6, 0.0, 1.2)).norm(), 0.0, 0.03);
+  EXPECT_LT(filter.At(*filter.newest())->v_WB.norm(), 0.2);
+}
+
+TEST(PoseFilter, IgnoresAFrameThatIsNotNewer) {
+  PoseFilter filter = Fresh();
+  filter.Update(40, {0.0, 0.0, 1.0});
+  filter.Update(40, {5.0, 0.0, 1.0});
+  filter.Update(20, {5.0, 0.0, 1.0});
+  EXPECT_EQ(filter.At(40)->p_WB, Vector3d(0.0, 0.0, 1.0));
+  EXPECT_EQ(filter.newest(), 40);
+}
+
+TEST(PoseFilter, ForgetsOnReset) {
+  PoseFilter filter = Fresh();
+  filter.Update(0, {0.0, 0.0, 1.0});
+  filter.Reset();
+  EXPECT_FALSE(filter.At(0).has_value());
+  filter.Update(20, {1.0, 0.0, 1.0});
+  EXPECT_EQ(filter.At(20)->p_WB.x(), 1.0);
+}
+
+TEST(PoseFilterConfig, RefusesNumbersThatMakeNoFilter) {
+  EXPECT_NO_THROW(PoseFilterConfig{}.Validate());
+  PoseFilterConfig config;
+  config.min_z_noise_m = 0.0;
+  EXPECT_THROW(config.Validate(), InputError);
+  config = {};
+  config.initial_speed_m_s = NAN;
+  EXPECT_THROW(PoseFilter(config, kTime), InputError);
+}
+
+}  // namespace
+}  // namespace touchdown::estimator
