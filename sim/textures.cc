@@ -53,9 +53,9 @@ class Painter {
 
   void PaintSolidItem(const std::string& name, const Tint& tint, const cv::Mat1b& faces) { Write(name, tint, faces); }
 
-  void PaintFloor(const std::string& name, double size_m, const FloorPattern& pattern) {
+  void PaintFloor(const std::string& name, const TextureSize& size, double size_m, const FloorPattern& pattern) {
     const Placement place{.extent_m = Eigen::Vector2d::Constant(size_m)};
-    cv::Mat1b print(kFloorTexture.height, kFloorTexture.width);
+    cv::Mat1b print(size.height, size.width);
     for (int row = 0; row < print.rows; ++row) {
       for (int column = 0; column < print.cols; ++column) {
         const double level = pattern.At(place.TexelCentre(column, row, print.cols, print.rows));
@@ -143,8 +143,8 @@ double RoomLight::At(const Eigen::Vector2d& p_W) const {
 void PaintTextures(const Scene& scene, mjModel_& model) {
   Painter painter(scene, model);
   const FloorPattern pattern(scene.floor_seed);
-  painter.PaintFloor("floor", scene.config.floor_size_m, pattern);
-  painter.PaintFloor("floor_centre", kFloorCentreSize_m, pattern);
+  painter.PaintFloor("floor", kFloorTexture, scene.config.floor_size_m, pattern);
+  painter.PaintFloor("floor_centre", kFloorCentreTexture, kFloorCentreSize_m, pattern);
   if (scene.config.pad) {
     painter.PaintFlat("pad", {.extent_m = {scene.pad.sheet_length_m, scene.pad.sheet_width_m}}, {},
                       PrintPad(scene.pad, kPadTexture.width, kPadTexture.height));

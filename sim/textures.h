@@ -17,7 +17,8 @@ struct TextureSize {
 
 /// 0.145 mm by 0.205 mm a texel on A4.
 inline constexpr TextureSize kPadTexture{.width = 2048, .height = 1024};
-inline constexpr TextureSize kFloorTexture{.width = 1024, .height = 1024};
+inline constexpr TextureSize kFloorTexture{.width = 512, .height = 512};
+inline constexpr TextureSize kFloorCentreTexture{.width = 1024, .height = 1024};
 /// The square around the pad that has a floor texture of its own, finer than the rest.
 inline constexpr double kFloorCentreSize_m = 3.0;
 

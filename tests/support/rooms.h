@@ -49,21 +49,26 @@ inline double LevelAt(const models::Image& image, const Eigen::Vector2d& pixel) 
          wv * ((1 - wu) * view.At(u, v + 1) + wu * view.At(u + 1, v + 1));
 }
 
-/// Where along `direction` (a unit vector) the image crosses from ink to paper, in px from `edge`, which lies within 2
-/// px of the crossing; both sides must be plain for 4 px.
+/// X_WC of a camera that looks at a place of the floor, turned by `yaw` from CameraAt's heading.
+inline Eigen::Isometry3d CameraTowards(const Eigen::Vector3d& p_WC, const Eigen::Vector2d& target, double yaw) {
+  Eigen::Isometry3d X_WC = CameraAt(p_WC, {.roll = 0.0, .pitch = 0.0, .yaw = yaw});
+  const Eigen::Vector3d line_of_sight = Eigen::Vector3d(target.x(), target.y(), 0.0) - p_WC;
+  X_WC.linear() = models::ShortestRotation(-Eigen::Vector3d::UnitZ(), line_of_sight.normalized()) * X_WC.linear();
+  return X_WC;
+}
+
+/// Where along `direction` (a unit vector) the image crosses from one plain side to another, in px from `edge`, which
+/// lies within 1 px of the crossing; both sides must be plain from 1 to 4 px. It is where a sharp edge of the same area would
+/// lie: exact for any symmetric blur, wherever the pixels fall.
 inline double EdgeOffset(const models::Image& image, const Eigen::Vector2d& edge, const Eigen::Vector2d& direction) {
+  constexpr double kReach = 3.0, kStep = 0.01;
   const auto level = [&](double offset) { return LevelAt(image, edge + offset * direction); };
-  const double middle = 0.25 * (level(-4.0) + level(-3.0) + level(3.0) + level(4.0));
-  const double sign = level(4.0) > level(-4.0) ? 1.0 : -1.0;
-  double previous = -3.0;
-  for (double offset = -3.0; offset <= 3.0; offset += 0.05) {
-    if (sign * (level(offset) - middle) >= 0.0) {
-      const double below = level(previous), above = level(offset);
-      return above == below ? offset : previous + (offset - previous) * (middle - below) / (above - below);
-    }
-    previous = offset;
-  }
-  return 3.0;
+  const double behind = 0.5 * (level(-kReach) + level(-kReach - 1.0)),
+               ahead = 0.5 * (level(kReach) + level(kReach + 1.0));
+  double area = 0.0;
+  for (double offset = -kReach + 0.5 * kStep; offset < kReach; offset += kStep)
+    area += kStep * (level(offset) - behind);
+  return kReach - area / (ahead - behind);
 }
 
 }  // namespace touchdown::testing
