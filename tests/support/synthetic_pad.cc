@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace touchdown::test_support {
@@ -182,6 +183,8 @@ std::function<std::optional<double>(const Vector2d&)> Clutter(const models::Land
   return [pad, items](const Vector2d& p) -> std::optional<double> {
     if (OnSheet(pad, p)) return std::nullopt;
     for (const Item& item : items) {
+      constexpr double kReach = 1.3 * std::numbers::sqrt2 / 0.6;
+      if ((p - item.center).squaredNorm() > std::pow(kReach * item.size, 2)) continue;
       Vector2d q = Eigen::Rotation2Dd(-item.angle) * (p - item.center);
       q.x() *= item.stretch;
       q /= item.size;

@@ -1,0 +1,114 @@
+#include "estimator/paper/pad_pose.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "models/angles.h"
+#include "models/random_stream.h"
+#include "models/vehicle.h"
+#include "tests/support/synthetic_pad.h"
+
+namespace touchdown::estimator {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// The direction in the levelled image of the H's strokes, as the camera's yaw has it: the inverse of CameraYaw.
+double StrokeAngleFor(double psi_C) { return models::WrapToHalfPi(psi_C - models::kPi / 2.0); }
+
+TEST(ReferenceNormal, IsUpInTheCameraForAnyRollAndPitch) {
+  const Matrix3d R_BC = test_support::NominalR_BC();
+  for (const double roll : {-0.4, 0.0, 0.3}) {
+    for (const double pitch : {-0.3, 0.0, 0.5}) {
+      // Eq. 12 sets yaw to 0; the reference does not depend on it.
+      const Matrix3d R_WB1 = models::RotationFromTaitBryan({roll, pitch, 0.0});
+      const Matrix3d R_WB = models::RotationFromTaitBryan({roll, pitch, 1.1});
+      const Vector3d eq13 = R_BC.transpose() * R_WB1.transpose() * Vector3d::UnitZ();
+      EXPECT_LT((ReferenceNormal(R_WB.transpose() * -Vector3d::UnitZ(), R_BC) - eq13).norm(), 1e-12);
+    }
+  }
+  EXPECT_LT((ReferenceNormal(-Vector3d::UnitZ(), R_BC) + Vector3d::UnitZ()).norm(), 1e-15);
+}
+
+TEST(ResolveByGravity, PicksTheNormalNearerToTheReference) {
+  const CirclePose left{Vector3d(-0.2, 0.0, -1.0).normalized(), {0.0, 0.0, 1.0}};
+  const CirclePose right{Vector3d(0.2, 0.0, -1.0).normalized(), {0.0, 0.0, 1.1}};
+  EXPECT_EQ(ResolveByGravity({left, right}, Vector3d(-0.01, 0.1, -1.0).normalized()).n_C, left.n_C);
+  EXPECT_EQ(ResolveByGravity({left, right}, Vector3d(0.01, 0.1, -1.0).normalized()).n_C, right.n_C);
+}
+
+TEST(CameraRotation, IsTheRotationOfACameraTiltedFromLookingStraightDown) {
+  for (const double tilt : {0.0, 1e-9, 1e-3, 0.2, 0.8}) {
+    for (const double yaw : {-1.2, 0.0, 0.7}) {
+      const Matrix3d R_WL = Eigen::AngleAxisd(yaw, Vector3d::UnitZ()) * test_support::NominalR_BC();
+      // A tilt about a horizontal axis is the shortest rotation to the level camera.
+      const Matrix3d R_LC = models::RotationExp(tilt * Vector3d(0.6, 0.8, 0.0));
+      const Matrix3d R_WC = R_WL * R_LC;
+      const Vector3d n_C = R_WC.transpose() * Vector3d::UnitZ();
+      EXPECT_LT((CameraRotation(n_C, yaw) - R_WC).norm(), 1e-9);
+    }
+  }
+}
+
+TEST(CameraRotation, IsWellConditionedAtTheLevelPose) {
+  const Matrix3d level = CameraRotation(-Vector3d::UnitZ(), 0.3);
+  for (int i = 0; i < 36; ++i) {
+    const double direction = i * models::kPi / 18.0;
+    const Vector3d n_C = Vector3d(1e-4 * std::cos(direction), 1e-4 * std::sin(direction), -1.0).normalized();
+    const double turned = models::RotationLog(CameraRotation(n_C, 0.3) * level.transpose()).norm();
+    EXPECT_NEAR(turned, 1e-4, 1e-6);
+  }
+}
+
+TEST(CameraYaw, IsTheHeadingAgainstTheStrokesWithin90Degrees) {
+  const Matrix3d R_BC = test_support::NominalR_BC();
+  for (int deg = -89; deg <= 89; ++deg) {
+    const double yaw = models::DegToRad(deg);
+    EXPECT_NEAR(CameraYaw(StrokeAngleFor(yaw), R_BC), yaw, 1e-12);
+    EXPECT_NEAR(CameraYaw(StrokeAngleFor(yaw) + models::kPi, R_BC), yaw, 1e-12);
+  }
+}
+
+TEST(CameraYaw, TurnsLeftWhenTheImageOfTheStrokesTurnsRight) {
+  // Strokes leaning to the image's right, as a clock's hand at one: the vehicle has turned left.
+  const double angle = std::atan2(-1.0, 0.5);
+  EXPECT_GT(CameraYaw(angle, test_support::NominalR_BC()), 0.1);
+}
+
+TEST(PadPose, PutsTheBodyWhereItIsForAnyPoseAndMounting) {
+  models::RandomStream random(1, "tests.pad_pose");
+  for (int i = 0; i < 200; ++i) {
+    models::Vehicle vehicle;
+    vehicle.camera.position_m = 0.1 * random.NormalVector3();
+    vehicle.camera.misalignment = {random.Uniform(-0.2, 0.2), random.Uniform(-0.2, 0.2), random.Uniform(-3.0, 3.0)};
+    const Eigen::Isometry3d X_BC = vehicle.X_BC();
+
+    // A camera at any yaw whose tilt is about a horizontal axis, so that the yaw of Eq. 15 is its own.
+    const double camera_yaw = random.Uniform(-3.0, 3.0);
+    const Matrix3d R_LC = models::RotationExp({random.Uniform(-0.5, 0.5), random.Uniform(-0.5, 0.5), 0.0});
+    Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();
+    X_WC.linear() = Eigen::AngleAxisd(camera_yaw, Vector3d::UnitZ()) * test_support::NominalR_BC() * R_LC;
+    X_WC.translation() = Vector3d(random.Uniform(-0.5, 0.5), random.Uniform(-0.5, 0.5), random.Uniform(0.3, 2.0));
+    Eigen::Isometry3d X_WB = X_WC * X_BC.inverse();
+    const Vector3d forward_of_level = test_support::NominalR_BC() * X_BC.linear().transpose().col(0);
+    const double heading = camera_yaw + std::atan2(forward_of_level.y(), forward_of_level.x());
+    if (std::abs(models::WrapToPi(heading)) > models::DegToRad(89.0)) {
+      // Turned by 180 degrees the pad looks the same: the answer is the one within +-90 degrees.
+      const Eigen::Isometry3d half_turn(Eigen::AngleAxisd(models::kPi, Vector3d::UnitZ()));
+      X_WC = half_turn * X_WC;
+      X_WB = half_turn * X_WB;
+    }
+    if (std::abs(std::cos(heading)) < 0.02) continue;
+
+    const Vector3d n_C = X_WC.linear().transpose() * Vector3d::UnitZ();
+    const Vector3d p_CW = X_WC.inverse().translation();
+    const double psi_C = CameraYaw(StrokeAngleFor(camera_yaw), X_BC.linear());
+    const Eigen::Isometry3d seen = BodyPose(CameraRotation(n_C, psi_C), p_CW, X_BC);
+    EXPECT_LT((seen.matrix() - X_WB.matrix()).norm(), 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace touchdown::estimator
