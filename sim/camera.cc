@@ -24,7 +24,7 @@ void CameraConfig::Validate(const models::TimeBase& time) const {
   model.Validate();
   time.PeriodOf(rate_hz);
   if (!Within(noise_sigma, 0.0, ImageNoise::kMaxSigma)) {
-    throw InputError("camera: the noise must be within 0 and 64 grey levels");
+    throw InputError("camera: the noise must be within 0 and 24 grey levels");
   }
   if (!Within(exposure_s, 0.0, 1.0 / rate_hz)) {
     throw InputError("camera: the exposure must be within 0 and the time between two frames");

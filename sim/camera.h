@@ -19,7 +19,7 @@ namespace touchdown::sim {
 struct CameraConfig {
   models::CameraModel model;
   int rate_hz = 60;
-  double noise_sigma = 3.0;  ///< Of 255, per pixel; up to 64.
+  double noise_sigma = 3.0;  ///< Of 255, per pixel; up to 24.
   double exposure_s = 0.004;
   double latency_s = 0.020;  ///< From mid-exposure to delivery; at least half the exposure.
   /// Compliance of the camera's mount: its tilt per m/s^2 of vibration across the optical axis. At the default a hover

@@ -37,6 +37,7 @@ CameraOptics::CameraOptics(const models::CameraModel& camera) : width_(camera.wi
   grid_columns_ = (width_ + kCell_px - 1) / kCell_px + 1;
   grid_rows_ = (height_ + kCell_px - 1) / kCell_px + 1;
   MakeLookups(camera);
+  frame_ = {width_, height_, std::vector<std::uint16_t>(lookups_x_.size())};
 }
 
 void CameraOptics::MakeLookups(const models::CameraModel& camera) {
@@ -120,7 +121,7 @@ int CameraOptics::TapsFor(ExposurePath X_WC) const {
   return static_cast<int>(std::clamp(std::ceil(longest / kTapSpacing_px), 2.0, static_cast<double>(kMaxTaps)));
 }
 
-void CameraOptics::AddRow(const PackedImage& pinhole, const ShiftGrid& shifts, int v, std::uint32_t* sums) const {
+void CameraOptics::AddRow(const ShiftGrid& shifts, int v, std::uint32_t* sums) const {
   const int cell_row = v / kCell_px;
   const int rows = std::max(1, NodeRow(cell_row + 1) - NodeRow(cell_row)), down = v - NodeRow(cell_row);
   const auto shift_at = [&](int i) -> Vector2i {
@@ -133,32 +134,31 @@ void CameraOptics::AddRow(const PackedImage& pinhole, const ShiftGrid& shifts, i
     const Vector2i right = shift_at(i + 1);
     const int begin = i * kCell_px;
     const std::size_t first = static_cast<std::size_t>(v * width_ + begin);
-    pinhole.AddLookups({.x = &lookups_x_[first],
-                        .y = &lookups_y_[first],
-                        .count = std::min(kCell_px, width_ - begin),
-                        .shift = left,
-                        .step = (right - left) / std::max(1, NodeColumn(i + 1) - NodeColumn(i))},
-                       sums + begin);
+    pinhole_.AddLookups({.x = &lookups_x_[first],
+                         .y = &lookups_y_[first],
+                         .count = std::min(kCell_px, width_ - begin),
+                         .shift = left,
+                         .step = (right - left) / std::max(1, NodeColumn(i + 1) - NodeColumn(i))},
+                        sums + begin);
     left = right;
   }
 }
 
-FineImage CameraOptics::Expose(const models::Image& pinhole, ExposurePath X_WC) const {
+const FineImage& CameraOptics::Expose(const models::Image& pinhole, ExposurePath X_WC) {
   const int taps = TapsFor(X_WC);
   const Eigen::Isometry3d X_WM = PoseAlong(X_WC, 0.5);
   std::vector<ShiftGrid> shifts;
   for (int i = 0; i < taps; ++i) {
     shifts.push_back(ShiftsBetween(X_WM, taps == 1 ? X_WM : PoseAlong(X_WC, (i + 0.5) / taps)));
   }
-  const PackedImage packed(pinhole);
-  FineImage frame{width_, height_, std::vector<std::uint16_t>(lookups_x_.size())};
+  pinhole_.Pack(pinhole);
   std::vector<std::uint32_t> sums(static_cast<std::size_t>(width_));
   for (int v = 0; v < height_; ++v) {
     std::fill(sums.begin(), sums.end(), 0u);
-    for (const ShiftGrid& grid : shifts) AddRow(packed, grid, v, sums.data());
-    WriteMeans(sums, taps, frame.pixels.data() + static_cast<std::ptrdiff_t>(v) * width_);
+    for (const ShiftGrid& grid : shifts) AddRow(grid, v, sums.data());
+    WriteMeans(sums, taps, frame_.pixels.data() + static_cast<std::ptrdiff_t>(v) * width_);
   }
-  return frame;
+  return frame_;
 }
 
 }  // namespace touchdown::sim

@@ -39,8 +39,8 @@ class CameraOptics {
   const PinholeView& pinhole_view() const { return view_; }
 
   /// The exposed frame. `pinhole` is rendered in pinhole_view() from PoseAlong(X_WC, 0.5). A view that the blur carries
-  /// beyond the rendered one repeats its border.
-  FineImage Expose(const models::Image& pinhole, ExposurePath X_WC) const;
+  /// beyond the rendered one repeats its border. The frame is valid until the next call.
+  const FineImage& Expose(const models::Image& pinhole, ExposurePath X_WC);
 
   /// How many views the exposure is the mean of: 1 as long as no pixel moves by more than a quarter of a pixel, else as
   /// many as keep them 0.75 px apart or closer, up to kMaxTaps.
@@ -58,7 +58,7 @@ class CameraOptics {
   Eigen::Vector2d ShiftAt(const Eigen::Vector2d& pixel, const Eigen::Isometry3d& X_WM,
                           const Eigen::Isometry3d& X_WS) const;
   ShiftGrid ShiftsBetween(const Eigen::Isometry3d& X_WM, const Eigen::Isometry3d& X_WS) const;
-  void AddRow(const PackedImage& pinhole, const ShiftGrid& shifts, int v, std::uint32_t* sums) const;
+  void AddRow(const ShiftGrid& shifts, int v, std::uint32_t* sums) const;
 
   int width_;
   int height_;
@@ -67,6 +67,8 @@ class CameraOptics {
   int grid_rows_;
   /// Where each pixel of the frame lies in the pinhole view, in 1/65536 px.
   std::vector<std::int32_t> lookups_x_, lookups_y_;
+  PackedImage pinhole_;
+  FineImage frame_;
 };
 
 }  // namespace touchdown::sim

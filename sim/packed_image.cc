@@ -14,7 +14,7 @@ namespace touchdown::sim {
 namespace {
 
 TOUCHDOWN_CLONE_FOR_CPUS
-void Pack(const std::uint8_t* upper, const std::uint8_t* lower, std::int32_t count, std::uint32_t* words) {
+void PackRow(const std::uint8_t* upper, const std::uint8_t* lower, std::int32_t count, std::uint32_t* words) {
   for (std::int32_t u = 0; u < count; ++u) {
     words[u] = static_cast<std::uint32_t>(upper[u]) | static_cast<std::uint32_t>(upper[u + 1]) << 8 |
                static_cast<std::uint32_t>(lower[u]) << 16 | static_cast<std::uint32_t>(lower[u + 1]) << 24;
@@ -47,15 +47,15 @@ void Scale(const std::uint32_t* __restrict sums, std::size_t count, float factor
 
 }  // namespace
 
-PackedImage::PackedImage(const models::Image& image)
-    : stride_(image.width),
-      x_limit_(((image.width - 1) << kFractionBits) - 1),
-      y_limit_(((image.height - 1) << kFractionBits) - 1),
-      words_(image.pixels.size()) {
+void PackedImage::Pack(const models::Image& image) {
+  stride_ = image.width;
+  x_limit_ = ((image.width - 1) << kFractionBits) - 1;
+  y_limit_ = ((image.height - 1) << kFractionBits) - 1;
+  words_.resize(image.pixels.size());
   for (int v = 0; v + 1 < image.height; ++v) {
     const std::ptrdiff_t begin = static_cast<std::ptrdiff_t>(v) * image.width;
     const std::uint8_t* upper = image.pixels.data() + begin;
-    Pack(upper, upper + image.width, image.width - 1, words_.data() + begin);
+    PackRow(upper, upper + image.width, image.width - 1, words_.data() + begin);
   }
 }
 

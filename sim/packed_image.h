@@ -32,16 +32,19 @@ class PackedImage {
     Eigen::Matrix<std::int32_t, 2, 1> step = {0, 0};
   };
 
-  /// Of an image of at least 2 x 2 px.
-  explicit PackedImage(const models::Image& image);
+  PackedImage() = default;
+  explicit PackedImage(const models::Image& image) { Pack(image); }
+
+  /// Takes the place of what was packed before. The image has at least 2 x 2 px.
+  void Pack(const models::Image& image);
 
   /// Adds the grey levels of a run, interpolated at 1/256 px, to sums[0] to sums[count - 1], in 1/65536 grey level.
   void AddLookups(const Run& run, std::uint32_t* sums) const;
 
  private:
-  std::int32_t stride_;
-  std::int32_t x_limit_;
-  std::int32_t y_limit_;
+  std::int32_t stride_ = 0;
+  std::int32_t x_limit_ = 0;
+  std::int32_t y_limit_ = 0;
   std::vector<std::uint32_t> words_;
 };
 

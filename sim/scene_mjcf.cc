@@ -103,7 +103,7 @@ std::string SceneMjcf(const Scene& scene, const std::string& vehicle_body, doubl
       "  <statistic center='0 0 0.5' extent='2'/>\n"
       "  <visual>\n"
       "    <headlight ambient='0 0 0' diffuse='0 0 0' specular='0 0 0'/>\n"
-      "    <quality shadowsize='0' offsamples='0' numslices='48'/>\n"
+      "    <quality shadowsize='0' offsamples='0' numslices='24' numstacks='1' numquads='1'/>\n"
       "  </visual>\n"
       "  <asset>\n{assets}  </asset>\n"
       "  <worldbody>\n"

@@ -46,7 +46,7 @@ Difference Between(const std::vector<double>& expected, const FineImage& actual)
 }
 
 /// An exposure as it is: the mean of frames rendered one by one along the path, at many more places than the optics'.
-std::vector<double> TrulyExposed(const CameraOptics& optics, Renderer& renderer, mjData_& data, ExposurePath X_WC) {
+std::vector<double> TrulyExposed(CameraOptics& optics, Renderer& renderer, mjData_& data, ExposurePath X_WC) {
   constexpr int kViews = 48;
   std::vector<double> mean;
   for (int i = 0; i < kViews; ++i) {
@@ -58,7 +58,7 @@ std::vector<double> TrulyExposed(const CameraOptics& optics, Renderer& renderer,
   return mean;
 }
 
-FineImage Exposed(const CameraOptics& optics, Renderer& renderer, mjData_& data, ExposurePath X_WC) {
+FineImage Exposed(CameraOptics& optics, Renderer& renderer, mjData_& data, ExposurePath X_WC) {
   return optics.Expose(renderer.Render(data, PoseAlong(X_WC, 0.5)), X_WC);
 }
 
@@ -68,7 +68,7 @@ TEST(CameraOptics, PutsThePadsEdgesWhereTheDistortedCameraSeesThem) {
   const models::CameraModel euroc{.k1 = -0.283, .k2 = 0.074};
   const models::CameraModel uneven{.fx_px = 330.0, .fy_px = 300.0, .cx_px = 300.25, .cy_px = 250.75, .k1 = -0.05};
   for (const models::CameraModel& camera : {wide, euroc, uneven}) {
-    const CameraOptics optics(camera);
+    CameraOptics optics(camera);
     Renderer renderer(*room.model, optics.pinhole_view());
     for (const Isometry3d& X_WC : {CameraAt({0.02, 0.01, 0.3}), CameraTowards({0.2, 0.1, 0.3}, {0.15, 0.1}, 0.4),
                                    CameraTowards({-0.1, -0.2, 0.25}, {-0.1, 0.1}, 2.0)}) {
@@ -97,7 +97,7 @@ TEST(CameraOptics, PutsThePadsEdgesWhereTheDistortedCameraSeesThem) {
 
 TEST(CameraOptics, LeavesAnUndistortedViewAsItIs) {
   const Room room({}, 2);
-  const CameraOptics optics({.k1 = 0.0, .k2 = 0.0});
+  CameraOptics optics({.k1 = 0.0, .k2 = 0.0});
   Renderer wide(*room.model, optics.pinhole_view());
   Renderer plain(*room.model, {});
   const Isometry3d X_WC = CameraAt({0.1, 0.0, 0.8}, {.roll = 0.1, .pitch = 0.0, .yaw = 0.2});
@@ -113,7 +113,7 @@ TEST(CameraOptics, LeavesAnUndistortedViewAsItIs) {
 
 TEST(CameraOptics, BlursTheFloorAsTheMeanOfViewsAlongThePath) {
   const Room room({.objects = 0}, 4);
-  const CameraOptics optics(models::CameraModel{});
+  CameraOptics optics(models::CameraModel{});
   Renderer renderer(*room.model, optics.pinhole_view());
   const std::vector<std::vector<Isometry3d>> paths{
       {CameraAt({0.0, 0.0, 0.6}), CameraAt({0.006, 0.0, 0.6})},
@@ -133,7 +133,7 @@ TEST(CameraOptics, BlursTheFloorAsTheMeanOfViewsAlongThePath) {
 
 TEST(CameraOptics, BlursSolidThingsAsIfTheyLayOnTheFloor) {
   const Room room({.posters = 0, .lone_circles = 0, .lone_letters = 0, .objects = 30}, 4);
-  const CameraOptics optics(models::CameraModel{});
+  CameraOptics optics(models::CameraModel{});
   Renderer renderer(*room.model, optics.pinhole_view());
   const Vector3d above(1.0, 0.0, 1.0);
   const std::vector slide{CameraAt(above), CameraAt(above + Vector3d(0.02, 0.0, 0.0))};
@@ -149,7 +149,7 @@ TEST(CameraOptics, BlursSolidThingsAsIfTheyLayOnTheFloor) {
 }
 
 TEST(CameraOptics, TakesAsManyViewsAsTheMotionNeeds) {
-  const CameraOptics optics(models::CameraModel{});
+  CameraOptics optics(models::CameraModel{});
   const auto taps_for = [&](double roll) {
     return optics.TapsFor(std::vector{CameraAt({0, 0, 1}), CameraAt({0, 0, 1}, {.roll = roll, .pitch = 0, .yaw = 0})});
   };
@@ -163,13 +163,13 @@ TEST(CameraOptics, TakesAsManyViewsAsTheMotionNeeds) {
 }
 
 TEST(CameraOptics, CountsAShakeThereAndBack) {
-  const CameraOptics optics(models::CameraModel{});
+  CameraOptics optics(models::CameraModel{});
   const Isometry3d still = CameraAt({0, 0, 1}), aside = CameraAt({0, 0, 1}, {.roll = 0.005, .pitch = 0, .yaw = 0});
   EXPECT_GT(optics.TapsFor(std::vector{still, aside, still}), 3);
 }
 
 TEST(CameraOptics, BlursAboveTheHorizonByRotationAlone) {
-  const CameraOptics optics(models::CameraModel{});
+  CameraOptics optics(models::CameraModel{});
   const PinholeView& view = optics.pinhole_view();
   models::Image half(view.width_px, view.height_px, 0);
   for (int v = 0; v < view.height_px; ++v) std::fill_n(half.Row(v) + view.width_px / 2, view.width_px / 2, 200);
