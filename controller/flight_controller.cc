@@ -77,7 +77,8 @@ ControlOutput FlightController::Update(const models::VehicleEstimate& estimate) 
 
 bool FlightController::MotionIsPredicted(const models::VehicleEstimate& estimate) const {
   const double vision_floor_m = standing_height_m_ + config_.guidance.vision_floor_clearance_m;
-  const bool too_low = guidance_.phase() == Phase::kBlindDescent && predictor_.motion().p_WB.z() < vision_floor_m;
+  const bool blind = guidance_.phase() == Phase::kBlindDescent || guidance_.phase() == Phase::kBlindClimb;
+  const bool too_low = blind && predictor_.motion().p_WB.z() < vision_floor_m;
   return too_low || MotorsOff(guidance_.phase()) || !estimate.motion.has_value() || !pad_.found() || !pad_.fresh();
 }
 

@@ -137,6 +137,9 @@ double Guidance::ConeRadiusAt(double height_m) const {
 Conditions Guidance::Judge(const Input& input) const {
   const double height_m = input.motion.p_WB.z();
   Conditions conditions{.task = Task(), .pad_lost = input.pad_lost, .pad_found = input.pad_found};
+  if (phase_ == Phase::kBlindClimb && height_m < standing_height_m_ + config_.vision_floor_clearance_m) {
+    conditions.pad_found = false;
+  }
   conditions.arrived = Task() == ManoeuvreKind::kTakeoff && p_m_.z() == script_[step_].position_m.z() &&
                        std::abs(height_m - p_m_.z()) < config_.arrival_error_m;
   conditions.ready_for_blind_descent = phase_ == Phase::kLanding && landing_height_m_ == BlindHeight() &&

@@ -46,7 +46,7 @@ struct GuidanceConfig {
 
   // Blind descent.
   double blind_clearance_m = 0.11;         ///< Below it the ring may be larger than the image.
-  double vision_floor_clearance_m = 0.05;  ///< Down to here a sighting still helps the blind descent, if there is one.
+  double vision_floor_clearance_m = 0.05;  ///< Below it no sighting is used, on the way down as on the way up.
   double blind_entry_speed_m_s = 0.10;     ///< No faster, in any direction, when the blind descent begins.
   double blind_descent_rate_m_s = 0.20;
   double h_land_clearance_m = -0.025;  ///< Motors off, by prediction: h_land less the gear's height. Below 0, so that a

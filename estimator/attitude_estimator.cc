@@ -14,8 +14,8 @@ using models::kGravity_m_s2;
 constexpr double kManoeuvreDensity_rad2_s = 0.0015;
 /// The same at rest: the accelerometer's noise (6.4e-3 m/s^2/sqrt(Hz)).
 constexpr double kRestDensity_rad2_s = 4e-7;
-/// For how long after the first sample the tilt is averaged as at rest: its noise goes, the vehicle's own acceleration, which
-/// changes slowly, stays within initial_tilt_sigma.
+/// For how long after the first sample the tilt is averaged as at rest: its noise goes, the vehicle's own acceleration,
+/// which changes slowly, stays within initial_tilt_sigma.
 constexpr double kSettling_s = 0.1;
 /// Gyro noise density squared (8.7e-4 rad/s/sqrt(Hz)).
 constexpr double kGyroDensity_rad2_s = 8e-7;
@@ -29,6 +29,9 @@ void AttitudeEstimatorConfig::Validate() const {
     if (!std::isfinite(value) || value <= 0.0) {
       throw InputError("the attitude estimator's settings must be positive and finite");
     }
+  }
+  if (!std::isfinite(level_ground_tolerance_rad) || level_ground_tolerance_rad < 0.0) {
+    throw InputError("level_ground_tolerance must be finite and not negative");
   }
   if (gyro_bias_time_constant_s < 2.0 * accelerometer_time_constant_s) {
     throw InputError("gyro_bias_time_constant must be at least twice accelerometer_time_constant");
@@ -44,16 +47,16 @@ AttitudeEstimator::AttitudeEstimator(const AttitudeEstimatorConfig& config, cons
 }
 
 void AttitudeEstimator::Update(const models::ImuSample& imu, bool at_rest) {
-  const Eigen::Vector3d f_B = R_BU_ * imu.specific_force_U;
+  const Eigen::Vector3d measured_f_B = R_BU_ * imu.specific_force_U;
   const Eigen::Vector3d w_B = R_BU_ * imu.w_WU_U;
   if (history_.empty()) {
-    Start(f_B);
+    Start(measured_f_B);
   } else {
     const double dt_s = time_.ToSeconds(imu.tick - history_.back().tick);
     age_s_ += dt_s;
-    if (at_rest) AverageBiasAtRest(w_B, dt_s);
+    if (at_rest) AverageAtRest(measured_f_B, w_B, dt_s);
     Turn(w_B - gyro_bias_B_, dt_s);
-    CorrectTilt(f_B, dt_s, at_rest);
+    CorrectTilt(measured_f_B - accelerometer_bias_B_, dt_s, at_rest);
   }
   w_WB_B_ = w_B - gyro_bias_B_;
   history_.push_back({imu.tick, R_GB_});
@@ -68,11 +71,17 @@ void AttitudeEstimator::Start(const Eigen::Vector3d& f_B) {
   R_GB_ = models::RotationFromTaitBryan(level);
 }
 
-void AttitudeEstimator::AverageBiasAtRest(const Eigen::Vector3d& w_B, double dt_s) {
+void AttitudeEstimator::AverageAtRest(const Eigen::Vector3d& f_B, const Eigen::Vector3d& w_B, double dt_s) {
   rest_s_ += dt_s;
   gyro_bias_B_ += dt_s / rest_s_ * (w_B - gyro_bias_B_);
   covariance_(0, 1) = covariance_(1, 0) = 0.0;
   covariance_(1, 1) = std::min(covariance_(1, 1), kGyroDensity_rad2_s / rest_s_);
+
+  rest_force_B_ += dt_s / rest_s_ * (f_B - rest_force_B_);
+  const Eigen::Vector3d up_B = Eigen::Vector3d::UnitZ();
+  const double tilt = std::atan2(rest_force_B_.cross(up_B).norm(), rest_force_B_.dot(up_B));
+  const bool level = tilt < config_.level_ground_tolerance_rad;
+  accelerometer_bias_B_ = level ? Eigen::Vector3d(rest_force_B_ - kGravity_m_s2 * up_B) : Eigen::Vector3d::Zero();
 }
 
 void AttitudeEstimator::Turn(const Eigen::Vector3d& w_WB_B, double dt_s) {

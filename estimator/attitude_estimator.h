@@ -16,6 +16,9 @@ struct AttitudeEstimatorConfig {
   double gyro_bias_time_constant_s = 40.0;      ///< How fast the gyro's bias is learned; at least twice the other one.
   double initial_tilt_sigma_rad = 0.02;         ///< Of roll and pitch as the first 0.1 s shows them.
   double initial_gyro_bias_sigma_rad_s = 0.0087;
+  /// The ground is taken to be level (the second assumption of Sec. IV-C.2) where the accelerometer at rest shows no
+  /// more tilt than this; what it shows is then its bias. 0 never does: for a vehicle that takes off from slopes.
+  double level_ground_tolerance_rad = 0.07;
   double acceleration_tolerance = 0.25;    ///< Of g: a specific force whose size is this far off is not used.
   double yaw_time_constant_s = 0.5;        ///< How fast yaw follows vision.
   double yaw_bias_time_constant_s = 20.0;  ///< How fast vision's yaw teaches the bias of the gyro's Z.
@@ -33,8 +36,8 @@ class AttitudeEstimator {
   AttitudeEstimator(const AttitudeEstimatorConfig& config, const models::TimeBase& time, const Eigen::Matrix3d& R_BU);
 
   /// Takes the next sample, a mean since the one before. The first one sets roll and pitch from the accelerometer and
-  /// yaw to 0; while `at_rest` (the vehicle knows that it stands on the ground, motors off) the gyro's bias and the
-  /// tilt are averaged fast.
+  /// yaw to 0. While `at_rest` (the vehicle knows that it stands on the ground, motors off) the gyro's bias is
+  /// averaged, and the accelerometer's as well if the ground may be level.
   void Update(const models::ImuSample& imu, bool at_rest);
 
   /// Corrects yaw by vision's yaw at an earlier instant, modulo 180 degrees (Sec. IV-C.3). The first correction sets
@@ -59,7 +62,7 @@ class AttitudeEstimator {
     Eigen::Matrix3d R_GB = Eigen::Matrix3d::Identity();
   };
   void Start(const Eigen::Vector3d& f_B);
-  void AverageBiasAtRest(const Eigen::Vector3d& w_B, double dt_s);
+  void AverageAtRest(const Eigen::Vector3d& f_B, const Eigen::Vector3d& w_B, double dt_s);
   void Turn(const Eigen::Vector3d& w_WB_B, double dt_s);
   void CorrectTilt(const Eigen::Vector3d& f_B, double dt_s, bool at_rest);
   /// Kalman gains of (tilt, gyro bias) on an error of tilt, after a step of their covariance.
@@ -75,9 +78,11 @@ class AttitudeEstimator {
   double yaw_WG_ = 0.0;
   Eigen::Vector3d w_WB_B_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d gyro_bias_B_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d rest_force_B_ = Eigen::Vector3d::Zero();          ///< Mean specific force at rest.
+  Eigen::Vector3d accelerometer_bias_B_ = Eigen::Vector3d::Zero();  ///< As a level ground shows it.
   Eigen::Matrix2d covariance_;  ///< Of (tilt about a horizontal axis, gyro bias about it).
-  double age_s_ = 0.0;   ///< Since the first sample.
-  double rest_s_ = 0.0;  ///< Spent at rest.
+  double age_s_ = 0.0;          ///< Since the first sample.
+  double rest_s_ = 0.0;         ///< Spent at rest.
   std::optional<models::Tick> yaw_corrected_;
 };
 

@@ -93,6 +93,15 @@ TEST(Guidance, RaisesTheThrustInTheBlindClimbUpToItsLimit) {
   EXPECT_DOUBLE_EQ(flight.output.thrust_ratio, kConfig.max_thrust_ratio);
 }
 
+TEST(Guidance, ClimbsBlindUpToTheVisionFloorThoughThePadIsSeen) {
+  Flight flight({kTakeoff}, false);
+  ASSERT_TRUE(flight.RunUntil(Phase::kBlindClimb, 2.0));
+  flight.p.z() = kStanding_m + 0.9 * kConfig.vision_floor_clearance_m;
+  EXPECT_EQ(flight.Step().phase, Phase::kBlindClimb);
+  flight.p.z() = kStanding_m + 1.1 * kConfig.vision_floor_clearance_m;
+  EXPECT_EQ(flight.Step().phase, Phase::kRamp);
+}
+
 TEST(Guidance, StopsTheBlindClimbAtItsHeight) {
   Flight flight({kTakeoff}, false);
   flight.LosePad();

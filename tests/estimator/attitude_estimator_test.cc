@@ -97,7 +97,7 @@ TEST(AttitudeEstimator, FollowsAFastTurnByTheGyro) {
 }
 
 TEST(AttitudeEstimator, LearnsTheGyrosBiasWithinASecondAtRest) {
-  Body body({.roll = 0.02, .pitch = 0.01});
+  Body body;
   body.gyro_bias = {0.0087, -0.0087, 0.005};
   body.gyro_noise = 0.0123;  // The upper end of the class: 8.7e-4 rad/s/sqrt(Hz).
   body.accelerometer_noise = 0.09;
@@ -148,11 +148,39 @@ TEST(AttitudeEstimator, IgnoresAnAccelerometerThatIsFarFromG) {
   EXPECT_LT(TiltError(estimator, body), DegToRad(0.02));
 }
 
-TEST(AttitudeEstimator, KeepsALevelErrorNoLargerThanTheAccelerometersBias) {
+TEST(AttitudeEstimator, LearnsTheAccelerometersBiasOnLevelGround) {
+  Body body;
+  body.accelerometer_bias = {0.196, -0.3, 0.2};
+  body.accelerometer_noise = 0.09;
+  AttitudeEstimator estimator = Fresh();
+  Feed(estimator, body, 1.0, true);
+  EXPECT_LT(TiltError(estimator, body), DegToRad(0.1));
+  Feed(estimator, body, 0.2, false, {0.5, 0.3, 0.2});
+  Feed(estimator, body, 30.0, false);
+  EXPECT_LT(TiltError(estimator, body), DegToRad(0.2));
+}
+
+TEST(AttitudeEstimator, TakesASlopeForASlope) {
+  Body body({.roll = DegToRad(6.0), .pitch = DegToRad(-3.0)});
+  body.accelerometer_noise = 0.09;
+  AttitudeEstimator estimator = Fresh();
+  Feed(estimator, body, 1.0, true);
+  EXPECT_LT(TiltError(estimator, body), DegToRad(0.3));
+}
+
+TEST(AttitudeEstimator, TakesEveryGroundForASlopeWhenToldSo) {
+  AttitudeEstimatorConfig config;
+  config.level_ground_tolerance_rad = 0.0;
+  AttitudeEstimator estimator(config, kTime, Matrix3d::Identity());
+  Body body({.roll = DegToRad(2.0)});
+  Feed(estimator, body, 1.0, true);
+  EXPECT_NEAR(estimator.attitude().roll, DegToRad(2.0), DegToRad(0.05));
+}
+
+TEST(AttitudeEstimator, KeepsALevelErrorAsLargeAsTheAccelerometersBiasInTheAir) {
   Body body;
   body.accelerometer_bias = {0.196, 0.0, 0.0};
   AttitudeEstimator estimator = Fresh();
-  Feed(estimator, body, 1.0, true);
   Feed(estimator, body, 30.0, false);
   EXPECT_NEAR(TiltError(estimator, body), std::atan(0.196 / models::kGravity_m_s2), DegToRad(0.05));
 }
@@ -235,6 +263,9 @@ TEST(AttitudeEstimatorConfig, RefusesNumbersThatMakeNoFilter) {
   EXPECT_NO_THROW(AttitudeEstimatorConfig{}.Validate());
   AttitudeEstimatorConfig config;
   config.history_s = 0.0;
+  EXPECT_THROW(config.Validate(), InputError);
+  config = {};
+  config.level_ground_tolerance_rad = -0.1;
   EXPECT_THROW(config.Validate(), InputError);
   config = {};
   config.gyro_bias_time_constant_s = config.accelerometer_time_constant_s;
