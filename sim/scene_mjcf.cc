@@ -48,7 +48,7 @@ std::string Solid(const std::string& name, const SceneItem& item) {
 
 std::string Assets(const Scene& scene) {
   std::string assets = Texture("floor", kFloorTexture) + Texture("floor_centre", kFloorCentreTexture);
-  if (scene.config.pad) assets += Texture("pad", kPadTexture);
+  if (scene.config.pad) assets += Texture("pad", PadTextureSize(scene.pad));
   for (std::size_t i = 0; i < scene.items.size(); ++i) assets += Texture(ItemName(i), SizeFor(scene.items[i]));
   return assets;
 }

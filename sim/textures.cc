@@ -111,6 +111,17 @@ TextureSize SizeFor(const SceneItem& item) {
   return {.width = texels, .height = texels};
 }
 
+TextureSize PadTextureSize(const models::LandingPad& pad) {
+  constexpr double kLongestTexel_m = 0.0002;
+  constexpr int kMultiple = 64;
+  const double longer_m = std::max(pad.sheet_length_m, pad.sheet_width_m);
+  const double texel_m = longer_m / (kMultiple * std::ceil(longer_m / (kMultiple * kLongestTexel_m)));
+  const auto texels = [texel_m](double extent_m) {
+    return kMultiple * std::max(1, static_cast<int>(std::lround(extent_m / (kMultiple * texel_m))));
+  };
+  return {.width = texels(pad.sheet_length_m), .height = texels(pad.sheet_width_m)};
+}
+
 std::string ItemName(std::size_t index) { return fmt::format("item_{}", index); }
 
 double PaperLevel(const Scene& scene) { return std::min(255.0, kPaper * scene.config.illumination); }
@@ -146,8 +157,9 @@ void PaintTextures(const Scene& scene, mjModel_& model) {
   painter.PaintFloor("floor", kFloorTexture, scene.config.floor_size_m, pattern);
   painter.PaintFloor("floor_centre", kFloorCentreTexture, kFloorCentreSize_m, pattern);
   if (scene.config.pad) {
+    const TextureSize size = PadTextureSize(scene.pad);
     painter.PaintFlat("pad", {.extent_m = {scene.pad.sheet_length_m, scene.pad.sheet_width_m}}, {},
-                      PrintPad(scene.pad, kPadTexture.width, kPadTexture.height));
+                      PrintPad(scene.pad, size.width, size.height));
   }
   for (std::size_t i = 0; i < scene.items.size(); ++i) {
     const SceneItem& item = scene.items[i];

@@ -15,14 +15,17 @@ struct TextureSize {
   int height = 0;
 };
 
-/// 0.145 mm by 0.205 mm a texel on A4.
-inline constexpr TextureSize kPadTexture{.width = 2048, .height = 1024};
 inline constexpr TextureSize kFloorTexture{.width = 512, .height = 512};
 inline constexpr TextureSize kFloorCentreTexture{.width = 1024, .height = 1024};
 /// The square around the pad that has a floor texture of its own, finer than the rest.
 inline constexpr double kFloorCentreSize_m = 3.0;
 
 TextureSize SizeFor(const SceneItem& item);
+
+/// At most 0.2 mm a texel, as long as wide: a mip level is chosen by the longer side, and would blur more along it,
+/// which near hover turns an ellipse's axes by more than noise does. Multiples of 64, so that six halvings leave no
+/// remainder.
+TextureSize PadTextureSize(const models::LandingPad& pad);
 
 /// The name that an item's geom, material and texture share.
 std::string ItemName(std::size_t index);

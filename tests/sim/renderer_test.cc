@@ -86,9 +86,10 @@ TEST(Renderer, ShowsTheTexturesFirstTexelAtTheSheetsCornerOfLowXAndHighY) {
   const Room room(OnlyThePad());
   const int texture = mj_name2id(room.model.get(), mjOBJ_TEXTURE, "pad");
   std::uint8_t* rgb = room.model->tex_rgb + room.model->tex_adr[texture];
-  std::fill_n(rgb, 3 * kPadTexture.width * kPadTexture.height, std::uint8_t{255});
-  for (int row = 0; row < kPadTexture.height / 4; ++row) {
-    std::fill_n(rgb + 3 * row * kPadTexture.width, 3 * kPadTexture.width / 4, std::uint8_t{0});
+  const TextureSize size = PadTextureSize({});
+  std::fill_n(rgb, 3 * size.width * size.height, std::uint8_t{255});
+  for (int row = 0; row < size.height / 4; ++row) {
+    std::fill_n(rgb + 3 * row * size.width, 3 * size.width / 4, std::uint8_t{0});
   }
   Renderer renderer(*room.model, {});
   const Eigen::Isometry3d X_WC = CameraAt({0.0, 0.0, 0.4});
