@@ -31,7 +31,10 @@ class TreeBuilder : public YAML::EventHandler {
   void OnDocumentEnd() override {}
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
-    Add(MakeNode(ConfigNode::Kind::kNothing, mark, "?", anchor));
+    ConfigNode node = MakeNode(ConfigNode::Kind::kNothing, mark, "?", anchor);
+    // The parser notices that nothing was given only on the next line.
+    if (!pending_.empty() && pending_.back()) node.origin = pending_.back()->origin;
+    Add(std::move(node));
   }
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
@@ -46,7 +49,7 @@ class TreeBuilder : public YAML::EventHandler {
           throw ConfigError(origin_of_(mark), value, "duplicate key, first given at " + node.origin.place);
         }
       }
-      pending_.back() = value;
+      pending_.back() = PendingKey{value, origin_of_(mark)};
       return;
     }
     ConfigNode node = MakeNode(ConfigNode::Kind::kText, mark, tag, anchor);
@@ -68,6 +71,11 @@ class TreeBuilder : public YAML::EventHandler {
   void OnMapEnd() override { Close(); }
 
  private:
+  struct PendingKey {
+    std::string name;
+    Origin origin;
+  };
+
   ConfigNode MakeNode(ConfigNode::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
     const Origin origin = origin_of_(mark);
     if (anchor != YAML::NullAnchor) throw ConfigError(origin, "", "anchors (&name) are not supported");
@@ -89,7 +97,7 @@ class TreeBuilder : public YAML::EventHandler {
       return &parent.items.back();
     }
     if (!pending_.back()) throw ConfigError(node.origin, "", "a key must be plain text");
-    parent.keys.emplace_back(*pending_.back(), std::move(node));
+    parent.keys.emplace_back(pending_.back()->name, std::move(node));
     pending_.back().reset();
     return &parent.keys.back().second;
   }
@@ -112,7 +120,7 @@ class TreeBuilder : public YAML::EventHandler {
   ConfigNode root_;
   // Only the innermost open node grows, so that the addresses of those around it hold.
   std::vector<ConfigNode*> open_;
-  std::vector<std::optional<std::string>> pending_;  ///< For each open node, the key that waits for its value.
+  std::vector<std::optional<PendingKey>> pending_;  ///< For each open node, the key that waits for its value.
 };
 
 ConfigNode Parse(const std::string& text, const OriginOf& origin_of) {

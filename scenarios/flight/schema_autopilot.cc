@@ -35,6 +35,9 @@ void Describe(ConfigVisitor& v, estimator::AttitudeEstimatorConfig& c) {
            c.initial_tilt_sigma_rad, kDegree, kPositive);
   v.Number({"initial_gyro_bias_sigma_deg_s", "1-sigma of the gyro's bias at the start."},
            c.initial_gyro_bias_sigma_rad_s, kDegreePerSecond, kPositive);
+  v.Number({"level_ground_tolerance_deg",
+            "Ground on which the accelerometer at rest shows no more tilt is taken to be level; 0: never."},
+           c.level_ground_tolerance_rad, kDegree, Between(0.0, 90.0));
   v.Number({"acceleration_tolerance", "A specific force that is this share of g off in size is not used."},
            c.acceleration_tolerance, kNoUnit, kPositive);
   v.Number({"yaw_time_constant_s", "How fast yaw follows vision."}, c.yaw_time_constant_s, kSecond, kPositive);
@@ -87,6 +90,8 @@ void Describe(ConfigVisitor& v, controller::GuidanceConfig& c) {
   v.Number({"landing_limit_s", "How long a landing may take."}, c.landing_limit_s, kSecond, kPositive);
   v.Number({"blind_clearance_m", "Of the soles over the pad, below which the descent goes on by prediction."},
            c.blind_clearance_m, kMetre, kPositive);
+  v.Number({"vision_floor_clearance_m", "Down to here a sighting still helps the blind descent."},
+           c.vision_floor_clearance_m, kMetre, kNotNegative);
   v.Number({"blind_entry_speed_m_s", "No faster, in any direction, when the blind descent begins."},
            c.blind_entry_speed_m_s, kMetrePerSecond, kPositive);
   v.Number({"blind_descent_rate_m_s", "Of the blind descent."}, c.blind_descent_rate_m_s, kMetrePerSecond, kPositive);

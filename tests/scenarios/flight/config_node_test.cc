@@ -89,9 +89,11 @@ TEST(ConfigNode, RefusesABrokenFileWithTheLine) {
 }
 
 TEST(ConfigNode, SurvivesAHundredThousandBrackets) {
-  EXPECT_THAT(ParseError("a: " + std::string(100000, '[')), HasSubstr("nested more than"));
-  EXPECT_THAT(ParseError(std::string(100000, '[')), HasSubstr("nested more than"));
-  EXPECT_THAT(ParseError("a: " + std::string(100000, '{')), HasSubstr("f.yaml:1"));
+  const std::string open(100000, '['), close(100000, ']');
+  EXPECT_THAT(ParseError("a: " + open + close), StartsWith("f.yaml:1: nested more than"));
+  EXPECT_THAT(ParseError("a: " + open), StartsWith("f.yaml:1: "));
+  EXPECT_THAT(ParseError(open), StartsWith("f.yaml:1: "));
+  EXPECT_THAT(ParseError("a: " + std::string(100000, '{')), StartsWith("f.yaml:1: "));
   std::string blocks;
   for (int i = 0; i < 3000; ++i) blocks += std::string(static_cast<std::size_t>(i), ' ') + "a:\n";
   EXPECT_THAT(ParseError(blocks), HasSubstr("nested more than"));

@@ -11,6 +11,7 @@ class EndWatchTest : public ::testing::Test {
  protected:
   EndWatchTest() {
     scenario_.time_limit_s = 10.0;
+    control_.phase = Phase::kHover;
     truth_.X_WB.translation() << 0.0, 0.0, 1.0;
   }
   /// The ending within so many seconds of the same state.
@@ -28,8 +29,8 @@ class EndWatchTest : public ::testing::Test {
 
   Scenario scenario_;
   sim::TrueState truth_;
-  controller::ControlOutput control_{.phase = Phase::kHover};
-  std::optional<EndWatch> watch_{scenario_};
+  controller::ControlOutput control_;
+  std::optional<EndWatch> watch_{EndWatch(scenario_)};
 };
 
 TEST_F(EndWatchTest, LetsAFlightGoOn) { EXPECT_FALSE(Within(5.0)); }

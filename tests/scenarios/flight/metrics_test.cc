@@ -40,7 +40,7 @@ FrameRecord Frame(const Eigen::Isometry3d& truth, const Eigen::Isometry3d& estim
   FrameRecord frame;
   frame.status = FrameStatus::kOk;
   frame.X_WB = truth;
-  frame.pose = estimator::VisionPose{.X_WB = estimate, .covariance = {}};
+  frame.pose.emplace().X_WB = estimate;
   frame.ring_in_view = true;
   return frame;
 }

@@ -62,12 +62,11 @@ std::size_t KeyCount() {
 template <typename T>
 class SchemaOf : public ::testing::Test {};
 
-using Structs =
-    ::testing::Types<Scenario, models::Vehicle, models::CameraModel, models::LandingPad, sim::ImuConfig,
-                     sim::TrackingSystemConfig, sim::SceneConfig, sim::WorldConfig, estimator::EstimatorConfig,
-                     estimator::AttitudeEstimatorConfig, estimator::PoseFilterConfig, controller::GuidanceConfig,
-                     controller::PositionControllerConfig, controller::AttitudeControllerConfig,
-                     controller::FlightControllerConfig, Criterion>;
+using Structs = ::testing::Types<Scenario, models::Vehicle, models::CameraModel, models::LandingPad, sim::ImuConfig,
+                                 sim::TrackingSystemConfig, sim::SceneConfig, estimator::EstimatorConfig,
+                                 estimator::AttitudeEstimatorConfig, estimator::PoseFilterConfig,
+                                 controller::GuidanceConfig, controller::PositionControllerConfig,
+                                 controller::AttitudeControllerConfig, controller::FlightControllerConfig, Criterion>;
 TYPED_TEST_SUITE(SchemaOf, Structs);
 
 TYPED_TEST(SchemaOf, HasAKeyForEveryField) { EXPECT_EQ(KeyCount<TypeParam>(), FieldCount<TypeParam>()); }
@@ -77,6 +76,10 @@ TEST(SchemaOfCamera, HasAKeyForEveryField) {
   KeyCounter counter;
   DescribeCamera(counter, camera, models::TimeBase());
   EXPECT_EQ(counter.count, FieldCount<sim::CameraConfig>());
+}
+
+TEST(SchemaOfWorld, LeavesOutOnlyWhetherTexturesArePainted) {
+  EXPECT_EQ(KeyCount<sim::WorldConfig>() + 1, FieldCount<sim::WorldConfig>());
 }
 
 }  // namespace

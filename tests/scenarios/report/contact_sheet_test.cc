@@ -34,7 +34,9 @@ TEST(ContactSheet, ShowsTwelveFramesOfALongFlightFromItsStartToItsEnd) {
   for (int tile = 0; tile < 12; ++tile) {
     const int grey = picture.at<cv::Vec3b>(360 * (tile / 4) + 330, 480 * (tile % 4) + 450)[0];
     EXPECT_GT(grey, previous);
-    if (tile > 0) EXPECT_NEAR(grey - previous, 250.0 / 11.0, 12.0);
+    if (tile > 0) {
+      EXPECT_NEAR(grey - previous, 250.0 / 11.0, 12.0);
+    }
     previous = grey;
   }
   EXPECT_GT(previous, 220);
