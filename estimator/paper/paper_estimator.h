@@ -25,8 +25,9 @@ struct PaperEstimatorConfig {
   ComponentsConfig components;
   PadDetectorConfig pad_detector;
   EdgeConfig edges;
-  /// An ellipse whose points lie further from it, as a root mean square in px, was not the outer boundary of a ring.
-  double largest_ring_rms_px = 1.5;
+  /// Contour points that lie further from their ellipse than this, as a root mean square, are not the outer boundary of
+  /// a whole ring: something covers part of it. Canny's whole pixels alone are off by 0.35 px.
+  double largest_ring_rms_px = 0.6;
   OutlierGateConfig outlier_gate;
   PoseCovarianceConfig covariance;
 

@@ -27,24 +27,30 @@ double GreyAt(const models::LandingPad& pad, const PadPicture& picture, const Ve
   return picture.sheet && OnSheet(pad, p) ? picture.paper : picture.floor;
 }
 
-/// Ideal rays through the corners of a grid of subpixels, and the plane's points that they meet.
-class FloorCaster {
- public:
-  FloorCaster(const models::CameraModel& camera, const Eigen::Isometry3d& X_WC) : camera_(camera), X_WC_(X_WC) {}
+using Rays = std::vector<std::optional<Vector3d>>;
 
-  std::optional<Vector2d> At(double u, double v) const {
-    const auto ray_C = camera_.Ray({u, v});
-    if (!ray_C) return std::nullopt;
-    const Vector3d ray_W = X_WC_.linear() * *ray_C;
-    if (ray_W.z() >= 0.0) return std::nullopt;
-    const Vector3d hit = X_WC_.translation() - ray_W * (X_WC_.translation().z() / ray_W.z());
-    return hit.head<2>();
+/// Rays in C through the corners of the camera's pixels, row by row, kept for the next picture by the same camera.
+const Rays& CornerRays(const models::CameraModel& camera) {
+  thread_local std::optional<models::CameraModel> cached_for;
+  thread_local Rays rays;
+  if (cached_for != camera) {
+    rays.clear();
+    for (int v = 0; v <= camera.height_px; ++v) {
+      for (int u = 0; u <= camera.width_px; ++u) rays.push_back(camera.Ray({u - 0.5, v - 0.5}));
+    }
+    cached_for = camera;
   }
+  return rays;
+}
 
- private:
-  const models::CameraModel& camera_;
-  const Eigen::Isometry3d& X_WC_;
-};
+/// The floor's point that a ray meets.
+std::optional<Vector2d> OnFloor(const Eigen::Isometry3d& X_WC, const std::optional<Vector3d>& ray_C) {
+  if (!ray_C) return std::nullopt;
+  const Vector3d ray_W = X_WC.linear() * *ray_C;
+  if (ray_W.z() >= 0.0) return std::nullopt;
+  const Vector3d hit = X_WC.translation() - ray_W * (X_WC.translation().z() / ray_W.z());
+  return hit.head<2>();
+}
 
 /// The pixel's mean over its square; where its corners and its centre are of one grey, that grey. The floor's point is
 /// interpolated between the pixel's corners, which is exact to some 1e-4 px; `corners` are those at (u, v) - 0.5 and so
@@ -134,22 +140,14 @@ Eigen::Isometry3d CameraAbovePad(const Vector3d& p_WC, double yaw, double tilt, 
 
 models::Image RenderPad(const models::CameraModel& camera, const models::LandingPad& pad, const Eigen::Isometry3d& X_WC,
                         const PadPicture& picture, models::RandomStream* random) {
-  const FloorCaster caster(camera, X_WC);
   const int width = camera.width_px, height = camera.height_px;
-  std::vector<double> grey(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  std::vector<std::optional<Vector2d>> upper, lower;
-  const auto corners_of_row = [&](double v) {
-    std::vector<std::optional<Vector2d>> corners;
-    for (int u = 0; u <= width; ++u) corners.push_back(caster.At(u - 0.5, v));
-    return corners;
-  };
-  lower = corners_of_row(-0.5);
+  std::vector<std::optional<Vector2d>> corners;
+  for (const auto& ray_C : CornerRays(camera)) corners.push_back(OnFloor(X_WC, ray_C));
+  std::vector<double> grey;
   for (int v = 0; v < height; ++v) {
-    upper = std::move(lower);
-    lower = corners_of_row(v + 0.5);
-    for (std::size_t u = 0; u < static_cast<std::size_t>(width); ++u) {
-      grey[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + u] =
-          PixelMean(pad, picture, {upper[u], upper[u + 1], lower[u], lower[u + 1]});
+    const auto upper = corners.begin() + static_cast<std::ptrdiff_t>(v) * (width + 1), lower = upper + (width + 1);
+    for (int u = 0; u < width; ++u) {
+      grey.push_back(PixelMean(pad, picture, {upper[u], upper[u + 1], lower[u], lower[u + 1]}));
     }
   }
   if (picture.lens_blur_sigma_px > 0.0) Blur(grey, width, height, picture.lens_blur_sigma_px);

@@ -1,0 +1,55 @@
+#include "estimator/make_estimator.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "models/error.h"
+#include "models/vehicle.h"
+
+namespace touchdown::estimator {
+namespace {
+
+EstimatorSetup NominalSetup() { return {.camera = {}, .pad = {}, .X_BC = models::Vehicle().X_BC(), .time = {}}; }
+
+TEST(MakeEstimator, MakesEveryEstimatorThatItNames) {
+  EXPECT_THAT(EstimatorNames(), testing::Contains("paper"));
+  for (const std::string& name : EstimatorNames()) {
+    EstimatorConfig config;
+    config.name = name;
+    EXPECT_NE(MakeEstimator(config, NominalSetup()), nullptr);
+  }
+}
+
+TEST(MakeEstimator, RefusesAnUnknownNameAndTellsTheKnownOnes) {
+  EstimatorConfig config;
+  config.name = "papyrus";
+  try {
+    MakeEstimator(config, NominalSetup());
+    FAIL() << "made an estimator of an unknown name";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("papyrus"));
+    for (const std::string& name : EstimatorNames()) EXPECT_THAT(error.what(), testing::HasSubstr(name));
+  }
+}
+
+TEST(MakeEstimator, RefusesACameraAndAPadThatCannotBe) {
+  EstimatorSetup no_camera = NominalSetup();
+  no_camera.camera.width_px = 0;
+  EXPECT_THROW(MakeEstimator({}, no_camera), InputError);
+  EstimatorSetup no_pad = NominalSetup();
+  no_pad.pad.ring_width_m = -0.01;
+  EXPECT_THROW(MakeEstimator({}, no_pad), InputError);
+}
+
+TEST(FrameStatus, HasANameForEveryValue) {
+  EXPECT_EQ(Name(FrameStatus::kOk), "ok");
+  EXPECT_EQ(Name(FrameStatus::kNoComponent), "no_component");
+  EXPECT_EQ(Name(FrameStatus::kNoCircle), "no_circle");
+  EXPECT_EQ(Name(FrameStatus::kNoH), "no_h");
+  EXPECT_EQ(Name(FrameStatus::kNoPair), "no_pair");
+  EXPECT_EQ(Name(FrameStatus::kNoEllipse), "no_ellipse");
+  EXPECT_EQ(Name(FrameStatus::kOutlier), "outlier");
+}
+
+}  // namespace
+}  // namespace touchdown::estimator

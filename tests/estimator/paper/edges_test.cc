@@ -1,0 +1,139 @@
+#include "estimator/paper/edges.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "estimator/paper/binarize.h"
+#include "models/angles.h"
+#include "models/error.h"
+#include "tests/support/synthetic_pad.h"
+
+namespace touchdown::estimator {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+struct Scene {
+  models::CameraModel camera;
+  models::LandingPad pad;
+  Eigen::Isometry3d X_WC;
+  models::Image image;
+  ComponentSet components;
+  DetectedPad detected;
+
+  /// The point of the pad's plane seen at a raw pixel, in W.
+  Vector2d OnPad(const Vector2d& pixel) const {
+    const Vector3d ray_W = X_WC.linear() * *camera.Ray(pixel);
+    return (X_WC.translation() - X_WC.translation().z() / ray_W.z() * ray_W).head<2>();
+  }
+
+  /// How far a raw pixel is from where the circle of this radius is seen, px, across it.
+  double DistanceFromCircle_px(const Vector2d& pixel, double radius_m) const {
+    const Vector2d p_W = OnPad(pixel), on_circle = p_W.normalized() * radius_m;
+    const auto nearest = camera.Project(X_WC.inverse() * Vector3d(on_circle.x(), on_circle.y(), 0.0));
+    return std::copysign((pixel - *nearest).norm(), p_W.norm() - radius_m);
+  }
+};
+
+Scene SceneFrom(const Eigen::Isometry3d& X_WC, const test_support::PadPicture& picture = {}) {
+  Scene scene{.camera = {}, .pad = {}, .X_WC = X_WC, .image = {}, .components = {}, .detected = {}};
+  models::RandomStream random(1, "tests.edges");
+  scene.image = test_support::RenderPad(scene.camera, scene.pad, X_WC, picture, &random);
+  scene.components = ExtractComponents(Binarize(scene.image.View()).View());
+  const Vector2d center = *scene.camera.Project(X_WC.inverse() * Vector3d::Zero());
+  const double radius_px = scene.camera.fx_px * scene.pad.outer_radius_m / X_WC.translation().norm();
+  for (const Component& component : scene.components.components) {
+    const Vector2d offset =
+        Vector2d(component.u + component.width / 2.0, component.v + component.height / 2.0) - center;
+    const int side = std::max(component.width, component.height);
+    if (offset.norm() > 0.3 * radius_px || side > 2.6 * radius_px) continue;
+    (side > 1.5 * radius_px ? scene.detected.ring : scene.detected.letter) = component;
+  }
+  EXPECT_GT(scene.detected.ring.area, 0);
+  EXPECT_GT(scene.detected.letter.area, 0);
+  return scene;
+}
+
+PadContours Contours(const Scene& scene, ContourPoints points) {
+  return FindContours(scene.image.View(), scene.components, scene.detected, scene.pad, {.contour_points = points});
+}
+
+double RmsFromCircle_px(const Scene& scene, const std::vector<Vector2d>& points, double radius_m) {
+  double sum = 0.0;
+  for (const Vector2d& point : points) sum += std::pow(scene.DistanceFromCircle_px(point, radius_m), 2);
+  return std::sqrt(sum / static_cast<double>(points.size()));
+}
+
+const Eigen::Isometry3d kOblique = [] {
+  Eigen::Isometry3d X_WC = test_support::CameraAbovePad(Vector3d::Zero(), 0.4, models::DegToRad(25.0), 1.0);
+  X_WC.translation() = -X_WC.linear().col(2) * 0.7 + Vector3d(0.03, 0.02, 0.0);
+  return X_WC;
+}();
+
+TEST(Edges, TellTheThreeContoursApart) {
+  for (const auto& X_WC : {test_support::CameraAbovePad({0.0, 0.0, 0.3}), test_support::CameraAbovePad({0.1, 0.0, 1.0}),
+                           test_support::CameraAbovePad({0.0, 0.1, 1.8}), kOblique}) {
+    const Scene scene = SceneFrom(X_WC, {.noise_sigma = 3.0});
+    for (const ContourPoints kind : {ContourPoints::kInteger, ContourPoints::kSubpixel}) {
+      const PadContours contours = Contours(scene, kind);
+      const double circumference_px =
+          2.0 * models::kPi * scene.pad.outer_radius_m * scene.camera.fx_px / X_WC.translation().norm();
+      EXPECT_GT(static_cast<double>(contours.ring_outer.size()), 0.7 * circumference_px);
+      EXPECT_GT(static_cast<double>(contours.ring_inner.size()), 0.5 * circumference_px);
+      EXPECT_GT(contours.letter.size(), contours.ring_inner.size() / 2);
+      for (const Vector2d& point : contours.ring_outer) {
+        EXPECT_LT(std::abs(scene.DistanceFromCircle_px(point, scene.pad.outer_radius_m)), 1.5);
+      }
+      for (const Vector2d& point : contours.ring_inner) {
+        EXPECT_LT(std::abs(scene.DistanceFromCircle_px(point, scene.pad.inner_radius_m())), 1.5);
+      }
+      for (const Vector2d& point : contours.letter) EXPECT_LT(scene.OnPad(point).norm(), 0.066);
+    }
+  }
+}
+
+TEST(Edges, LieAtTheirSubpixelPlaceAndNotOnTheGrid) {
+  for (const double height : {0.5, 1.0, 1.5}) {
+    const Scene scene = SceneFrom(test_support::CameraAbovePad({0.05, 0.03, height}, 0.2), {.noise_sigma = 3.0});
+    const double radius = scene.pad.outer_radius_m;
+    const double integer = RmsFromCircle_px(scene, Contours(scene, ContourPoints::kInteger).ring_outer, radius);
+    const double subpixel = RmsFromCircle_px(scene, Contours(scene, ContourPoints::kSubpixel).ring_outer, radius);
+    EXPECT_GT(integer, 0.2);
+    EXPECT_LT(integer, 0.5);
+    EXPECT_LT(subpixel, 0.1);
+  }
+}
+
+TEST(Edges, AreNotMovedByBlur) {
+  for (const double blur : {0.5, 1.0}) {
+    const Scene scene = SceneFrom(test_support::CameraAbovePad({0.05, 0.03, 0.7}, 0.2), {.lens_blur_sigma_px = blur});
+    double mean = 0.0;
+    const auto points = Contours(scene, ContourPoints::kSubpixel).ring_outer;
+    for (const Vector2d& point : points) mean += scene.DistanceFromCircle_px(point, scene.pad.outer_radius_m);
+    EXPECT_LT(std::abs(mean / static_cast<double>(points.size())), 0.05);
+  }
+}
+
+TEST(Edges, StayWithinAnImageThatCutsTheRing) {
+  const Scene scene = [] {
+    Scene cut = SceneFrom(test_support::CameraAbovePad({0.0, 0.0, 0.14}));
+    return cut;
+  }();
+  for (const ContourPoints kind : {ContourPoints::kInteger, ContourPoints::kSubpixel}) {
+    const PadContours contours = Contours(scene, kind);
+    EXPECT_FALSE(contours.ring_outer.empty());
+    for (const auto* contour : {&contours.ring_outer, &contours.ring_inner, &contours.letter}) {
+      for (const Vector2d& point : *contour) EXPECT_TRUE(scene.camera.Contains(point));
+    }
+  }
+}
+
+TEST(EdgeConfig, RefusesImpossibleSettings) {
+  EXPECT_THROW((EdgeConfig{.canny_low = 100.0, .canny_high = 50.0}.Validate()), InputError);
+  EXPECT_THROW((EdgeConfig{.canny_low = -1.0}.Validate()), InputError);
+}
+
+}  // namespace
+}  // namespace touchdown::estimator

@@ -1,0 +1,250 @@
+#include "estimator/paper/paper_estimator.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+
+#include "models/angles.h"
+#include "models/error.h"
+#include "models/vehicle.h"
+#include "tests/support/synthetic_pad.h"
+
+namespace touchdown::estimator {
+namespace {
+
+using Eigen::Vector3d;
+using test_support::GravityIn;
+using test_support::PadPicture;
+
+constexpr models::Tick kFrame = 20;
+
+class PaperEstimatorTest : public testing::Test {
+ protected:
+  /// The body's pose whose camera looks straight down from `p_WC`, tilted as CameraAbovePad tells.
+  Eigen::Isometry3d BodyWithCameraAt(const Vector3d& p_WC, double yaw = 0.0, double tilt = 0.0,
+                                     double direction = 0.0) const {
+    return test_support::CameraAbovePad(p_WC, yaw, tilt, direction) * setup_.X_BC.inverse();
+  }
+
+  models::Image Picture(const Eigen::Isometry3d& X_WB, PadPicture picture = {.noise_sigma = 3.0}) {
+    return test_support::RenderPad(setup_.camera, setup_.pad, X_WB * setup_.X_BC, picture, &random_);
+  }
+
+  FrameEstimate See(const Eigen::Isometry3d& X_WB, PadPicture picture = {.noise_sigma = 3.0}) {
+    return estimator_->Estimate(Picture(X_WB, std::move(picture)).View(), tick_ += kFrame, GravityIn(X_WB));
+  }
+
+  FrameEstimate SeeImage(const models::Image& image, const Eigen::Isometry3d& X_WB) {
+    return estimator_->Estimate(image.View(), tick_ += kFrame, GravityIn(X_WB));
+  }
+
+  EstimatorSetup setup_{.camera = {}, .pad = {}, .X_BC = models::Vehicle().X_BC(), .time = {}};
+  models::RandomStream random_{1, "tests.paper_estimator"};
+  std::unique_ptr<PaperEstimator> estimator_ = std::make_unique<PaperEstimator>(setup_);
+  models::Tick tick_ = 0;
+};
+
+double AngleBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+  return models::RotationLog(a.linear().transpose() * b.linear()).norm();
+}
+
+TEST_F(PaperEstimatorTest, FindsTheBodyAboveThePad) {
+  const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.08, -0.05, 0.7}, 0.2, 0.1, 0.6);
+  const FrameEstimate seen = See(X_WB);
+  ASSERT_EQ(seen.status, FrameStatus::kOk);
+  ASSERT_TRUE(seen.pose);
+  EXPECT_LT((seen.pose->X_WB.translation() - X_WB.translation()).norm(), 0.030);
+  EXPECT_NEAR(seen.pose->X_WB.translation().z(), X_WB.translation().z(), 0.004);
+  EXPECT_LT(AngleBetween(seen.pose->X_WB, X_WB), models::DegToRad(3.0));
+  EXPECT_EQ(seen.mid_exposure, tick_);
+}
+
+TEST_F(PaperEstimatorTest, TracesWhatItSaw) {
+  const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.02, 0.01, 0.6});
+  const FrameEstimate seen = See(X_WB);
+  ASSERT_TRUE(seen.trace.ring_outer && seen.trace.ring_inner && seen.trace.letter && seen.pad_px);
+  const double ratio = seen.trace.ring_inner->semi_axes.x() / seen.trace.ring_outer->semi_axes.x();
+  EXPECT_NEAR(ratio, setup_.pad.inner_radius_m() / setup_.pad.outer_radius_m, 0.01);
+  const auto center = setup_.camera.Project((X_WB * setup_.X_BC).inverse() * Vector3d::Zero());
+  EXPECT_LT((*seen.pad_px - *center).norm(), 1.0);
+  EXPECT_LT((seen.trace.ring_outer->center - *center).norm(), 2.0);
+  int circles = 0, letters = 0;
+  for (const auto& component : seen.trace.components) {
+    circles += component.label == FrameTrace::Label::kCircle;
+    letters += component.label == FrameTrace::Label::kH;
+    EXPECT_GT(component.probability, 1.0 / 3.0);
+    EXPECT_LE(component.probability, 1.0);
+  }
+  EXPECT_GE(circles, 1);
+  EXPECT_GE(letters, 1);
+}
+
+TEST_F(PaperEstimatorTest, LetsGravityChooseTheBranch) {
+  for (const double side : {-1.0, 1.0}) {
+    const double tilt = side * models::DegToRad(15.0);
+    Eigen::Isometry3d X_WC = test_support::CameraAbovePad(Vector3d::Zero(), 0.0, tilt, 0.0);
+    X_WC.translation() = -X_WC.linear().col(2) * 0.6;
+    const Eigen::Isometry3d X_WB = X_WC * setup_.X_BC.inverse();
+    const models::Image image = Picture(X_WB);
+    PaperEstimator estimator(setup_);
+    const auto right = estimator.Estimate(image.View(), 0, GravityIn(X_WB));
+    ASSERT_TRUE(right.pose);
+    EXPECT_LT(AngleBetween(right.pose->X_WB, X_WB), models::DegToRad(2.0));
+    // Told that it is tilted to the other side, it takes the other solution: 30 degrees and 0.3 m away.
+    const Eigen::Isometry3d other = test_support::CameraAbovePad({0, 0, 1}, 0.0, -tilt, 0.0) * setup_.X_BC.inverse();
+    const auto wrong = estimator.Estimate(image.View(), kFrame, GravityIn(other));
+    ASSERT_TRUE(wrong.pose);
+    EXPECT_NEAR(models::RadToDeg(AngleBetween(wrong.pose->X_WB, X_WB)), 30.0, 3.0);
+    EXPECT_EQ(wrong.status, FrameStatus::kOutlier);
+  }
+}
+
+TEST_F(PaperEstimatorTest, MeasuresYawWithin90DegreesEitherSide) {
+  for (int deg = -85; deg <= 85; deg += 34) {
+    const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.02, 0.01, 0.5}, models::DegToRad(deg));
+    const auto seen = See(X_WB);
+    ASSERT_TRUE(seen.pose) << deg;
+    EXPECT_NEAR(models::RadToDeg(models::TaitBryanFromRotation(seen.pose->X_WB.linear()).yaw), deg, 1.5);
+    EXPECT_LT((seen.pose->X_WB.translation() - X_WB.translation()).norm(), 0.02);
+  }
+}
+
+TEST_F(PaperEstimatorTest, SeesABlankImageAsNoComponent) {
+  const models::Image blank(640, 480, 128);
+  const FrameEstimate seen = SeeImage(blank, BodyWithCameraAt({0, 0, 1}));
+  EXPECT_EQ(seen.status, FrameStatus::kNoComponent);
+  EXPECT_FALSE(seen.pose);
+  EXPECT_FALSE(seen.pad_px);
+}
+
+TEST_F(PaperEstimatorTest, SeesALoneLetterAsNoCircle) {
+  const FrameEstimate seen = See(BodyWithCameraAt({0, 0, 0.6}), {.ring = false});
+  EXPECT_EQ(seen.status, FrameStatus::kNoCircle);
+  EXPECT_FALSE(seen.trace.components.empty());
+}
+
+TEST_F(PaperEstimatorTest, SeesALoneRingAsNoH) {
+  EXPECT_EQ(See(BodyWithCameraAt({0, 0, 0.6}), {.letter = false}).status, FrameStatus::kNoH);
+}
+
+TEST_F(PaperEstimatorTest, SeesAnHBesideTheRingAsNoPair) {
+  const models::LandingPad pad;
+  const auto letter_aside = [pad](const Eigen::Vector2d& p) -> std::optional<double> {
+    const Eigen::Vector2d q = p - Eigen::Vector2d(0.0, 0.35);
+    if (q.norm() > 0.10) return std::nullopt;
+    return pad.IsBlack(q) && q.norm() < pad.inner_radius_m() ? 25.0 : 215.0;
+  };
+  const FrameEstimate seen = See(BodyWithCameraAt({0, 0.15, 0.6}), {.letter = false, .paint = letter_aside});
+  EXPECT_EQ(seen.status, FrameStatus::kNoPair);
+}
+
+/// A hand held over the part of the pad beyond `x_m`.
+std::function<std::optional<double>(const Eigen::Vector2d&)> HandBeyond(double x_m) {
+  return [x_m](const Eigen::Vector2d& p) { return p.x() > x_m ? std::optional(160.0) : std::nullopt; };
+}
+
+TEST_F(PaperEstimatorTest, GivesNoPoseWhereAHandCoversPartOfTheRing) {
+  const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.02, 0.01, 0.6});
+  for (const double x_m : {-0.03, 0.0, 0.03, 0.055, 0.07}) {
+    const FrameEstimate seen = See(X_WB, {.noise_sigma = 3.0, .paint = HandBeyond(x_m)});
+    EXPECT_NE(seen.status, FrameStatus::kOk) << x_m;
+    EXPECT_FALSE(seen.pose) << x_m;
+  }
+  EXPECT_EQ(See(X_WB, {.noise_sigma = 3.0, .paint = HandBeyond(0.095)}).status, FrameStatus::kOk);
+}
+
+TEST_F(PaperEstimatorTest, FindsNoEllipseWhereTheOutlineIsNone) {
+  // A square frame with an H in it, that the truth here calls a circle.
+  const auto square = [](const Eigen::Vector2d& p) -> std::optional<double> {
+    const double side = p.cwiseAbs().maxCoeff();
+    if (side > 0.074 && side < 0.09) return 25.0;
+    return std::nullopt;
+  };
+  PaperEstimator estimator(setup_, {}, [](const ComponentSet&, const Component& component) {
+    Classification seen;
+    seen.label = component.width > 70 ? FrameTrace::Label::kCircle : FrameTrace::Label::kH;
+    seen.posterior[static_cast<std::size_t>(seen.label)] = 1.0;
+    return seen;
+  });
+  const Eigen::Isometry3d X_WB = BodyWithCameraAt({0, 0, 0.6});
+  const models::Image image = Picture(X_WB, {.floor = 215.0, .ring = false, .paint = square});
+  const FrameEstimate seen = estimator.Estimate(image.View(), 0, GravityIn(X_WB));
+  EXPECT_EQ(seen.status, FrameStatus::kNoEllipse);
+  EXPECT_FALSE(seen.pose);
+  ASSERT_TRUE(seen.pad_px);
+  EXPECT_LT((*seen.pad_px - Eigen::Vector2d(319.5, 239.5)).norm(), 3.0);
+}
+
+TEST_F(PaperEstimatorTest, CallsAJumpAnOutlierAndTellsItsPose) {
+  ASSERT_EQ(See(BodyWithCameraAt({0, 0, 0.6})).status, FrameStatus::kOk);
+  const FrameEstimate jumped = See(BodyWithCameraAt({0.3, 0.2, 1.1}));
+  EXPECT_EQ(jumped.status, FrameStatus::kOutlier);
+  ASSERT_TRUE(jumped.pose);
+  EXPECT_NEAR(jumped.pose->X_WB.translation().x(), 0.3, 0.1);
+  EXPECT_EQ(See(BodyWithCameraAt({0, 0, 0.61})).status, FrameStatus::kOk);
+}
+
+TEST_F(PaperEstimatorTest, IsNotFooledByClutter) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const auto clutter = test_support::Clutter(setup_.pad, seed);
+    const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.1, 0.05, 0.9}, 0.1);
+    PaperEstimator estimator(setup_);
+    FrameEstimate seen;
+    const models::Image image = Picture(X_WB, {.noise_sigma = 3.0, .paint = clutter});
+    for (models::Tick tick = 0; tick < 3 * kFrame; tick += kFrame) {
+      seen = estimator.Estimate(image.View(), tick, GravityIn(X_WB));
+    }
+    ASSERT_EQ(seen.status, FrameStatus::kOk) << seed;
+    EXPECT_GT(seen.trace.components.size(), 5u);
+    EXPECT_LT((seen.pose->X_WB.translation() - X_WB.translation()).norm(), 0.05);
+  }
+}
+
+TEST_F(PaperEstimatorTest, IsTheSameEveryTime) {
+  const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.05, 0.02, 0.8}, 0.1, 0.05);
+  const models::Image image = Picture(X_WB);
+  PaperEstimator first(setup_), second(setup_);
+  const auto a = first.Estimate(image.View(), 0, GravityIn(X_WB)),
+             b = second.Estimate(image.View(), 0, GravityIn(X_WB));
+  ASSERT_TRUE(a.pose && b.pose);
+  EXPECT_EQ(a.pose->X_WB.matrix(), b.pose->X_WB.matrix());
+  EXPECT_EQ(a.pose->covariance, b.pose->covariance);
+}
+
+TEST_F(PaperEstimatorTest, ReadsAnImageByItsStride) {
+  const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.05, 0.02, 0.6});
+  const models::Image image = Picture(X_WB);
+  std::vector<std::uint8_t> padded(700 * 480, 17);
+  for (int v = 0; v < 480; ++v) std::copy_n(image.View().Row(v), 640, padded.begin() + v * 700);
+  PaperEstimator first(setup_), second(setup_);
+  const auto a = first.Estimate(image.View(), 0, GravityIn(X_WB));
+  const auto b = second.Estimate({padded.data(), 640, 480, 700}, 0, GravityIn(X_WB));
+  ASSERT_TRUE(a.pose && b.pose);
+  EXPECT_EQ(a.pose->X_WB.matrix(), b.pose->X_WB.matrix());
+}
+
+TEST_F(PaperEstimatorTest, RefusesAnImageOfAnotherSize) {
+  const models::Image image(320, 240, 100);
+  EXPECT_THROW(SeeImage(image, Eigen::Isometry3d::Identity()), std::invalid_argument);
+  EXPECT_THROW(estimator_->Estimate({}, 0, -Vector3d::UnitZ()), std::invalid_argument);
+}
+
+TEST_F(PaperEstimatorTest, ClaimsAPositiveDefiniteCovarianceThatGrowsWithHeight) {
+  const auto near = See(BodyWithCameraAt({0.02, 0.0, 0.4}, 0.0, 0.05));
+  ASSERT_TRUE(near.pose);
+  PaperEstimator estimator(setup_);
+  const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.02, 0.0, 1.6}, 0.0, 0.05);
+  const auto far = estimator.Estimate(Picture(X_WB).View(), 0, GravityIn(X_WB));
+  ASSERT_TRUE(far.pose);
+  for (const auto* frame : {&near, &far}) {
+    EXPECT_EQ(frame->pose->covariance.llt().info(), Eigen::Success);
+  }
+  EXPECT_GT(far.pose->covariance.topLeftCorner(3, 3).trace(), 4.0 * near.pose->covariance.topLeftCorner(3, 3).trace());
+}
+
+}  // namespace
+}  // namespace touchdown::estimator
