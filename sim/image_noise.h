@@ -17,8 +17,8 @@ class ImageNoise {
  public:
   static constexpr double kMaxSigma = 24.0;
 
-  /// `sigma` in grey levels of 255, 0 for none. Throws InputError when it is not within [0, kMaxSigma]: five sigma fit the
-  /// strip's numbers.
+  /// `sigma` in grey levels of 255, 0 for none. Throws InputError when it is not within [0, kMaxSigma]: five sigma fit
+  /// the strip's numbers.
   ImageNoise(double sigma, std::uint64_t seed);
 
   /// Throws std::logic_error for a frame wider than 65536 px.

@@ -58,8 +58,8 @@ inline Eigen::Isometry3d CameraTowards(const Eigen::Vector3d& p_WC, const Eigen:
 }
 
 /// Where along `direction` (a unit vector) the image crosses from one plain side to another, in px from `edge`, which
-/// lies within 1 px of the crossing; both sides must be plain from 1 to 4 px. It is where a sharp edge of the same area would
-/// lie: exact for any symmetric blur, wherever the pixels fall.
+/// lies within 1 px of the crossing; both sides must be plain from 1 to 4 px. It is where a sharp edge of the same area
+/// would lie: exact for any symmetric blur, wherever the pixels fall.
 inline double EdgeOffset(const models::Image& image, const Eigen::Vector2d& edge, const Eigen::Vector2d& direction) {
   constexpr double kReach = 3.0, kStep = 0.01;
   const auto level = [&](double offset) { return LevelAt(image, edge + offset * direction); };
