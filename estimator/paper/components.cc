@@ -122,6 +122,8 @@ ComponentSet ExtractComponents(const models::ImageView& dark, const ComponentsCo
   }
 
   ComponentSet result;
+  result.image_width = dark.width;
+  result.image_height = dark.height;
   constexpr std::size_t kDropped = SIZE_MAX;
   std::vector<std::size_t> next_slot(extents.size(), kDropped);
   std::size_t run_total = 0;

@@ -27,11 +27,17 @@ struct Component {
 /// The components of an image, in the order of their first pixel, and all their runs: those of one component lie
 /// together, in raster order.
 struct ComponentSet {
+  int image_width = 0, image_height = 0;
   std::vector<Run> runs;
   std::vector<Component> components;
 
   std::span<const Run> RunsOf(const Component& component) const {
     return std::span(runs).subspan(component.first_run, component.run_count);
+  }
+
+  /// Whether the component touches the image's border, so that part of what it shows may lie outside.
+  bool IsCutByBorder(const Component& c) const {
+    return c.u <= 0 || c.v <= 0 || c.u + c.width >= image_width || c.v + c.height >= image_height;
   }
 };
 

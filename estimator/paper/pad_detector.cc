@@ -74,7 +74,9 @@ PadDetector::Result PadDetector::Detect(const ComponentSet& components) const {
     const Classification seen = classify_(components, component);
     const double posterior = PosteriorOf(seen, seen.label);
     result.labelled.push_back({component.u, component.v, component.width, component.height, seen.label, posterior});
-    if (seen.label == FrameTrace::Label::kCircle) circles.push_back({&component, posterior});
+    if (seen.label == FrameTrace::Label::kCircle && !components.IsCutByBorder(component)) {
+      circles.push_back({&component, posterior});
+    }
     if (seen.label == FrameTrace::Label::kH) letters.push_back({&component, posterior});
   }
   result.outcome = circles.empty() ? FrameStatus::kNoCircle : FrameStatus::kNoH;

@@ -30,7 +30,7 @@ ComponentClassifier Knowing(const std::map<int, std::pair<Label, double>>& label
 }
 
 ComponentSet SetOf(std::vector<Component> components) {
-  ComponentSet set;
+  ComponentSet set{.image_width = 640, .image_height = 480, .runs = {}, .components = {}};
   set.components = std::move(components);
   return set;
 }
@@ -56,6 +56,17 @@ TEST(PadDetector, NamesTheFirstStageThatFailed) {
   ASSERT_TRUE(std::holds_alternative<DetectedPad>(found.outcome));
   EXPECT_EQ(std::get<DetectedPad>(found.outcome).ring.u, 100);
   EXPECT_EQ(std::get<DetectedPad>(found.outcome).letter.u, 131);
+}
+
+TEST(PadDetector, DoesNotTakeARingThatTheImageCutsOff) {
+  const Component letter = Box(131, 120, 28, 50);
+  const std::map<int, std::pair<Label, double>> labels{
+      {0, {Label::kCircle, 0.9}}, {100, {Label::kCircle, 0.9}}, {550, {Label::kCircle, 0.9}}, {131, {Label::kH, 0.9}}};
+  const PadDetector detector(models::LandingPad(), Knowing(labels));
+  for (const Component& cut :
+       {Box(0, 100, 90, 90), Box(100, 0, 90, 90), Box(550, 100, 90, 90), Box(100, 390, 90, 90)}) {
+    EXPECT_EQ(std::get<FrameStatus>(detector.Detect(SetOf({cut, letter})).outcome), FrameStatus::kNoCircle);
+  }
 }
 
 TEST(PadDetector, TracesEveryComponentWithItsLabelAndPosterior) {
