@@ -142,8 +142,8 @@ TEST(CameraOptics, BlursSolidThingsAsIfTheyLayOnTheFloor) {
     const std::vector<double> truth = TrulyExposed(optics, renderer, *room.data, path);
     return Between(truth, Exposed(optics, renderer, *room.data, path)).rms;
   };
-  EXPECT_LT(error_of(turn), 2.0);
-  EXPECT_LT(error_of(slide), 4.0);
+  EXPECT_LT(error_of(turn), 1.0);
+  EXPECT_LT(error_of(slide), 1.5);
   RecordProperty("rms_turn", std::to_string(error_of(turn)));
   RecordProperty("rms_slide", std::to_string(error_of(slide)));
 }
