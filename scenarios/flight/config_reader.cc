@@ -76,6 +76,7 @@ std::string UnknownKeyMessage(std::string_view key, const std::set<std::string, 
 
 std::string Range::Describe() const {
   const bool has_min = std::isfinite(min), has_max = std::isfinite(max);
+  if (has_min && has_max && !min_is_open) return fmt::format("must be from {} to {}", min, max);
   const std::string low = has_min ? fmt::format("{} {}", min_is_open ? "above" : "at least", min) : "";
   const std::string high = has_max ? fmt::format("at most {}", max) : "";
   return fmt::format("must be {}{}{}", low, has_min && has_max ? " and " : "", high);

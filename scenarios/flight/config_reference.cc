@@ -12,6 +12,17 @@
 namespace touchdown::scenarios {
 namespace {
 
+/// Short enough to read; the exact number may be longer, as many SI values in degrees are.
+std::string ShortNumber(double value_si, const Unit& unit) {
+  return fmt::format("{:.6g}", value_si * unit.divisor / unit.scale);
+}
+
+/// Integers carry their unit in their name alone.
+std::string_view UnitOfInteger(std::string_view name) {
+  if (name.ends_with("_hz")) return "Hz";
+  return name.ends_with("_px") ? "px" : "-";
+}
+
 std::string RangeText(const Range& range) {
   return std::isfinite(range.min) || std::isfinite(range.max) ? range.Describe() : "";
 }
@@ -38,7 +49,7 @@ void ConfigReference::Row(const Key& key, std::string_view unit, const std::stri
 }
 
 void ConfigReference::Number(const Key& key, double& value_si, const Unit& unit, const Range& range) {
-  Row(key, unit.name, WriteNumber(value_si, unit), RangeText(range));
+  Row(key, unit.name, ShortNumber(value_si, unit), RangeText(range));
 }
 
 void ConfigReference::OptionalNumber(const Key& key, std::optional<double>&, const Unit& unit, const Range& range) {
@@ -48,12 +59,12 @@ void ConfigReference::OptionalNumber(const Key& key, std::optional<double>&, con
 void ConfigReference::Numbers(const Key& key, const std::vector<double*>& values_si, const Unit& unit,
                               const Range& range) {
   std::vector<std::string> numbers;
-  for (const double* value : values_si) numbers.push_back(WriteNumber(*value, unit));
+  for (const double* value : values_si) numbers.push_back(ShortNumber(*value, unit));
   Row(key, unit.name, fmt::format("[{}]", fmt::join(numbers, ", ")), RangeText(range));
 }
 
 void ConfigReference::Integer64(const Key& key, std::int64_t& value, const Range& range) {
-  Row(key, "-", fmt::format("{}", value), RangeText(range));
+  Row(key, UnitOfInteger(key.name), fmt::format("{}", value), RangeText(range));
 }
 
 void ConfigReference::Boolean(const Key& key, bool& value) {

@@ -93,8 +93,11 @@ class ConfigVisitor {
   template <std::integral T>
   void Integer(const Key& key, T& value, const Range& range) {
     std::int64_t wide = static_cast<std::int64_t>(value);
-    const double highest = static_cast<double>(std::min<std::uint64_t>(std::numeric_limits<T>::max(), 1ULL << 62));
-    Integer64(key, wide, {.min = range.min, .max = std::min(range.max, highest), .min_is_open = range.min_is_open});
+    Range fitting = range;
+    if constexpr (sizeof(T) < sizeof wide) {
+      fitting.max = std::min(range.max, static_cast<double>(std::numeric_limits<T>::max()));
+    }
+    Integer64(key, wide, fitting);
     value = static_cast<T>(wide);
   }
 

@@ -8,7 +8,8 @@ namespace touchdown::scenarios {
 
 std::string WriteNumber(double value_si, const Unit& unit) {
   const double nearest = value_si * unit.divisor / unit.scale;
-  if (unit.ToSi(nearest) == value_si && unit.scale == 1.0 && unit.divisor == 1.0) return fmt::format("{}", nearest);
+  const bool is_si = unit.scale == 1.0 && unit.divisor == 1.0;
+  if (is_si || value_si == 0.0) return fmt::format("{}", value_si);
   std::string shortest;
   constexpr int kNeighbours = 4;
   double candidate = nearest;

@@ -114,7 +114,7 @@ TEST_F(Program, RefusesANegativeMass) {
 
 TEST_F(Program, RefusesAnImageOfNoSize) {
   EXPECT_THAT(ErrorOfText(std::string(kGoodScript) + "camera: {model: {height_px: 0}}\n"),
-              HasSubstr("bad.yaml:4: camera.model.height_px: must be at least 1"));
+              HasSubstr("bad.yaml:4: camera.model.height_px: must be from 1 to 16384, is 0"));
 }
 
 TEST_F(Program, RefusesAMissingFile) {

@@ -22,6 +22,7 @@ TEST(WriteNumber, IsWhatAPersonWouldWrite) {
   EXPECT_EQ(WriteNumber(kDegree.ToSi(30.0), kDegree), "30");
   EXPECT_EQ(WriteNumber(kDegree.ToSi(-1.5), kDegree), "-1.5");
   EXPECT_EQ(WriteNumber(0.1, kMetre), "0.1");
+  EXPECT_EQ(WriteNumber(0.0, kDegree), "0");
 }
 
 TEST(WriteNumber, ReadsBackToTheSameBits) {

@@ -101,7 +101,7 @@ TEST(Scenario, NamesFileLineAndKeyOfWhatIsWrong) {
   EXPECT_THAT(ErrorOf(With("time_limit_s: 1e999\n")), HasSubstr("time_limit_s: must be a finite number"));
   EXPECT_THAT(ErrorOf(With("vehicle: {mass_kg: -1.2}\n")), HasSubstr("vehicle.mass_kg: must be above 0, is -1.2"));
   EXPECT_THAT(ErrorOf(With("camera: {model: {width_px: 0}}\n")),
-              HasSubstr("camera.model.width_px: must be at least 1"));
+              HasSubstr("camera.model.width_px: must be from 1 to 16384, is 0"));
   EXPECT_THAT(ErrorOf(With("camera: {model: {width_px: 1.5}}\n")), HasSubstr("width_px: must be a whole number"));
   EXPECT_THAT(ErrorOf(With("scene: {pad: maybe}\n")), HasSubstr("scene.pad: must be true or false"));
   EXPECT_THAT(ErrorOf(With("expect: won\n")), HasSubstr("expect: must be one of landed, hovered"));
@@ -254,7 +254,7 @@ TEST(ScenarioReference, ListsKeysOfEveryKind) {
                           Field(&ScenarioKey::default_value, value)));
   };
   EXPECT_THAT(reference, has("camera.exposure_ms", "ms", "4"));
-  EXPECT_THAT(reference, has("camera.model.width_px", "-", "640"));
+  EXPECT_THAT(reference, has("camera.model.width_px", "px", "640"));
   EXPECT_THAT(reference, has("events.N.force_n", "N", "[0, 0, 0]"));
   EXPECT_THAT(reference, has("events.N.velocity_m_s", "m/s", "required"));
   EXPECT_THAT(reference, has("script.N.duration_s", "s", "required"));

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+namespace touchdown::scenarios {
+
+/// Every key of a scenario with unit, default, range and meaning, as a Markdown table.
+std::string KeysMarkdown();
+
+/// Every metric with its unit and meaning, as a Markdown table.
+std::string MetricsMarkdown();
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,41 @@
+// docs/scenarios.md lists every key and metric as the program has them. To bring it up to date:
+//   TOUCHDOWN_WRITE_DOCS=1 build/release/tests/scenarios/scenarios_report_reference_markdown_test
+#include "scenarios/report/reference_markdown.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace touchdown::scenarios {
+namespace {
+
+const std::string kDoc = std::string(TOUCHDOWN_SOURCE_DIR) + "/docs/scenarios.md";
+
+std::string ReadDoc() {
+  std::ifstream stream(kDoc);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void ExpectInDoc(const std::string& name, const std::string& table) {
+  const std::string begin = "<!-- " + name + ": begin -->\n", end = "<!-- " + name + ": end -->";
+  std::string doc = ReadDoc();
+  const std::size_t from = doc.find(begin), to = doc.find(end);
+  ASSERT_NE(from, std::string::npos);
+  ASSERT_NE(to, std::string::npos);
+  if (std::getenv("TOUCHDOWN_WRITE_DOCS") != nullptr) {
+    doc.replace(from + begin.size(), to - from - begin.size(), table);
+    std::ofstream(kDoc) << doc;
+  } else {
+    EXPECT_EQ(doc.substr(from + begin.size(), to - from - begin.size()), table);
+  }
+}
+
+TEST(Docs, ListEveryMetric) { ExpectInDoc("metrics", MetricsMarkdown()); }
+
+TEST(Docs, ListEveryKey) { ExpectInDoc("keys", KeysMarkdown()); }
+
+}  // namespace
+}  // namespace touchdown::scenarios
