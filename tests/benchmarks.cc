@@ -1,0 +1,112 @@
+// What a frame costs, with AprilTag 3 on the same frames in the same run as the yardstick. `make bench`.
+#include <apriltag/apriltag.h>
+#include <apriltag/tag36h11.h>
+#include <benchmark/benchmark.h>
+
+#include <memory>
+#include <vector>
+
+#include "estimator/make_estimator.h"
+#include "models/angles.h"
+#include "models/random_stream.h"
+#include "sim/camera.h"
+#include "sim/world.h"
+
+namespace {
+
+using namespace touchdown;
+
+constexpr int kFrames = 24;
+
+struct View {
+  models::Image image;
+  Eigen::Vector3d gravity_B;
+};
+
+/// Cluttered frames of the default camera: heights from 0.3 to 1.5 m, offsets up to 0.3 m, tilts up to 15 degrees.
+const std::vector<View>& Views() {
+  static const std::vector<View> views = [] {
+    std::vector<View> result;
+    models::RandomStream random(1, "benchmark.views");
+    for (int i = 0; i < kFrames; ++i) {
+      const models::Vehicle vehicle;
+      const models::TimeBase time;
+      const sim::Scene scene = sim::MakeScene({}, {}, static_cast<std::uint64_t>(1 + i / 6));
+      sim::World world({}, vehicle, scene, time, 1);
+      sim::Camera camera({}, vehicle.X_BC(), world, time, 1);
+      sim::TrueState state;
+      state.X_WB.translation() << random.Uniform(-0.3, 0.3), random.Uniform(-0.3, 0.3), random.Uniform(0.3, 1.5);
+      state.X_WB.linear() = models::RotationFromTaitBryan(
+          {random.Uniform(-0.26, 0.26), random.Uniform(-0.26, 0.26), random.Uniform(-models::kPi, models::kPi)});
+      for (std::optional<models::CameraFrame> frame; !frame; ++state.tick) {
+        if ((frame = camera.Sample(state))) {
+          result.push_back({frame->image, -state.X_WB.linear().transpose() * Eigen::Vector3d::UnitZ()});
+        }
+      }
+    }
+    return result;
+  }();
+  return views;
+}
+
+void BM_Vision(benchmark::State& state) {
+  estimator::EstimatorSetup setup;
+  setup.X_BC = models::Vehicle().X_BC();
+  const auto& views = Views();
+  const auto estimator = estimator::MakeEstimator({}, setup);
+  models::Tick tick = 0;
+  int ok = 0, frames = 0;
+  for (auto _ : state) {
+    const View& view = views[static_cast<std::size_t>(frames++) % kFrames];
+    // Views are unrelated, so a second apart: the outlier rule has nothing to compare.
+    ok += estimator->Estimate(view.image.View(), tick += 1200, view.gravity_B).pose.has_value();
+  }
+  state.counters["found"] = static_cast<double>(ok) / frames;
+}
+BENCHMARK(BM_Vision)->Unit(benchmark::kMillisecond);
+
+void AprilTag(benchmark::State& state, float decimate) {
+  const auto& views = Views();
+  apriltag_family_t* family = tag36h11_create();
+  apriltag_detector_t* detector = apriltag_detector_create();
+  apriltag_detector_add_family(detector, family);
+  detector->quad_decimate = decimate;
+  detector->nthreads = 1;
+  int frames = 0;
+  for (auto _ : state) {
+    const View& view = views[static_cast<std::size_t>(frames++) % kFrames];
+    image_u8_t image{view.image.width, view.image.height, view.image.width,
+                     const_cast<std::uint8_t*>(view.image.pixels.data())};
+    apriltag_detections_destroy(apriltag_detector_detect(detector, &image));
+  }
+  apriltag_detector_destroy(detector);
+  tag36h11_destroy(family);
+}
+BENCHMARK_CAPTURE(AprilTag, undecimated, 1.0F)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(AprilTag, decimated_by_2, 2.0F)->Unit(benchmark::kMillisecond);
+
+/// One camera period of the closed loop's simulation: 20 physics ticks and a frame.
+void BM_SimulatedCameraPeriod(benchmark::State& state) {
+  const models::Vehicle vehicle;
+  const models::TimeBase time;
+  sim::World world({}, vehicle, sim::MakeScene({}, {}, 1), time, 1);
+  sim::Camera camera({}, vehicle.X_BC(), world, time, 1);
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  X_WB.translation().z() = 1.0;
+  models::RotorCommand hover;
+  hover.speed_rad_s.fill(vehicle.rotor.SpeedFor(vehicle.HoverThrustPerRotor()));
+  for (auto _ : state) {
+    state.PauseTiming();
+    world.Reset(X_WB, true);
+    state.ResumeTiming();
+    for (int tick = 0; tick < 20; ++tick) {
+      benchmark::DoNotOptimize(camera.Sample(world.state()));
+      world.Step(hover);
+    }
+  }
+}
+BENCHMARK(BM_SimulatedCameraPeriod)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();
