@@ -46,8 +46,8 @@ class PadDetector {
   };
 
   /// A circle counts when it lies in the image whole: below the blind height "the circle is not fully visible"
-  /// (Sec. VI-B.1). The pair of a circle and an H that meets the geometric constraint; of several, the one with the largest product of
-  /// posteriors, and of equal ones the one with the nearest centres.
+  /// (Sec. VI-B.1). The pair of a circle and an H that meets the geometric constraint; of several, the one with the
+  /// largest product of posteriors, and of equal ones the one with the nearest centres.
   Result Detect(const ComponentSet& components) const;
 
   /// The geometric constraint on two bounding boxes: the H's lies within the ring's, and its size and centre are those

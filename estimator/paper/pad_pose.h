@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
+#include <cstddef>
 
 #include "estimator/paper/conic_pose.h"
 
@@ -12,8 +13,14 @@ namespace touchdown::estimator {
 /// B; roll and pitch enter through it, and yaw, which Eq. 12 sets to 0, does not.
 Eigen::Vector3d ReferenceNormal(const Eigen::Vector3d& gravity_B, const Eigen::Matrix3d& R_BC);
 
-/// The pose whose normal makes the smaller angle with the reference vector z_C (Eq. 14).
-const CirclePose& ResolveByGravity(const std::array<CirclePose, 2>& poses, const Eigen::Vector3d& z_C);
+/// Index of the pose whose normal makes the smaller angle with the reference vector z_C (Eq. 14).
+std::size_t ResolveByGravity(const std::array<CirclePose, 2>& poses, const Eigen::Vector3d& z_C);
+
+/// The probability that Eq. 14 took the wrong one of `poses` when each of the reference's two angles to z_C has the
+/// 1-sigma error `reference_sigma`, rad, and both poses were as likely before: 0.5 where they are equally far from the
+/// reference, nearly 0 where the other one is several sigma further off.
+double WrongBranchProbability(const std::array<CirclePose, 2>& poses, const Eigen::Vector3d& z_C,
+                              double reference_sigma);
 
 /// The camera's yaw psi_C from the direction of the H's long strokes in the undistorted image, not rectified
 /// (Sec. IV-C.3). `stroke_angle` is from +u towards +v. psi_C is the angle about Z_W from X_W to the image's up. An H

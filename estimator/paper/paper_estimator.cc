@@ -98,14 +98,16 @@ FrameEstimate PaperEstimator::Estimate(const models::ImageView& image, models::T
   if (ellipses->ring_inner) estimate.trace.ring_inner = Traced(*ellipses->ring_inner);
   estimate.trace.letter = Traced(ellipses->letter);
 
-  const auto ring_pose = RingPose(ellipses->ring_outer, gravity_B);
-  const auto X_WB = Pose(ellipses->ring_outer, ellipses->stroke_angle, gravity_B);
-  if (!ring_pose || !X_WB) return estimate;
-  const auto covariance = Covariance(*ellipses, *X_WB, gravity_B);
+  const auto ring_poses = BothPoses(ellipses->ring_outer);
+  if (!ring_poses) return estimate;
+  const Eigen::Vector3d z_C = ReferenceNormal(gravity_B, setup_.X_BC.linear());
+  const CirclePose& ring_pose = (*ring_poses)[ResolveByGravity(*ring_poses, z_C)];
+  const Eigen::Isometry3d X_WB = BodyPoseFrom(ring_pose, ellipses->stroke_angle);
+  const auto covariance = Covariance(*ellipses, *ring_poses, z_C);
   if (!covariance) return estimate;
-  if (const auto center = setup_.camera.Project(ring_pose->p_CW)) estimate.pad_px = *center;
-  estimate.pose = VisionPose{*X_WB, *covariance};
-  estimate.status = gate_.Accepts(mid_exposure, *X_WB) ? FrameStatus::kOk : FrameStatus::kOutlier;
+  if (const auto center = setup_.camera.Project(ring_pose.p_CW)) estimate.pad_px = *center;
+  estimate.pose = VisionPose{X_WB, *covariance};
+  estimate.status = gate_.Accepts(mid_exposure, X_WB) ? FrameStatus::kOk : FrameStatus::kOutlier;
   return estimate;
 }
 
@@ -126,35 +128,40 @@ std::optional<PaperEstimator::PadEllipses> PaperEstimator::FitPad(const models::
                      std::move(contours)};
 }
 
-std::optional<CirclePose> PaperEstimator::RingPose(const Ellipse& ring, const Eigen::Vector3d& gravity_B) const {
-  const auto poses = PosesOfCircle(NormalizedConic(ring, setup_.camera), setup_.pad.outer_radius_m);
-  if (!poses) return std::nullopt;
-  return ResolveByGravity(*poses, ReferenceNormal(gravity_B, setup_.X_BC.linear()));
+std::optional<std::array<CirclePose, 2>> PaperEstimator::BothPoses(const Ellipse& ring) const {
+  return PosesOfCircle(NormalizedConic(ring, setup_.camera), setup_.pad.outer_radius_m);
 }
 
-std::optional<Eigen::Isometry3d> PaperEstimator::Pose(const Ellipse& ring, double stroke_angle,
-                                                      const Eigen::Vector3d& gravity_B) const {
-  const auto ring_pose = RingPose(ring, gravity_B);
-  if (!ring_pose) return std::nullopt;
+Eigen::Isometry3d PaperEstimator::BodyPoseFrom(const CirclePose& ring_pose, double stroke_angle) const {
   const double psi_C = CameraYaw(stroke_angle, setup_.X_BC.linear());
-  return BodyPose(CameraRotation(ring_pose->n_C, psi_C), ring_pose->p_CW, setup_.X_BC);
+  return BodyPose(CameraRotation(ring_pose.n_C, psi_C), ring_pose.p_CW, setup_.X_BC);
 }
 
 std::optional<Eigen::Matrix<double, 6, 6>> PaperEstimator::Covariance(const PadEllipses& ellipses,
-                                                                      const Eigen::Isometry3d& X_WB,
-                                                                      const Eigen::Vector3d& gravity_B) const {
+                                                                      const std::array<CirclePose, 2>& ring_poses,
+                                                                      const Eigen::Vector3d& z_C) const {
+  const std::size_t chosen = ResolveByGravity(ring_poses, z_C);
+  const Eigen::Isometry3d X_WB = BodyPoseFrom(ring_poses[chosen], ellipses.stroke_angle);
   const auto ring_covariance = EllipseCovariance(ellipses.ring_outer, ellipses.contours.ring_outer, config_.covariance);
   if (!ring_covariance) return std::nullopt;
+
   const double edge_sigma_px = RmsDistance(ellipses.ring_outer, ellipses.contours.ring_outer);
   const auto seen_at_pose = letter_.StrokeAngleSeenFrom((X_WB * setup_.X_BC).inverse());
   const double not_rectified =
       models::WrapToHalfPi(seen_at_pose.value_or(ellipses.stroke_angle) - ellipses.stroke_angle);
   const double stroke_sigma =
       StrokeSigma(ellipses.letter, ellipses.contours.letter.size(), edge_sigma_px, not_rectified, config_.covariance);
-  return PoseCovariance(
-      ellipses.ring_outer, *ring_covariance, ellipses.stroke_angle, stroke_sigma, X_WB,
-      [&](const Ellipse& ring, double stroke_angle) { return Pose(ring, stroke_angle, gravity_B); },
-      config_.covariance);
+
+  const auto pose_of = [&](const Ellipse& ring, double stroke_angle) -> std::optional<Eigen::Isometry3d> {
+    const auto poses = BothPoses(ring);
+    if (!poses) return std::nullopt;
+    return BodyPoseFrom((*poses)[ResolveByGravity(*poses, z_C)], stroke_angle);
+  };
+  const Eigen::Isometry3d other_X_WB = BodyPoseFrom(ring_poses[1 - chosen], ellipses.stroke_angle);
+  const double wrong = WrongBranchProbability(ring_poses, z_C, config_.covariance.gravity_sigma_rad);
+  return PoseCovariance(ellipses.ring_outer, *ring_covariance, ellipses.stroke_angle, stroke_sigma, X_WB, pose_of,
+                        config_.covariance) +
+         WrongBranchCovariance(X_WB, other_X_WB, wrong);
 }
 
 }  // namespace touchdown::estimator

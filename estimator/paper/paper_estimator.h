@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <optional>
 
 #include "estimator/estimator.h"
@@ -61,11 +62,11 @@ class PaperEstimator final : public Estimator {
 
   std::optional<PadEllipses> FitPad(const models::ImageView& image, const ComponentSet& components,
                                     const DetectedPad& detected) const;
-  std::optional<CirclePose> RingPose(const Ellipse& ring, const Eigen::Vector3d& gravity_B) const;
-  std::optional<Eigen::Isometry3d> Pose(const Ellipse& ring, double stroke_angle,
-                                        const Eigen::Vector3d& gravity_B) const;
-  std::optional<Eigen::Matrix<double, 6, 6>> Covariance(const PadEllipses& ellipses, const Eigen::Isometry3d& X_WB,
-                                                        const Eigen::Vector3d& gravity_B) const;
+  std::optional<std::array<CirclePose, 2>> BothPoses(const Ellipse& ring) const;
+  Eigen::Isometry3d BodyPoseFrom(const CirclePose& ring_pose, double stroke_angle) const;
+  std::optional<Eigen::Matrix<double, 6, 6>> Covariance(const PadEllipses& ellipses,
+                                                        const std::array<CirclePose, 2>& ring_poses,
+                                                        const Eigen::Vector3d& z_C) const;
 
   EstimatorSetup setup_;
   PaperEstimatorConfig config_;

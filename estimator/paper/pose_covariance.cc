@@ -39,7 +39,7 @@ Vector6d Difference(const Eigen::Isometry3d& X_WB, const Eigen::Isometry3d& refe
 }  // namespace
 
 void PoseCovarianceConfig::Validate() const {
-  for (const double value : {smallest_edge_sigma_px, points_per_independent_point, letter_sigma_rad,
+  for (const double value : {smallest_edge_sigma_px, points_per_independent_point, letter_sigma_rad, gravity_sigma_rad,
                              smallest_position_sigma_m, smallest_angle_sigma_rad}) {
     if (!std::isfinite(value) || value <= 0.0) {
       throw InputError("the pose covariance's settings must be positive and finite");
@@ -136,6 +136,11 @@ Matrix6d PoseCovariance(
   covariance.diagonal().head<3>().array() += position * position;
   covariance.diagonal().tail<3>().array() += angle * angle;
   return covariance;
+}
+
+Matrix6d WrongBranchCovariance(const Eigen::Isometry3d& X_WB, const Eigen::Isometry3d& other_X_WB, double probability) {
+  const Vector6d difference = Difference(other_X_WB, X_WB);
+  return probability * difference * difference.transpose();
 }
 
 }  // namespace touchdown::estimator

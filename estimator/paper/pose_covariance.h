@@ -18,6 +18,8 @@ struct PoseCovarianceConfig {
   double points_per_independent_point = 3.0;
   /// 1-sigma of the direction of the ellipse fitted to a letter H against that of the H, rad.
   double letter_sigma_rad = 0.01;
+  /// 1-sigma of the IMU's vertical: the further off it may be, the sooner gravity picks the wrong one of two solutions.
+  double gravity_sigma_rad = 0.02;
   /// Added to every pose's: whatever the edges do not show.
   double smallest_position_sigma_m = 0.0005;
   double smallest_angle_sigma_rad = 0.001;
@@ -56,5 +58,10 @@ Eigen::Matrix<double, 6, 6> PoseCovariance(
     const Eigen::Isometry3d& X_WB,
     const std::function<std::optional<Eigen::Isometry3d>(const Ellipse& ring, double stroke_angle)>& pose_of,
     const PoseCovarianceConfig& config = {});
+
+/// What the chance of having taken the wrong one of two solutions adds to the covariance about `X_WB`: the square of
+/// their difference, times `probability`.
+Eigen::Matrix<double, 6, 6> WrongBranchCovariance(const Eigen::Isometry3d& X_WB, const Eigen::Isometry3d& other_X_WB,
+                                                  double probability);
 
 }  // namespace touchdown::estimator

@@ -35,8 +35,27 @@ TEST(ReferenceNormal, IsUpInTheCameraForAnyRollAndPitch) {
 TEST(ResolveByGravity, PicksTheNormalNearerToTheReference) {
   const CirclePose left{Vector3d(-0.2, 0.0, -1.0).normalized(), {0.0, 0.0, 1.0}};
   const CirclePose right{Vector3d(0.2, 0.0, -1.0).normalized(), {0.0, 0.0, 1.1}};
-  EXPECT_EQ(ResolveByGravity({left, right}, Vector3d(-0.01, 0.1, -1.0).normalized()).n_C, left.n_C);
-  EXPECT_EQ(ResolveByGravity({left, right}, Vector3d(0.01, 0.1, -1.0).normalized()).n_C, right.n_C);
+  EXPECT_EQ(ResolveByGravity({left, right}, Vector3d(-0.01, 0.1, -1.0).normalized()), 0u);
+  EXPECT_EQ(ResolveByGravity({left, right}, Vector3d(0.01, 0.1, -1.0).normalized()), 1u);
+}
+
+TEST(WrongBranchProbability, IsTheShareOfWrongChoicesAmongSimulatedOnes) {
+  const double half_angle = 0.03, sigma = 0.02;
+  const std::array<CirclePose, 2> poses{CirclePose{Vector3d(-std::sin(half_angle), 0.0, -std::cos(half_angle)), {}},
+                                        CirclePose{Vector3d(std::sin(half_angle), 0.0, -std::cos(half_angle)), {}}};
+  models::RandomStream random(2, "tests.pad_pose");
+  double claimed = 0.0, wrong = 0.0;
+  constexpr int kTrials = 20000;
+  for (int i = 0; i < kTrials; ++i) {
+    const std::size_t truth = random.Chance(0.5) ? 1 : 0;
+    const Vector3d error(0.0, sigma * random.Normal(), sigma * random.Normal());
+    const Vector3d z_C = Eigen::AngleAxisd(error.z(), Vector3d::UnitY()) *
+                         (Eigen::AngleAxisd(error.y(), Vector3d::UnitX()) * poses[truth].n_C);
+    claimed += WrongBranchProbability(poses, z_C, sigma) / kTrials;
+    wrong += (ResolveByGravity(poses, z_C) != truth) / static_cast<double>(kTrials);
+  }
+  EXPECT_GT(wrong, 0.03);
+  EXPECT_NEAR(claimed, wrong, 0.005);
 }
 
 TEST(CameraRotation, IsTheRotationOfACameraTiltedFromLookingStraightDown) {

@@ -95,6 +95,17 @@ TEST(PoseCovariance, CarriesALinearMapExactly) {
   EXPECT_NEAR(carried(2, 2), 0.0, 1e-9);
 }
 
+TEST(WrongBranchCovariance, IsTheSquareOfTheDifferenceTimesItsChance) {
+  Eigen::Isometry3d other = Eigen::Isometry3d::Identity();
+  other.translation() << 0.1, 0.0, 0.0;
+  other.linear() = models::RotationExp({0.0, 0.2, 0.0});
+  const auto added = WrongBranchCovariance(Eigen::Isometry3d::Identity(), other, 0.25);
+  EXPECT_NEAR(added(0, 0), 0.0025, 1e-12);
+  EXPECT_NEAR(added(4, 4), 0.01, 1e-12);
+  EXPECT_NEAR(added(0, 4), 0.005, 1e-12);
+  EXPECT_NEAR(added(1, 1), 0.0, 1e-12);
+}
+
 TEST(StrokeSigma, GrowsWithNoiseAndWithWhatIsNotRectified) {
   const Ellipse letter{{0.0, 0.0}, {16.0, 9.0}, 0.0};
   const double good = StrokeSigma(letter, 150, 0.05, 0.0);
