@@ -12,6 +12,7 @@
 
 #include "models/error.h"
 #include "scenarios/cli/interrupt.h"
+#include "scenarios/cli/progress_line.h"
 #include "scenarios/flight/flight_folder.h"
 #include "scenarios/flight/scenario.h"
 
@@ -36,6 +37,16 @@ void PrintVerdict(const FlightResult& result) {
              kVerdictNames[static_cast<std::size_t>(result.verdict)]);
 }
 
+FlightResult FlyWithProgress(const Scenario& scenario, const std::string& out) {
+  ProgressLine progress;
+  const auto show = [&](const models::CameraFrame& frame, const estimator::FrameEstimate&, const FrameRecord& record) {
+    if (!progress.IsDue()) return;
+    progress.Show(fmt::format("{:.1f} s flown, {}, {:.2f} m high", scenario.time.ToSeconds(frame.mid_exposure),
+                              Name(record.phase), record.X_WB.translation().z()));
+  };
+  return FlyIntoFolder(scenario, out, show, InterruptRequested);
+}
+
 int FlyWith(const Options& options) {
   std::vector<std::string> overrides = options.overrides;
   if (options.seed) overrides.push_back(fmt::format("seed={}", *options.seed));
@@ -46,7 +57,7 @@ int FlyWith(const Options& options) {
       std::filesystem::weakly_canonical(options.scenario).parent_path() == std::filesystem::weakly_canonical(out)) {
     throw InputError(fmt::format("output folder {}: holds the scenario that is flown; name another", out));
   }
-  const FlightResult result = FlyIntoFolder(scenario, out, InterruptRequested);
+  const FlightResult result = FlyWithProgress(scenario, out);
   fmt::print("{}, seed {}, estimator {}\n", scenario.name, scenario.seed, scenario.estimator.name);
   PrintVerdict(result);
   fmt::print("{:.1f} s flown at {:.2f} times real time, vision {:.1f} ms a frame; files in {}\n",

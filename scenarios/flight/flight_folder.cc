@@ -5,15 +5,17 @@
 
 namespace touchdown::scenarios {
 
-FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path& place,
+FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path& place, const FrameObserver& on_frame,
                            const StopRequested& stop_requested) {
-  OutputFolder folder(place, {"result.json", "scenario.yaml", "flight.csv", "frames.csv", "tracking.csv",
-                              "frame_timing.csv", "timing.json", "frames.png"});
+  OutputFolder folder(place, {.files = {"result.json", "scenario.yaml", "flight.csv", "frames.csv", "tracking.csv",
+                                        "frame_timing.csv", "timing.json", "frames.png"},
+                              .mark = "\"log_sha256\""});
   ContactSheet sheet(scenario.camera.model, scenario.time);
-  const FlightResult result = Fly(
-      scenario,
-      [&sheet](const auto& frame, const auto& estimate, const auto& record) { sheet.Add(frame, estimate, record); },
-      stop_requested);
+  const auto look = [&](const auto& frame, const auto& estimate, const auto& record) {
+    sheet.Add(frame, estimate, record);
+    if (on_frame) on_frame(frame, estimate, record);
+  };
+  const FlightResult result = Fly(scenario, look, stop_requested);
   folder.Write("scenario.yaml", ScenarioYaml(scenario));
   folder.Write("flight.csv", result.tables.flight_csv);
   folder.Write("frames.csv", result.tables.frames_csv);

@@ -10,6 +10,6 @@ namespace touchdown::scenarios {
 /// frames.png (docs/scenarios.md says what each holds). The folder appears when everything is written, see
 /// OutputFolder. Throws InputError for a place that cannot be used, before the flight, and as Fly does.
 FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path& place,
-                           const StopRequested& stop_requested);
+                           const FrameObserver& on_frame = nullptr, const StopRequested& stop_requested = nullptr);
 
 }  // namespace touchdown::scenarios

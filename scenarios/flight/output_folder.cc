@@ -6,8 +6,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <fstream>
+#include <iterator>
 #include <system_error>
 
 #include "models/error.h"
@@ -27,8 +27,7 @@ bool Contains(const std::vector<std::string>& names, const fs::path& name) {
 
 }  // namespace
 
-OutputFolder::OutputFolder(const fs::path& place, std::vector<std::string> kind_files)
-    : kind_files_(std::move(kind_files)) {
+OutputFolder::OutputFolder(const fs::path& place, FolderKind kind) : kind_(std::move(kind)) {
   std::error_code error;
   place_ = fs::weakly_canonical(fs::absolute(place, error), error);
   if (error || place_.empty() || !place_.has_filename()) {
@@ -52,9 +51,16 @@ void OutputFolder::CheckPlace() const {
   }
   const bool empty = fs::is_empty(place_, error);
   if (error) throw Unusable(place_, error.message());
-  if (!empty && !fs::exists(place_ / kind_files_.front(), error)) {
-    throw Unusable(place_, fmt::format("holds other files (it has no {}); nothing was written", kind_files_.front()));
+  if (!empty && !IsOfKind()) {
+    throw Unusable(place_, fmt::format("holds other files (and no {} of an earlier run); nothing was written",
+                                       kind_.files.front()));
   }
+}
+
+bool OutputFolder::IsOfKind() const {
+  std::ifstream stream(place_ / kind_.files.front(), std::ios::binary);
+  const std::string content{std::istreambuf_iterator<char>(stream), {}};
+  return content.find(kind_.mark) != std::string::npos;
 }
 
 void OutputFolder::MakeFolders() {
@@ -88,23 +94,37 @@ void OutputFolder::Write(std::string_view name, std::string_view content) {
 
 void OutputFolder::Commit() {
   std::error_code error;
-  if (!fs::exists(place_, error)) {
+  if (fs::exists(place_, error)) {
+    CheckPlace();
+    TakePlaceOfOld();
+    KeepOthersFiles(temporary_);
+  } else {
     fs::rename(temporary_, place_, error);
     if (error) throw Unusable(place_, error.message());
-  } else {
-    CheckPlace();
-    if (renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, place_.c_str(), RENAME_EXCHANGE) != 0) {
-      throw Unusable(place_, std::generic_category().message(errno));
-    }
-    KeepOthersFiles(temporary_);
   }
   committed_ = true;
+}
+
+void OutputFolder::TakePlaceOfOld() {
+  if (renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, place_.c_str(), RENAME_EXCHANGE) == 0) return;
+  // Not every file system can exchange two folders at once.
+  std::error_code error;
+  const fs::path aside = temporary_.string() + "-old";
+  fs::rename(place_, aside, error);
+  if (error) throw Unusable(place_, error.message());
+  fs::rename(temporary_, place_, error);
+  if (error) {
+    const std::string why = error.message();
+    fs::rename(aside, place_, error);
+    throw Unusable(place_, why);
+  }
+  fs::rename(aside, temporary_);
 }
 
 void OutputFolder::KeepOthersFiles(const fs::path& old_folder) const {
   std::vector<fs::path> kept;
   for (const fs::directory_entry& entry : fs::directory_iterator(old_folder)) {
-    if (!Contains(kind_files_, entry.path().filename())) kept.push_back(entry.path().filename());
+    if (!Contains(kind_.files, entry.path().filename())) kept.push_back(entry.path().filename());
   }
   for (const fs::path& name : kept) fs::rename(old_folder / name, place_ / name);
 }

@@ -7,6 +7,12 @@
 
 namespace touchdown::scenarios {
 
+/// How to tell a folder of results from any other.
+struct FolderKind {
+  std::vector<std::string> files;  ///< The names that it may hold; the first is always there.
+  std::string mark;                ///< A text that the first file holds.
+};
+
 /// A folder of results that appears whole or not at all: it is filled under a hidden name beside its place, and takes
 /// its place with Commit. Until then, and when it is destroyed before, nothing is to be seen of it.
 ///
@@ -14,9 +20,8 @@ namespace touchdown::scenarios {
 /// an earlier one the files that this program writes are replaced, and all others stay.
 class OutputFolder {
  public:
-  /// `kind_files` are the names of the files that such a folder holds, the one that marks it as of its kind first.
   /// Throws InputError when `place` is in use for something else, or cannot be written.
-  OutputFolder(const std::filesystem::path& place, std::vector<std::string> kind_files);
+  OutputFolder(const std::filesystem::path& place, FolderKind kind);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
@@ -30,10 +35,12 @@ class OutputFolder {
  private:
   void CheckPlace() const;
   void MakeFolders();
+  bool IsOfKind() const;
+  void TakePlaceOfOld();
   void KeepOthersFiles(const std::filesystem::path& old_folder) const;
 
   std::filesystem::path place_;
-  std::vector<std::string> kind_files_;
+  FolderKind kind_;
   std::filesystem::path temporary_;
   std::vector<std::filesystem::path> made_;  ///< Parents that were made for it, the outermost first.
   bool committed_ = false;

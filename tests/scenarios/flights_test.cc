@@ -30,7 +30,7 @@ void ExpectPass(const FlightResult& result) {
   }
 }
 
-/// A short flight: up, and given up in the air because the pad is covered.
+/// Cuts a flight off in the air.
 std::vector<std::string> Short() { return {"time_limit_s=3"}; }
 
 TEST(Flights, TakeoffHoverLandPasses) { ExpectPass(Fly(Flight("takeoff_hover_land"))); }
@@ -75,7 +75,7 @@ TEST(Flights, TheResolvedScenarioFliesTheSameFlight) {
 TEST(Flights, LeaveTheirFolderWhole) {
   const fs::path place = fs::path(::testing::TempDir()) / "flights_test_folder";
   fs::remove_all(place);
-  const FlightResult result = FlyIntoFolder(Flight("landing", Short()), place, nullptr);
+  const FlightResult result = FlyIntoFolder(Flight("landing", Short()), place);
   EXPECT_EQ(result.verdict, Verdict::kFail);
   for (const char* name : {"scenario.yaml", "result.json", "flight.csv", "frames.csv", "tracking.csv",
                            "frame_timing.csv", "timing.json", "frames.png"}) {

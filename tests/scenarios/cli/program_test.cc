@@ -168,7 +168,7 @@ TEST_F(Program, RefusesAnOutputFolderThatCannotBeWritten) {
 TEST_F(Program, RefusesToWriteOverTheScenarioItFlies) {
   fs::create_directories(folder_ / "result");
   std::ofstream(folder_ / "result" / "scenario.yaml") << kGoodScript;
-  std::ofstream(folder_ / "result" / "result.json") << "{}";
+  std::ofstream(folder_ / "result" / "result.json") << "{\"log_sha256\": \"\"}";
   const ProgramRun run = Run({"fly", "result/scenario.yaml", "--out", "result"});
   EXPECT_EQ(run.status, 2);
   EXPECT_THAT(run.err, HasSubstr("holds the scenario that is flown"));

@@ -17,6 +17,8 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::UnorderedElementsAre;
 
+const FolderKind kKind = {.files = {"result.json", "log.csv"}, .mark = "\"schema\""};
+
 class OutputFolderTest : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -36,9 +38,9 @@ class OutputFolderTest : public ::testing::Test {
     return {std::istreambuf_iterator<char>(stream), {}};
   }
   static void Fill(const fs::path& place, const std::string& content) {
-    OutputFolder folder(place, {"result.json", "log.csv"});
+    OutputFolder folder(place, kKind);
     folder.Write("log.csv", content);
-    folder.Write("result.json", "{}");
+    folder.Write("result.json", "{\"schema\": 1}");
     folder.Commit();
   }
 
@@ -55,7 +57,7 @@ TEST_F(OutputFolderTest, AppearsWithItsParentsWhenCommitted) {
 
 TEST_F(OutputFolderTest, LeavesNothingWhenNotCommitted) {
   {
-    OutputFolder folder(root_ / "a" / "b", {"result.json"});
+    OutputFolder folder(root_ / "a" / "b", kKind);
     folder.Write("result.json", "{}");
     EXPECT_FALSE(fs::exists(root_ / "a" / "b"));
   }
@@ -78,15 +80,21 @@ TEST_F(OutputFolderTest, ReplacesItsOwnFilesAndKeepsOthers) {
 TEST_F(OutputFolderTest, KeepsTheOldOneWhenTheNewOneIsNotCommitted) {
   const fs::path place = root_ / "a";
   Fill(place, "old");
-  { OutputFolder(place, {"result.json", "log.csv"}).Write("log.csv", "new"); }
+  { OutputFolder(place, kKind).Write("log.csv", "new"); }
   EXPECT_EQ(Content(place / "log.csv"), "old");
   EXPECT_THAT(Names(root_), ElementsAre("a"));
 }
 
 TEST_F(OutputFolderTest, RefusesAFolderWithAnythingElse) {
   Put(root_ / "thesis.tex", "years of work");
-  EXPECT_THROW(OutputFolder(root_, {"result.json"}), InputError);
+  EXPECT_THROW(OutputFolder(root_, kKind), InputError);
   EXPECT_THAT(Names(root_), ElementsAre("thesis.tex"));
+}
+
+TEST_F(OutputFolderTest, RefusesAFolderWithAFileOfTheSameNameThatIsNotItsOwn) {
+  Put(root_ / "result.json", "{\"my own\": true}");
+  EXPECT_THROW(OutputFolder(root_, kKind), InputError);
+  EXPECT_EQ(Content(root_ / "result.json"), "{\"my own\": true}");
 }
 
 TEST_F(OutputFolderTest, TakesAnEmptyFolder) {
@@ -109,12 +117,12 @@ TEST_F(OutputFolderTest, FollowsALinkToAFolder) {
 
 TEST_F(OutputFolderTest, RefusesAPlaceThatCannotBeAFolder) {
   Put(root_ / "file", "1");
-  EXPECT_THROW(OutputFolder(root_ / "file", {"result.json"}), InputError);
-  EXPECT_THROW(OutputFolder(root_ / "file" / "a", {"result.json"}), InputError);
-  EXPECT_THROW(OutputFolder("/proc/touchdown", {"result.json"}), InputError);
-  EXPECT_THROW(OutputFolder("/", {"result.json"}), InputError);
-  EXPECT_THROW(OutputFolder("", {"result.json"}), InputError);
-  EXPECT_THROW(OutputFolder(fs::current_path(), {"result.json"}), InputError);
+  EXPECT_THROW(OutputFolder(root_ / "file", kKind), InputError);
+  EXPECT_THROW(OutputFolder(root_ / "file" / "a", kKind), InputError);
+  EXPECT_THROW(OutputFolder("/proc/touchdown", kKind), InputError);
+  EXPECT_THROW(OutputFolder("/", kKind), InputError);
+  EXPECT_THROW(OutputFolder("", kKind), InputError);
+  EXPECT_THROW(OutputFolder(fs::current_path(), kKind), InputError);
   EXPECT_THAT(Names(root_), ElementsAre("file"));
 }
 
