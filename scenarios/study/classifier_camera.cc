@@ -1,38 +1,57 @@
 #include "scenarios/study/classifier_camera.h"
 
+#include <array>
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
+#include "sim/image_noise.h"
 #include "sim/mujoco_model.h"
 #include "sim/renderer.h"
 
 namespace touchdown::scenarios {
+namespace {
+
+constexpr double kTimestep_s = 1.0 / 1200.0;
+constexpr double kFineLevels = 256.0;
+
+sim::MujocoModel Painted(const sim::Scene& scene) {
+  sim::MujocoModel model = sim::LoadModel(sim::SceneMjcf(scene, "", kTimestep_s));
+  sim::PaintTextures(scene, *model);
+  return model;
+}
+
+}  // namespace
 
 struct SceneCamera::Impl {
-  Impl(const sim::Scene& scene, const models::CameraModel& camera)
-      : model(sim::LoadModel(sim::SceneMjcf(scene, "", 1.0 / 1200.0))) {
-    sim::PaintTextures(scene, *model);
-    data = sim::MakeData(*model);
-    renderer = std::make_unique<sim::Renderer>(
-        *model, sim::PinholeView{camera.width_px, camera.height_px, camera.fx_px, camera.cx_px, camera.cy_px});
-  }
+  Impl(const sim::Scene& scene, sim::CameraOptics& optics_in)
+      : model(Painted(scene)),
+        data(sim::MakeData(*model)),
+        optics(optics_in),
+        renderer(*model, optics.pinhole_view()) {}
 
   sim::MujocoModel model;
   sim::MujocoData data;
-  std::unique_ptr<sim::Renderer> renderer;
+  sim::CameraOptics& optics;
+  sim::Renderer renderer;
+  std::vector<sim::ImageNoise> noises;
 };
 
-SceneCamera::SceneCamera(const sim::Scene& scene, const models::CameraModel& camera)
-    : impl_(std::make_unique<Impl>(scene, camera)) {}
+SceneCamera::SceneCamera(const sim::Scene& scene, sim::CameraOptics& optics, std::span<const double> noise_sigmas,
+                         std::uint64_t seed)
+    : impl_(std::make_unique<Impl>(scene, optics)) {
+  for (const double sigma : noise_sigmas) impl_->noises.emplace_back(sigma, seed);
+}
 
 SceneCamera::~SceneCamera() = default;
 
-models::Image SceneCamera::Take(const View& view, models::RandomStream& random) {
-  models::Image image = impl_->renderer->Render(*impl_->data, view.X_WC);
-  cv::Mat1b pixels(image.height, image.width, image.pixels.data());
-  if (view.defocus_px > 0.0) cv::GaussianBlur(pixels, pixels, {}, view.defocus_px);
-  pixels.convertTo(pixels, CV_8U, view.contrast, view.brightness);
-  for (auto& p : image.pixels) p = cv::saturate_cast<std::uint8_t>(p + view.noise_sigma * random.Normal());
-  return image;
+models::Image SceneCamera::Take(const View& view) {
+  const double half_s = 0.5 * view.exposure_s;
+  const std::array<Eigen::Isometry3d, 3> path{view.PoseAt(-half_s), view.X_WC, view.PoseAt(half_s)};
+  sim::FineImage frame = impl_->optics.Expose(impl_->renderer.Render(*impl_->data, view.X_WC), path);
+  cv::Mat_<std::uint16_t> levels(frame.height, frame.width, frame.pixels.data());
+  if (view.defocus_px > 0.0) cv::GaussianBlur(levels, levels, {}, view.defocus_px);
+  levels.convertTo(levels, CV_16U, view.contrast, view.brightness * kFineLevels);
+  return impl_->noises.at(static_cast<std::size_t>(view.noise_level)).Apply(frame);
 }
 
 }  // namespace touchdown::scenarios

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <span>
 
-#include "models/camera_model.h"
-#include "models/random_stream.h"
 #include "models/signals.h"
 #include "scenarios/study/classifier_views.h"
+#include "sim/camera_optics.h"
 #include "sim/scene.h"
 
 namespace touchdown::scenarios {
@@ -14,14 +15,16 @@ namespace touchdown::scenarios {
 /// noise; and, beside them, lens blur and weak contrast.
 class SceneCamera {
  public:
-  /// Builds the scene's model and its GL context. Throws std::runtime_error when there is no context.
-  SceneCamera(const sim::Scene& scene, const models::CameraModel& camera);
+  /// Builds the scene's model and its GL context. `optics` must outlive it. `noise_sigmas`, of 255, are the levels of
+  /// noise that View::noise_level chooses from; `seed` is the noise's. Throws std::runtime_error when there is no
+  /// context.
+  SceneCamera(const sim::Scene& scene, sim::CameraOptics& optics, std::span<const double> noise_sigmas,
+              std::uint64_t seed);
   ~SceneCamera();
   SceneCamera(const SceneCamera&) = delete;
   SceneCamera& operator=(const SceneCamera&) = delete;
 
-  /// The frame of `view`; its noise is drawn from `random`.
-  models::Image Take(const View& view, models::RandomStream& random);
+  models::Image Take(const View& view);
 
  private:
   struct Impl;

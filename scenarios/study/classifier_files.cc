@@ -1,9 +1,6 @@
-#include <algorithm>
-#include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "models/error.h"
 #include "scenarios/study/classifier_code.h"
 #include "scenarios/study/classifier_study.h"
 
@@ -12,20 +9,10 @@ namespace {
 
 using estimator::FrameTrace;
 
-void WriteText(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw InputError("cannot write " + path.string());
-}
-
-void WritePicture(const std::filesystem::path& path, const cv::Mat& picture) {
-  bool written = false;
-  try {
-    written = cv::imwrite(path.string(), picture);
-  } catch (const cv::Exception&) {
-  }
-  if (!written) throw InputError("cannot write " + path.string());
+std::string Png(const cv::Mat& picture) {
+  std::vector<unsigned char> bytes;
+  cv::imencode(".png", picture, bytes);
+  return {bytes.begin(), bytes.end()};
 }
 
 /// The pictures at half size, side by side.
@@ -54,17 +41,18 @@ cv::Mat1b MistakenSheet(const ClassifierStudy& study) {
 
 }  // namespace
 
-void WriteClassifierStudy(const ClassifierStudy& study, const std::filesystem::path& folder) {
-  WriteText(folder / "classifier_weights.c", ClassifierCode(study.network));
-  WriteText(folder / "confusion.txt",
-            "Scenes never trained on\n" + ToText(study.test) + "\nTraining set\n" + ToText(study.training));
-  WriteText(folder / "confusion.json", ToJson(study.test));
+std::vector<StudyFile> ClassifierFiles(const ClassifierStudy& study) {
+  std::vector<StudyFile> files{
+      {"confusion.json", ToJson(study.test)},
+      {"confusion.txt", "Scenes never trained on\n" + ToText(study.test) + "\nTraining set\n" + ToText(study.training)},
+      {"classifier_weights.c", ClassifierCode(study.network)},
+      {"mistaken.png", Png(MistakenSheet(study))},
+  };
   for (const auto label : {FrameTrace::Label::kCircle, FrameTrace::Label::kH, FrameTrace::Label::kOther}) {
-    const cv::Mat1b sheet = PatternSheet(study.test_patterns, label, 24, 12);
-    WritePicture(folder / (std::string(ClassName(label)) + ".png"), sheet);
+    files.push_back({std::string(ClassName(label)) + ".png", Png(PatternSheet(study.test_patterns, label, 24, 12))});
   }
-  WritePicture(folder / "mistaken.png", MistakenSheet(study));
-  if (!study.pictures.empty()) WritePicture(folder / "frames.png", ContactSheet(study.pictures));
+  if (!study.pictures.empty()) files.push_back({"frames.png", Png(ContactSheet(study.pictures))});
+  return files;
 }
 
 }  // namespace touchdown::scenarios

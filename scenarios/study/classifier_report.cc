@@ -66,7 +66,7 @@ std::string ToText(const ConfusionMatrix& matrix) {
 }
 
 std::string ToJson(const ConfusionMatrix& matrix) {
-  nlohmann::ordered_json json;
+  nlohmann::ordered_json json{{"schema", "touchdown.classifier"}, {"version", 1}};
   for (int i = 0; i < kClasses; ++i) {
     const std::string name(kNames[static_cast<std::size_t>(i)]);
     for (int j = 0; j < kClasses; ++j) {

@@ -94,19 +94,20 @@ models::LandingPad DrawPad(RandomStream& random) {
   return pad;
 }
 
-SceneSamples CollectSceneSamples(const SceneSamplesConfig& config, std::uint64_t seed, int pictures) {
+SceneSamples CollectSceneSamples(const SceneSamplesConfig& config, sim::CameraOptics& optics, std::uint64_t seed,
+                                 int pictures) {
   config.Validate();
   RandomStream random(seed, "classifier.scene");
   const sim::Scene scene = DrawScene(config, random);
   const std::vector<GroundShape> shapes = ShapesOf(scene);
-  SceneCamera camera(scene, config.camera);
+  SceneCamera camera(scene, optics, config.views.noise_sigmas, random.Bits());
   SceneSamples samples;
   for (int frame = 0; frame < config.frames; ++frame) {
     const int last = static_cast<int>(shapes.size()) - 1;
     const int target = random.Chance(kPadViews) ? 0 : random.UniformInt(1, last);
     const GroundShape& shape = shapes[static_cast<std::size_t>(target)];
     const View view = DrawView(config.views, scene, shape, config.camera, random);
-    models::Image image = camera.Take(view, random);
+    models::Image image = camera.Take(view);
     const models::Image dark = estimator::Binarize(image.View());
     const ComponentSet set = estimator::ExtractComponents(dark.View());
     std::vector<std::optional<ProjectedShape>> projections;

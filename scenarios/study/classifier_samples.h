@@ -13,6 +13,7 @@
 #include "models/random_stream.h"
 #include "scenarios/study/classifier_truth.h"
 #include "scenarios/study/classifier_views.h"
+#include "sim/camera_optics.h"
 
 namespace touchdown::scenarios {
 
@@ -27,9 +28,9 @@ struct SceneSamplesConfig {
   models::CameraModel camera;
   ViewConfig views;
   TruthConfig truth;
-  int frames = 80;
-  int lone_circles = 12;  ///< More decoys than a flight's scene has: each adds proportions of its own.
-  int lone_letters = 12;
+  int frames = 28;
+  int lone_circles = 16;  ///< More decoys than a flight's scene has: each adds proportions of its own.
+  int lone_letters = 16;
   int clutter_per_frame = 24;  ///< At most; drawn at random from the frame's.
 
   /// Throws InputError when a count is not positive or the views' settings are unusable.
@@ -47,7 +48,8 @@ models::LandingPad DrawPad(models::RandomStream& random);
 
 /// Builds a scene from the seed, renders frames of it from many views, and binarizes, labels and classifies by the
 /// truth. Half of the views look for the pad, the others for a lone ring or letter. The same seed gives the same
-/// samples. `pictures` is how many annotated frames to keep.
-SceneSamples CollectSceneSamples(const SceneSamplesConfig& config, std::uint64_t seed, int pictures);
+/// samples. `optics` are config.camera's. `pictures` is how many annotated frames to keep.
+SceneSamples CollectSceneSamples(const SceneSamplesConfig& config, sim::CameraOptics& optics, std::uint64_t seed,
+                                 int pictures);
 
 }  // namespace touchdown::scenarios

@@ -31,12 +31,26 @@ cv::Size Texels(const Eigen::Vector2d& size_m) {
           static_cast<int>(std::ceil(size_m.y() * kTexelsPerMetre))};
 }
 
+/// Diameter of the largest disc within the hull that holds no ink, m.
+double GapOf(const cv::Mat1b& ink, const std::vector<cv::Point>& hull) {
+  cv::Mat1b white = cv::Mat1b::zeros(ink.size());
+  cv::fillConvexPoly(white, hull, cv::Scalar(255));
+  white &= ~ink;
+  cv::Mat1f distance;
+  cv::distanceTransform(white, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  double largest = 0.0;
+  cv::minMaxLoc(distance, nullptr, &largest);
+  return 2.0 * largest / kTexelsPerMetre;
+}
+
 GroundShape ShapeOf(FrameTrace::Label label, const Sheet& sheet) {
   std::vector<cv::Point> texels, hull;
   cv::findNonZero(sheet.ink, texels);
   cv::convexHull(texels, hull);
-  GroundShape shape{.label = label};
+  GroundShape shape;
+  shape.label = label;
   shape.ink_share = static_cast<double>(texels.size()) / std::max(1.0, cv::contourArea(hull));
+  shape.gap_m = GapOf(sheet.ink, hull);
   const cv::Rect box = cv::boundingRect(hull);
   shape.position_m = sheet.PointAt(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
   for (const cv::Point& texel : hull) {
@@ -47,7 +61,8 @@ GroundShape ShapeOf(FrameTrace::Label label, const Sheet& sheet) {
 }
 
 Sheet PadSheet(const models::LandingPad& pad, bool ring) {
-  Sheet sheet{.size_m = {pad.sheet_length_m, pad.sheet_width_m}};
+  Sheet sheet;
+  sheet.size_m = {pad.sheet_length_m, pad.sheet_width_m};
   const cv::Size size = Texels(sheet.size_m);
   sheet.ink = cv::Mat1b::zeros(size);
   for (int row = 0; row < size.height; ++row) {
@@ -61,7 +76,10 @@ Sheet PadSheet(const models::LandingPad& pad, bool ring) {
 }
 
 Sheet LoneSheet(const sim::SceneItem& item) {
-  Sheet sheet{.position_m = item.position_m, .yaw = item.yaw, .size_m = item.size_m.head<2>()};
+  Sheet sheet;
+  sheet.position_m = item.position_m;
+  sheet.yaw = item.yaw;
+  sheet.size_m = item.size_m.head<2>();
   const cv::Size size = Texels(sheet.size_m);
   const cv::Mat1b print = sim::PrintSheet(item, size.width, size.height);
   double darkest = 0.0, brightest = 0.0;
@@ -101,7 +119,12 @@ std::optional<ProjectedShape> Project(const GroundShape& shape, const models::Ca
   ProjectedShape result;
   result.box = cv::Rect2d(low.x(), low.y(), high.x() - low.x(), high.y() - low.y());
   result.visible_box = result.box & cv::Rect2d(-0.5, -0.5, camera.width_px, camera.height_px);
-  result.ink_area = shape.ink_share * cv::contourArea(outline);
+  const Eigen::Vector3d ray_W(shape.position_m.x() - X_WC.translation().x(),
+                              shape.position_m.y() - X_WC.translation().y(), -X_WC.translation().z());
+  result.obliquity = std::acos(std::clamp(-ray_W.z() / ray_W.norm(), -1.0, 1.0));
+  result.gap = shape.gap_m * camera.fx_px * std::pow(std::cos(result.obliquity), 2) / ray_W.norm();
+  result.hull_area = cv::contourArea(outline);
+  result.ink_area = shape.ink_share * result.hull_area;
   return result;
 }
 

@@ -19,6 +19,7 @@ struct GroundShape {
   double radius_m = 0.0;                                 ///< From there to the farthest ink.
   std::vector<Eigen::Vector2d> hull_m;                   ///< Convex hull of its ink, in W.
   double ink_share = 0.0;                                ///< Ink's area over the hull's.
+  double gap_m = 0.0;                                    ///< Diameter of the largest disc of white within the hull.
 };
 
 /// Every ring and letter H of the scene: the pad's two, and the lone ones as they are printed.
@@ -28,7 +29,10 @@ std::vector<GroundShape> ShapesOf(const sim::Scene& scene);
 struct ProjectedShape {
   cv::Rect2d box;          ///< Of its ink, px; a pixel at (u, v) covers [u - 0.5, u + 0.5] x [v - 0.5, v + 0.5].
   cv::Rect2d visible_box;  ///< The part of `box` inside the image; empty when it is outside.
-  double ink_area = 0.0;   ///< Of the whole shape, square px.
+  double gap = 0.0;        ///< Of the shape's gap_m, foreshortened in the direction that is worst, px.
+  double obliquity = 0.0;  ///< Angle between the ray to the shape's centre and the floor's normal, rad.
+  double hull_area = 0.0;  ///< Of the whole shape's convex hull, square px.
+  double ink_area = 0.0;   ///< Of its ink, square px.
 };
 
 /// nullopt when a part of the shape lies behind the camera or beyond the radius at which its distortion folds.

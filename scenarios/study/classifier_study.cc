@@ -14,13 +14,34 @@ namespace {
 using estimator::FrameTrace;
 using models::RandomStream;
 using Patterns = std::vector<LabelledPattern>;
-using Say = std::function<void(const std::string&)>;
 
 constexpr int kPictures = 12;
 
 std::uint64_t SceneSeed(std::uint64_t seed, const std::string& part, int scene) {
   return RandomStream(seed, fmt::format("classifier.{}.{}", part, scene)).Bits();
 }
+
+/// An epoch takes about a third of a scene's time.
+constexpr double kScenesPerEpoch = 0.3;
+
+/// Counts what is done of a study.
+class Count {
+ public:
+  Count(const ClassifierStudyConfig& config, const StudyProgress& progress)
+      : whole_(config.training_scenes + config.validation_scenes + config.test_scenes +
+               kScenesPerEpoch * config.training.max_epochs),
+        progress_(progress) {}
+
+  void Add(double scenes, const std::string& text) {
+    done_ += scenes;
+    if (progress_) progress_(text, std::min(1.0, done_ / whole_));
+  }
+
+ private:
+  double whole_;
+  double done_ = 0.0;
+  const StudyProgress& progress_;
+};
 
 struct Pool {
   Patterns patterns;
@@ -30,15 +51,16 @@ struct Pool {
 
 /// What the part's scenes give, the first frame of each of the first scenes kept as a picture.
 Pool Collect(const ClassifierStudyConfig& config, std::uint64_t seed, const std::string& part, int scenes,
-             const Say& say) {
+             Count& count) {
+  sim::CameraOptics optics(config.scene.camera);
   Pool pool;
   for (int scene = 0; scene < scenes; ++scene) {
     const int pictures = scene < kPictures ? 1 : 0;
-    SceneSamples samples = CollectSceneSamples(config.scene, SceneSeed(seed, part, scene), pictures);
+    SceneSamples samples = CollectSceneSamples(config.scene, optics, SceneSeed(seed, part, scene), pictures);
     std::move(samples.patterns.begin(), samples.patterns.end(), std::back_inserter(pool.patterns));
     std::move(samples.pictures.begin(), samples.pictures.end(), std::back_inserter(pool.pictures));
     pool.unclear += samples.unclear;
-    if (say) say(fmt::format("{} scene {}/{}: {} components so far", part, scene + 1, scenes, pool.patterns.size()));
+    count.Add(1.0, fmt::format("{} scene {} of {}, {} components", part, scene + 1, scenes, pool.patterns.size()));
   }
   return pool;
 }
@@ -71,6 +93,21 @@ std::vector<TrainingSample> SamplesOf(const Patterns& patterns) {
   return samples;
 }
 
+/// The pattern mirrored or turned by a multiple of 90 degrees, at random: a ring, an H and clutter stay what they are.
+std::vector<float> Turned(const std::vector<float>& pattern, RandomStream& random) {
+  constexpr auto kSide = static_cast<std::size_t>(estimator::kPatternSide);
+  const int symmetry = random.UniformInt(0, 7);
+  std::vector<float> turned(pattern.size());
+  for (std::size_t row = 0; row < kSide; ++row) {
+    for (std::size_t column = 0; column < kSide; ++column) {
+      const std::size_t i = (symmetry & 1) != 0 ? kSide - 1 - row : row;
+      const std::size_t j = (symmetry & 2) != 0 ? kSide - 1 - column : column;
+      turned[row * kSide + column] = (symmetry & 4) != 0 ? pattern[j * kSide + i] : pattern[i * kSide + j];
+    }
+  }
+  return turned;
+}
+
 /// The clutter that `network` finds least like clutter comes first.
 void SortByHardness(Patterns& clutter, const Perceptron& network) {
   constexpr auto kOther = static_cast<std::size_t>(FrameTrace::Label::kOther);
@@ -97,7 +134,8 @@ Patterns ChooseTrainingSet(const ClassifierStudyConfig& config, const Patterns& 
   Append(first, Some(clutter, config.clutter, random));
   TrainingConfig brief = config.training;
   brief.max_epochs = config.first_network_epochs;
-  const TrainingResult result = Train(SamplesOf(first), SamplesOf(validation), brief, seed);
+  const TrainingResult result =
+      Train(SamplesOf(first), SamplesOf(validation), brief, seed, {.vary = Turned, .progress = {}});
 
   SortByHardness(clutter, result.network);
   const auto hardest = std::min(clutter.size(), static_cast<std::size_t>(config.hard_clutter * config.clutter));
@@ -119,21 +157,21 @@ void ClassifierStudyConfig::Validate() const {
   if (!(hard_clutter >= 0.0 && hard_clutter <= 1.0)) throw InputError("the share of hard clutter must be in [0, 1]");
 }
 
-ClassifierStudy StudyClassifier(const ClassifierStudyConfig& config, std::uint64_t seed, const Say& say) {
+ClassifierStudy StudyClassifier(const ClassifierStudyConfig& config, std::uint64_t seed,
+                                const StudyProgress& progress) {
   config.Validate();
-  const Pool pool = Collect(config, seed, "training", config.training_scenes, say);
-  const Pool validation = Collect(config, seed, "validation", config.validation_scenes, say);
+  Count count(config, progress);
+  const Pool pool = Collect(config, seed, "training", config.training_scenes, count);
+  const Pool validation = Collect(config, seed, "validation", config.validation_scenes, count);
   const Patterns set = ChooseTrainingSet(config, pool.patterns, validation.patterns, seed);
   const auto report = [&](const EpochReport& epoch) {
-    if (say && epoch.epoch % 10 == 0) {
-      say(fmt::format("epoch {}: training loss {:.4f}, validation loss {:.4f}", epoch.epoch, epoch.training_loss,
-                      epoch.validation_loss));
-    }
+    count.Add(kScenesPerEpoch, fmt::format("epoch {} of {}, training loss {:.4f}, validation loss {:.4f}", epoch.epoch,
+                                           config.training.max_epochs, epoch.training_loss, epoch.validation_loss));
   };
-  const TrainingResult result = Train(SamplesOf(set), SamplesOf(validation.patterns), config.training, seed, report);
-  if (say) say(fmt::format("best epoch {}: validation loss {:.4f}", result.best_epoch, result.validation_loss));
+  const TrainingResult result = Train(SamplesOf(set), SamplesOf(validation.patterns), config.training, seed,
+                                      {.vary = Turned, .progress = report});
 
-  Pool test = Collect(config, seed, "test", config.test_scenes, say);
+  Pool test = Collect(config, seed, "test", config.test_scenes, count);
   ClassifierStudy study{.network = result.network,
                         .training = Confuse(result.network, set),
                         .test = Confuse(result.network, test.patterns),
@@ -148,7 +186,8 @@ ClassifierStudy StudyClassifier(const ClassifierStudyConfig& config, std::uint64
 
 std::vector<LabelledPattern> ClassifierTestPatterns(const ClassifierStudyConfig& config, std::uint64_t seed) {
   config.Validate();
-  return Collect(config, seed, "test", config.test_scenes, {}).patterns;
+  Count count(config, {});
+  return Collect(config, seed, "test", config.test_scenes, count).patterns;
 }
 
 }  // namespace touchdown::scenarios

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -16,19 +15,22 @@ namespace touchdown::scenarios {
 /// on. No scene belongs to two of the three.
 struct ClassifierStudyConfig {
   SceneSamplesConfig scene;
-  int training_scenes = 30;
-  int validation_scenes = 8;
-  int test_scenes = 16;
+  int training_scenes = 60;
+  int validation_scenes = 10;
+  int test_scenes = 24;
   int circles = 3000;  ///< Of the training set, at most, as for the other two.
   int letters = 3000;
   int clutter = 7000;
-  double hard_clutter = 0.5;  ///< Share of the clutter that a first network found hardest to tell from circle and H.
-  int first_network_epochs = 25;
+  double hard_clutter = 0.2;  ///< Share of the clutter that a first network found hardest to tell from circle and H.
+  int first_network_epochs = 20;
   TrainingConfig training;
 
   /// Throws InputError when a count is not positive or a share is outside [0, 1].
   void Validate() const;
 };
+
+/// Told after each scene and each epoch: what was done, and the share of the whole that is done with it, in [0, 1].
+using StudyProgress = std::function<void(const std::string& text, double share)>;
 
 struct ClassifierStudy {
   Perceptron network;
@@ -41,15 +43,22 @@ struct ClassifierStudy {
 };
 
 /// Renders, trains and tests. The same config and seed give the same network, bit for bit, on the same type of CPU.
-/// `say` receives a line now and then, and may throw to stop.
+/// `progress` may throw to stop.
 ClassifierStudy StudyClassifier(const ClassifierStudyConfig& config, std::uint64_t seed,
-                                const std::function<void(const std::string&)>& say);
+                                const StudyProgress& progress = {});
 
 /// The patterns of the study's test scenes alone.
 std::vector<LabelledPattern> ClassifierTestPatterns(const ClassifierStudyConfig& config, std::uint64_t seed);
 
-/// Writes classifier_weights.c, confusion.txt, confusion.json and the sheets circle.png, h.png, other.png, mistaken.png
-/// and frames.png into an existing folder. Throws InputError when it cannot.
-void WriteClassifierStudy(const ClassifierStudy& study, const std::filesystem::path& folder);
+/// A file to write.
+struct StudyFile {
+  std::string name;
+  std::string content;
+};
+
+/// The study's files: confusion.json, confusion.txt, classifier_weights.c, and the pictures circle.png, h.png,
+/// other.png (test patterns of each class), mistaken.png (those the network gets wrong: circles, Hs, others) and
+/// frames.png.
+std::vector<StudyFile> ClassifierFiles(const ClassifierStudy& study);
 
 }  // namespace touchdown::scenarios

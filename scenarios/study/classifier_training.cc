@@ -36,9 +36,11 @@ void Shuffle(std::vector<std::size_t>& order, models::RandomStream& random) {
 /// Gradient descent with momentum over one network.
 class Descent {
  public:
-  Descent(Perceptron& network, const TrainingConfig& config)
+  Descent(Perceptron& network, const TrainingConfig& config, const TrainingHooks& hooks, std::uint64_t seed)
       : network_(network),
         config_(config),
+        hooks_(hooks),
+        random_(seed, "classifier.variation"),
         gradient_(network.parameters().size(), 0.0),
         velocity_(network.parameters().size(), 0.0) {}
 
@@ -46,7 +48,7 @@ class Descent {
   double Step(std::span<const TrainingSample> samples, std::span<const std::size_t> batch, double learning_rate) {
     std::fill(gradient_.begin(), gradient_.end(), 0.0);
     double loss = 0.0;
-    for (const std::size_t i : batch) loss += network_.Backpropagate(samples[i].input, samples[i].target, gradient_);
+    for (const std::size_t i : batch) loss += AddGradient(samples[i]);
     AddWeightDecay(static_cast<double>(batch.size()));
     const double scale = learning_rate / static_cast<double>(batch.size());
     const auto parameters = network_.parameters();
@@ -58,6 +60,11 @@ class Descent {
   }
 
  private:
+  double AddGradient(const TrainingSample& sample) {
+    if (!hooks_.vary) return network_.Backpropagate(sample.input, sample.target, gradient_);
+    return network_.Backpropagate(hooks_.vary(sample.input, random_), sample.target, gradient_);
+  }
+
   void AddWeightDecay(double batch_size) {
     const double* first = network_.parameters().data();
     for (const auto& weights : {network_.hidden_weights(), network_.output_weights()}) {
@@ -70,6 +77,8 @@ class Descent {
 
   Perceptron& network_;
   const TrainingConfig& config_;
+  const TrainingHooks& hooks_;
+  models::RandomStream random_;
   std::vector<double> gradient_;
   std::vector<double> velocity_;
 };
@@ -94,11 +103,10 @@ double MeanLoss(const Perceptron& network, std::span<const TrainingSample> sampl
 }
 
 TrainingResult Train(std::span<const TrainingSample> training, std::span<const TrainingSample> validation,
-                     const TrainingConfig& config, std::uint64_t seed,
-                     const std::function<void(const EpochReport&)>& progress) {
+                     const TrainingConfig& config, std::uint64_t seed, const TrainingHooks& hooks) {
   config.Validate();
   Perceptron network = Perceptron::Random(ShapeOf(training, validation, config.hidden_units), seed);
-  Descent descent(network, config);
+  Descent descent(network, config, hooks, seed);
   models::RandomStream random(seed, "classifier.order");
   std::vector<std::size_t> order(training.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -115,7 +123,7 @@ TrainingResult Train(std::span<const TrainingSample> training, std::span<const T
     }
     Perceptron rounded = network.Rounded();
     const double validation_loss = MeanLoss(rounded, validation);
-    if (progress) progress({epoch, loss / static_cast<double>(training.size()), validation_loss});
+    if (hooks.progress) hooks.progress({epoch, loss / static_cast<double>(training.size()), validation_loss});
     if (validation_loss < best.validation_loss) best = {std::move(rounded), epoch, validation_loss};
   }
   return best;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "models/random_stream.h"
 #include "scenarios/study/classifier_network.h"
 
 namespace touchdown::scenarios {
@@ -19,12 +20,12 @@ struct TrainingSample {
 /// cross-entropy.
 struct TrainingConfig {
   int hidden_units = 20;
-  int max_epochs = 200;
-  int patience_epochs = 30;  ///< Ends after so many epochs without a better validation loss.
+  int max_epochs = 80;
+  int patience_epochs = 80;  ///< Ends after so many epochs without a better validation loss.
   int batch_size = 16;
-  double learning_rate = 0.05;  ///< On the batch's mean gradient; falls linearly to a twentieth at max_epochs.
+  double learning_rate = 0.2;  ///< On the batch's mean gradient; falls linearly to a twentieth at max_epochs.
   double momentum = 0.9;
-  double weight_decay = 1e-4;  ///< Adds this times the weight to the gradient; biases are left alone.
+  double weight_decay = 1e-5;  ///< Adds this times the weight to the gradient; biases are left alone.
 
   /// Throws InputError when a count is not positive or a rate is out of its range.
   void Validate() const;
@@ -42,6 +43,14 @@ struct TrainingResult {
   double validation_loss = 0.0;
 };
 
+/// What happens around and within a training.
+struct TrainingHooks {
+  /// Another sample of the same class, made from this one each time that it is shown; empty: the sample itself.
+  std::function<std::vector<float>(const std::vector<float>& input, models::RandomStream& random)> vary;
+  /// Called after each epoch; it may throw to stop.
+  std::function<void(const EpochReport&)> progress;
+};
+
 /// Mean cross-entropy of the network, nats.
 double MeanLoss(const Perceptron& network, std::span<const TrainingSample> samples);
 
@@ -49,7 +58,6 @@ double MeanLoss(const Perceptron& network, std::span<const TrainingSample> sampl
 /// weights, bit for bit, on the same type of CPU. Throws std::invalid_argument when either set is empty or its inputs
 /// differ in size.
 TrainingResult Train(std::span<const TrainingSample> training, std::span<const TrainingSample> validation,
-                     const TrainingConfig& config, std::uint64_t seed,
-                     const std::function<void(const EpochReport&)>& progress = {});
+                     const TrainingConfig& config, std::uint64_t seed, const TrainingHooks& hooks = {});
 
 }  // namespace touchdown::scenarios

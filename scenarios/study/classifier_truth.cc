@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/angles.h"
+
 namespace touchdown::scenarios {
 namespace {
 
 using estimator::Component;
+using estimator::ComponentSet;
 using estimator::FrameTrace;
 
 enum class Match { kNone, kUnclear, kFragment, kShape };
@@ -32,6 +35,30 @@ bool TouchesBorder(const Component& component, const cv::Size& image) {
          component.v + component.height >= image.height;
 }
 
+/// Whether as much of the shape is ink, and as much of what it encloses is white, as should be.
+bool InkFits(const Component& component, const ProjectedShape& shape, const TruthConfig& config) {
+  const double ink = component.area / shape.ink_area;
+  const double white = (shape.hull_area - component.area) / (shape.hull_area - shape.ink_area);
+  return ink >= config.least_ink && ink <= config.most_ink && white >= config.least_white;
+}
+
+/// Whether the middle ninth of the component's box is all but free of it: a ring's must be, or it has melted together
+/// with the letter inside.
+bool Hollow(const ComponentSet& set, const Component& component) {
+  const int left = component.u + component.width / 3, right = component.u + component.width - component.width / 3;
+  const int top = component.v + component.height / 3, bottom = component.v + component.height - component.height / 3;
+  int inside = 0;
+  for (const estimator::Run& run : set.RunsOf(component)) {
+    if (run.v >= top && run.v < bottom) inside += std::max(0, std::min(run.u_end, right) - std::max(run.u_begin, left));
+  }
+  return inside <= 0.1 * (right - left) * (bottom - top);
+}
+
+bool Legible(const ProjectedShape& shape, double blur_px, const TruthConfig& config) {
+  return shape.gap >= config.least_gap_px + blur_px &&
+         shape.obliquity <= models::DegToRad(config.largest_obliquity_deg);
+}
+
 Match MatchOf(const Component& component, const ProjectedShape& shape, const cv::Size& image, double blur_px,
               const TruthConfig& config) {
   if (shape.visible_box.empty()) return Match::kNone;
@@ -39,10 +66,9 @@ Match MatchOf(const Component& component, const ProjectedShape& shape, const cv:
   const bool whole = shape.visible_box.area() >= shape.box.area() * (1.0 - 1e-9);
   const double tolerance = config.edge_tolerance_px + 0.5 * blur_px +
                            config.edge_tolerance_share * std::max(shape.box.width, shape.box.height);
-  const double ink = component.area / shape.ink_area;
   if (whole && !TouchesBorder(component, image) && LargestEdgeError(box, shape.box) <= tolerance &&
-      ink >= config.least_ink && ink <= config.most_ink) {
-    return Match::kShape;
+      InkFits(component, shape, config)) {
+    return Legible(shape, blur_px, config) ? Match::kShape : Match::kUnclear;
   }
   const double overlap = OverlapOf(box, shape.visible_box);
   if (overlap < config.unclear_overlap) return Match::kNone;
@@ -53,7 +79,7 @@ Match MatchOf(const Component& component, const ProjectedShape& shape, const cv:
 }  // namespace
 
 std::vector<std::optional<FrameTrace::Label>> LabelComponents(
-    const estimator::ComponentSet& set, std::span<const GroundShape> shapes,
+    const ComponentSet& set, std::span<const GroundShape> shapes,
     std::span<const std::optional<ProjectedShape>> projections, const cv::Size& image, double blur_px,
     const TruthConfig& config) {
   std::vector<std::optional<FrameTrace::Label>> labels;
@@ -63,7 +89,8 @@ std::vector<std::optional<FrameTrace::Label>> LabelComponents(
       const Match match = projections[i] ? MatchOf(component, *projections[i], image, blur_px, config) : Match::kNone;
       if (match == Match::kUnclear) label.reset();
       if (match == Match::kShape) {
-        label = shapes[i].label;
+        const bool melted = shapes[i].label == FrameTrace::Label::kCircle && !Hollow(set, component);
+        label = melted ? std::nullopt : std::optional(shapes[i].label);
         break;
       }
     }

@@ -12,6 +12,7 @@ namespace {
 using models::RandomStream;
 
 constexpr double kLeastHeight_m = 0.06;
+constexpr double kWeakContrast = 0.6;
 constexpr double kClearance_m = 0.05;
 constexpr double kFlattestRay = 0.35;  ///< Cosine, against the floor's normal, of the ray to the target.
 
@@ -69,7 +70,7 @@ void ViewConfig::Validate() const {
                       largest_tilt_deg >= 0.0 && largest_tilt_deg < 80.0 && shortest_exposure_s > 0.0 &&
                       longest_exposure_s >= shortest_exposure_s && std::isfinite(longest_exposure_s);
   const bool effects = fastest_m_s >= 0.0 && fastest_rad_s >= 0.0 && largest_defocus_px >= 0.0 &&
-                       largest_noise_sigma >= 0.0 && weakest_contrast > 0.0 && weakest_contrast <= 1.0;
+                       !noise_sigmas.empty() && weakest_contrast > 0.0 && weakest_contrast <= 1.0;
   if (!ranges || !effects) throw InputError("the training set's views have an empty range");
 }
 
@@ -87,8 +88,9 @@ View DrawView(const ViewConfig& config, const sim::Scene& scene, const GroundSha
   view.w_WC_C = random.Uniform() * config.fastest_rad_s * random.NormalVector3() / std::sqrt(3.0);
   view.exposure_s = LogUniform(config.shortest_exposure_s, config.longest_exposure_s, random);
   view.defocus_px = random.Chance(0.5) ? config.largest_defocus_px * random.Uniform() : 0.0;
-  view.noise_sigma = config.largest_noise_sigma * random.Uniform() * random.Uniform();
   view.contrast = random.Chance(0.5) ? random.Uniform(config.weakest_contrast, 1.0) : 1.0;
+  const int levels = static_cast<int>(config.noise_sigmas.size());
+  view.noise_level = random.UniformInt(0, view.contrast < kWeakContrast && levels > 1 ? levels - 2 : levels - 1);
   view.brightness = random.Uniform(0.0, 200.0) * (1.0 - view.contrast);
   return view;
 }

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstdint>
-#include <span>
+#include <vector>
 
 #include "models/camera_model.h"
 #include "models/random_stream.h"
@@ -21,9 +21,9 @@ struct ViewConfig {
   double fastest_rad_s = 1.0;
   double shortest_exposure_s = 0.001;
   double longest_exposure_s = 0.012;
-  double largest_defocus_px = 1.5;  ///< 1-sigma of the lens's blur.
-  double largest_noise_sigma = 10.0;
-  double weakest_contrast = 0.25;  ///< Of 1, the renderer's own.
+  double largest_defocus_px = 1.5;                  ///< 1-sigma of the lens's blur.
+  std::vector<double> noise_sigmas{0.5, 3.0, 7.0};  ///< Of 255. At weak contrast the last is left out.
+  double weakest_contrast = 0.25;                   ///< Of 1, the renderer's own.
 
   /// Throws InputError when a range is empty or a number is not finite.
   void Validate() const;
@@ -36,7 +36,7 @@ struct View {
   Eigen::Vector3d w_WC_C = Eigen::Vector3d::Zero();        ///< rad/s, in C.
   double exposure_s = 0.004;
   double defocus_px = 0.0;
-  double noise_sigma = 3.0;
+  int noise_level = 0;      ///< Which of the camera's levels of noise.
   double contrast = 1.0;    ///< The image's gain about 0 ...
   double brightness = 0.0;  ///< ... and what is added to it, of 255.
 

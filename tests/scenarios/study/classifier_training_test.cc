@@ -59,10 +59,11 @@ TEST(Training, KeepsTheNetworkOfTheBestValidationLoss) {
   double smallest = MeanLoss(Perceptron::Random({2, 20, 3}, 1), validation);
   int epochs = 0;
   const TrainingConfig config{.max_epochs = 400, .patience_epochs = 20, .learning_rate = 0.2};
-  const TrainingResult result = Train(noise, validation, config, 1, [&](const EpochReport& report) {
-    smallest = std::min(smallest, report.validation_loss);
-    epochs = report.epoch;
-  });
+  const TrainingResult result =
+      Train(noise, validation, config, 1, {.vary = {}, .progress = [&](const EpochReport& report) {
+                                             smallest = std::min(smallest, report.validation_loss);
+                                             epochs = report.epoch;
+                                           }});
   EXPECT_DOUBLE_EQ(result.validation_loss, smallest);
   EXPECT_DOUBLE_EQ(MeanLoss(result.network, validation), smallest);
   EXPECT_EQ(epochs, result.best_epoch + 20);

@@ -1,0 +1,70 @@
+#include "scenarios/cli/train.h"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "scenarios/cli/interrupt.h"
+#include "scenarios/cli/progress_line.h"
+#include "scenarios/flight/interrupted.h"
+#include "scenarios/flight/output_folder.h"
+#include "scenarios/flight/stopwatch.h"
+#include "scenarios/study/classifier_study.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+struct Options {
+  std::string out;
+  std::uint64_t seed = 1;
+};
+
+/// A bar with the time to go on a terminal; elsewhere a line for every tenth of the way.
+class TrainProgress {
+ public:
+  void Tell(const std::string& text, double share) {
+    if (InterruptRequested()) throw Interrupted();
+    const double left_s = since_start_.seconds() * (1.0 - share) / share;
+    const std::string line = fmt::format("{:3.0f}%  {}, {:.0f} s to go", 100.0 * share, text, left_s);
+    if (line_.IsDue()) line_.Show(line);
+    if (share < next_told_) return;
+    if (isatty(STDERR_FILENO) == 0) spdlog::info(line);
+    next_told_ = share + 0.1;
+  }
+
+ private:
+  ProgressLine line_;
+  Stopwatch since_start_;
+  double next_told_ = 0.0;
+};
+
+int TrainWith(const Options& options) {
+  OutputFolder folder(options.out, {.files = {"confusion.json", "confusion.txt", "classifier_weights.c", "circle.png",
+                                              "h.png", "other.png", "mistaken.png", "frames.png"},
+                                    .mark = "\"touchdown.classifier\""});
+  ClassifierStudy study = [&] {
+    TrainProgress progress;
+    return StudyClassifier({}, options.seed,
+                           [&](const std::string& text, double share) { progress.Tell(text, share); });
+  }();
+  for (const StudyFile& file : ClassifierFiles(study)) folder.Write(file.name, file.content);
+  folder.Commit();
+  fmt::print("{}files in {}\n", ToText(study.test), options.out);
+  return kPassed;
+}
+
+}  // namespace
+
+void AddTrain(CLI::App& app, Run& run) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("train", "Train the classifier on rendered scenes and write it as C code");
+  command.add_option("--out", options->out, "Folder for the code, the confusion matrix and the pictures")->required();
+  command.add_option("--seed", options->seed, "Seed of scenes, views and training")->capture_default_str();
+  command.callback([options, &run] { run = [options] { return TrainWith(*options); }; });
+}
+
+}  // namespace touchdown::scenarios

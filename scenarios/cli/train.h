@@ -1,0 +1,11 @@
+#pragma once
+
+#include "scenarios/cli/command.h"
+
+namespace touchdown::scenarios {
+
+/// `touchdown train --out DIR [--seed N]`: the classifier's training set, its training, its confusion matrix on scenes
+/// never trained on, and its C code.
+AddCommand AddTrain;
+
+}  // namespace touchdown::scenarios
