@@ -97,9 +97,9 @@ class TreeBuilder : public YAML::EventHandler {
       return &parent.items.back();
     }
     if (!pending_.back()) throw ConfigError(node.origin, "", "a key must be plain text");
-    parent.keys.emplace_back(pending_.back()->name, std::move(node));
+    parent.keys.push_back({pending_.back()->name, std::move(node)});
     pending_.back().reset();
-    return &parent.keys.back().second;
+    return &parent.keys.back().node;
   }
 
   void Open(ConfigNode node) {
@@ -152,8 +152,9 @@ std::string OneLine(std::string_view text) {
 }  // namespace
 
 const ConfigNode* ConfigNode::Find(std::string_view key) const {
-  const auto found = std::find_if(keys.begin(), keys.end(), [key](const auto& entry) { return entry.first == key; });
-  return found == keys.end() ? nullptr : &found->second;
+  const auto found =
+      std::find_if(keys.begin(), keys.end(), [key](const ConfigEntry& entry) { return entry.key == key; });
+  return found == keys.end() ? nullptr : &found->node;
 }
 
 InputError ConfigError(const Origin& origin, std::string_view path, std::string_view message) {
@@ -202,7 +203,7 @@ ConfigNode ParseOverride(const std::string& override_text) {
     parent.kind = ConfigNode::Kind::kKeys;
     parent.origin = origin;
     parent.patch = true;
-    parent.keys.emplace_back(path.substr(begin, end - begin), std::move(node));
+    parent.keys.push_back({path.substr(begin, end - begin), std::move(node)});
     node = std::move(parent);
     if (begin == 0) return node;
     end = begin - 1;

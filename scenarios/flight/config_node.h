@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "models/error.h"
@@ -16,6 +15,8 @@ struct Origin {
   std::filesystem::path folder;  ///< Names of files are meant relative to this folder.
 };
 
+struct ConfigEntry;
+
 /// A piece of configuration as written: text, a list or keys with values. YAML without its anchors, tags and
 /// duplicate keys.
 struct ConfigNode {
@@ -26,12 +27,18 @@ struct ConfigNode {
   std::string text;
   bool quoted = false;            ///< The text was quoted, and so is no number.
   std::vector<ConfigNode> items;  ///< Of a list.
-  std::vector<std::pair<std::string, ConfigNode>> keys;
+  std::vector<ConfigEntry> keys;
   /// These keys change a configuration that is there already (--set): in a list, keys are the numbers of its items.
   bool patch = false;
 
   /// The value of a key; nullptr when absent.
   const ConfigNode* Find(std::string_view key) const;
+};
+
+/// A key and its value.
+struct ConfigEntry {
+  std::string key;
+  ConfigNode node;
 };
 
 /// The error "place: path: message" in one line, whatever the parts contain. `path` may be empty.

@@ -17,12 +17,12 @@ EndWatch::EndWatch(const Scenario& scenario)
       ceiling_m_(scenario.scene.floor_size_m) {}
 
 std::optional<Ending> EndWatch::Judge(const sim::TrueState& truth, const controller::ControlOutput& control) {
-  if (const auto danger = JudgeDanger(truth)) return danger;
+  if (auto danger = JudgeDanger(truth)) return danger;
   switch (control.phase) {
     case controller::Phase::kGaveUp:
       return Ending{Outcome::kGaveUp, "control was handed over"};
     case controller::Phase::kTouchdown:
-      if (const auto rest = JudgeRest(truth)) return rest;
+      if (auto rest = JudgeRest(truth)) return rest;
       break;
     case controller::Phase::kHover:
       if (control.script_done) return Ending{Outcome::kHovered, "the script ended in the air"};

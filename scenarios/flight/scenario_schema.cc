@@ -126,7 +126,7 @@ void Describe(ConfigVisitor& v, Scenario& s) {
          ConfigNode camera;
          camera.kind = ConfigNode::Kind::kKeys;
          camera.origin = root.origin;
-         camera.keys.emplace_back("model", CameraModelFromCameraInfo(root));
+         camera.keys.push_back({"model", CameraModelFromCameraInfo(root)});
          return camera;
        }},
       [&s](ConfigVisitor& c) { DescribeCamera(c, s.camera, s.time); });
