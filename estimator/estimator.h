@@ -52,8 +52,8 @@ struct FrameTrace {
 struct FrameEstimate {
   models::Tick mid_exposure = 0;
   FrameStatus status = FrameStatus::kNoComponent;
-  std::optional<VisionPose> pose;          ///< Present when kOk, and when kOutlier, where it must not be used.
-  std::optional<Eigen::Vector2d> pad_px;   ///< Centre of the detected pad, raw px; present from kNoEllipse on.
+  std::optional<VisionPose> pose;         ///< Present when kOk, and when kOutlier, where it must not be used.
+  std::optional<Eigen::Vector2d> pad_px;  ///< Centre of the detected pad, raw px; present from kNoEllipse on.
   FrameTrace trace;
 };
 

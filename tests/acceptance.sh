@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Flies the three flights for every seed and prints what they show, beside the paper's Table I.
 #   tests/acceptance.sh PROGRAM OUT_DIR JOBS SEED...
-# A flight that is already in OUT_DIR is not flown again: remove OUT_DIR to start anew. Exit status 1 when a flight did not pass.
+# A flight in OUT_DIR that is newer than PROGRAM is not flown again. Exit status 1 when a flight did not pass or left no result.
 set -euo pipefail
 program=$(realpath "$1"); out=$2; jobs=$3; shift 3
 scenarios=$(cd "$(dirname "$0")/../scenarios/flights" && pwd)
@@ -11,7 +11,10 @@ mkdir -p "$out"
 # Largest first, so that the last job is short.
 for flight in "${flights[@]}"; do
   for seed in "$@"; do
-    [ -f "$out/$flight/seed_$seed/result.json" ] || printf '%s %s\n' "$flight" "$seed"
+    result="$out/$flight/seed_$seed/result.json"
+    [ "$result" -nt "$program" ] && continue
+    rm -f "$result"
+    printf '%s %s\n' "$flight" "$seed"
   done
 done | program=$program out=$out scenarios=$scenarios xargs -r -P "$jobs" -L 1 bash -c '
   mkdir -p "$out/$1"
@@ -29,8 +32,13 @@ table='[
   ["yaw RMSE", "deg", "estimate.yaw_rmse_deg", 1, 4.8, 2.7]]'
 failed=0
 for flight in "${flights[@]}"; do
-  results=("$out/$flight"/seed_*/result.json)
+  results=()
   echo
+  for seed in "$@"; do
+    result="$out/$flight/seed_$seed/result.json"
+    if [ -f "$result" ]; then results+=("$result"); else echo "$flight seed $seed: no result"; failed=1; fi
+  done
+  [ ${#results[@]} -gt 0 ] || continue
   jq -rs --arg flight "$flight" --argjson table "$table" '
     def round2: . * 100 | round / 100;
     def rms: (map(. * .) | add / length | sqrt);
@@ -39,8 +47,8 @@ for flight in "${flights[@]}"; do
       "  \($name): mean \(add / length * $scale | round2), min \(min * $scale | round2), max \(max * $scale | round2) \($unit)" else empty end;
     . as $all |
     "\($flight): \(map(select(.verdict == "pass")) | length) of \(length) passed",
-    ($table[] | . as [$label, $unit, $metric, $scale, $hover, $auto] | $all | values($metric) | select(length > 0) |
-      "  \($label): \(rms * $scale | round2) \($unit) (worst \(max * $scale | round2)); paper: \(
+    ($table[] | . as [$row, $unit, $metric, $scale, $hover, $auto] | $all | values($metric) | select(length > 0) |
+      "  \($row): \(rms * $scale | round2) \($unit) (worst \(max * $scale | round2)); paper: \(
         if $flight == "disturbed_hover" then $hover elif $flight == "takeoff_hover_land" then $auto else "-" end)"),
     span("estimate.availability"; ""; 1), span("estimate.false_pads"; "frames"; 1),
     span("flight.touchdown_xy_error_m"; "mm"; 1000), span("flight.touchdown_speed_m_s"; "m/s"; 1),
