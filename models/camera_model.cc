@@ -36,18 +36,11 @@ Eigen::Vector2d CameraModel::Distort(const Eigen::Vector2d& ideal) const {
 }
 
 double CameraModel::MonotonicRadius() const {
-  // The derivative of r (1 + k1 r^2 + k2 r^4) is 1 + 3 k1 s + 5 k2 s^2 with s = r^2: its smallest positive root.
-  const double a = 5.0 * k2, b = 3.0 * k1;
-  double s = std::numeric_limits<double>::infinity();
-  if (a == 0.0) {
-    if (b < 0.0) s = -1.0 / b;
-  } else if (const double discriminant = b * b - 4.0 * a; discriminant >= 0.0) {
-    for (const double sign : {-1.0, 1.0}) {
-      const double root = (-b + sign * std::sqrt(discriminant)) / (2.0 * a);
-      if (root > 0.0) s = std::min(s, root);
-    }
-  }
-  return std::sqrt(s);
+  // The derivative of r (1 + k1 r^2 + k2 r^4) is 1 + 3 k1 s + 5 k2 s^2 with s = r^2. Its smallest positive root is
+  // 2 / q, in the form that does not cancel and holds for k2 = 0 as well.
+  const double discriminant = 9.0 * k1 * k1 - 20.0 * k2;
+  const double q = discriminant >= 0.0 ? -3.0 * k1 + std::sqrt(discriminant) : 0.0;
+  return q > 0.0 ? std::sqrt(2.0 / q) : std::numeric_limits<double>::infinity();
 }
 
 std::optional<Eigen::Vector2d> CameraModel::Undistort(const Eigen::Vector2d& distorted) const {
@@ -58,7 +51,7 @@ std::optional<Eigen::Vector2d> CameraModel::Undistort(const Eigen::Vector2d& dis
 
   // Newton on the radius, kept inside the bracket within which the distortion grows.
   double low = 0.0, high = r_max;
-  double r = r_distorted;
+  double r = std::min(r_distorted, r_max);
   constexpr int kMaxIterations = 100;
   constexpr double kTolerance = 1e-14;
   for (int i = 0; i < kMaxIterations; ++i) {

@@ -1,5 +1,6 @@
 #include "models/time.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -7,7 +8,10 @@
 
 namespace touchdown::models {
 
-Tick TimeBase::FromSeconds(double time_s) const { return std::llround(time_s * ticks_per_s); }
+Tick TimeBase::FromSeconds(double time_s) const {
+  constexpr double kFarthest = 1e15;  // Ticks: beyond every flight, and sums of a few still fit.
+  return std::llround(std::clamp(time_s * ticks_per_s, -kFarthest, kFarthest));
+}
 
 Tick TimeBase::PeriodOf(int rate_hz) const {
   if (rate_hz <= 0 || ticks_per_s % rate_hz != 0) {

@@ -15,7 +15,7 @@ struct TimeBase {
   double period_s() const { return 1.0 / ticks_per_s; }
   double ToSeconds(Tick tick) const { return static_cast<double>(tick) / ticks_per_s; }
 
-  /// The tick nearest to `time_s`, which may be negative.
+  /// The tick nearest to `time_s`, which may be negative; at most 1e15 from 0, which stands for never.
   Tick FromSeconds(double time_s) const;
 
   /// Ticks between two events of a source that fires at `rate_hz`. Throws InputError when the rate is not

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "sim/mujoco_errors.h"
+
 namespace touchdown::sim {
 namespace {
 
@@ -33,6 +35,7 @@ void MujocoModelDeleter::operator()(mjModel_* model) const { mj_deleteModel(mode
 void MujocoDataDeleter::operator()(mjData_* data) const { mj_deleteData(data); }
 
 MujocoModel LoadModel(const std::string& mjcf) {
+  InstallMujocoHandlers();
   constexpr const char* kName = "touchdown.xml";
   const auto vfs = VfsWith(kName, mjcf);
   std::array<char, 1024> error{};

@@ -114,8 +114,10 @@ TextureSize SizeFor(const SceneItem& item) {
 TextureSize PadTextureSize(const models::LandingPad& pad) {
   constexpr double kLongestTexel_m = 0.0002;
   constexpr int kMultiple = 64;
+  constexpr int kMostTexels = 4096;
   const double longer_m = std::max(pad.sheet_length_m, pad.sheet_width_m);
-  const double texel_m = longer_m / (kMultiple * std::ceil(longer_m / (kMultiple * kLongestTexel_m)));
+  const double cells = std::min(std::ceil(longer_m / (kMultiple * kLongestTexel_m)), double{kMostTexels / kMultiple});
+  const double texel_m = longer_m / (kMultiple * cells);
   const auto texels = [texel_m](double extent_m) {
     return kMultiple * std::max(1, static_cast<int>(std::lround(extent_m / (kMultiple * texel_m))));
   };

@@ -22,9 +22,9 @@ inline constexpr double kFloorCentreSize_m = 3.0;
 
 TextureSize SizeFor(const SceneItem& item);
 
-/// At most 0.2 mm a texel, as long as wide: a mip level is chosen by the longer side, and would blur more along it,
-/// which near hover turns an ellipse's axes by more than noise does. Multiples of 64, so that six halvings leave no
-/// remainder.
+/// At most 0.2 mm a texel (more on a sheet over 0.8 m long), as long as wide: a mip level is chosen by the longer side,
+/// and would blur more along it, which near hover turns an ellipse's axes by more than noise does. Multiples of 64, so
+/// that six halvings leave no remainder.
 TextureSize PadTextureSize(const models::LandingPad& pad);
 
 /// The name that an item's geom, material and texture share.

@@ -22,7 +22,6 @@ MujocoModel LoadWorld(const WorldConfig& config, const models::Vehicle& vehicle,
                       const models::TimeBase& time) {
   config.Validate();
   vehicle.Validate();
-  InstallMujocoHandlers();
   MujocoModel model = LoadModel(SceneMjcf(scene, VehicleMjcf(vehicle), time.period_s()));
   if (config.paint_textures) PaintTextures(scene, *model);
   // RK4 keeps free fall and torque-free rotation exact to round-off; elliptic cones keep a resting vehicle in place.

@@ -77,6 +77,8 @@ FrameEstimate PaperEstimator::Estimate(const models::ImageView& image, models::T
   if (image.data == nullptr || image.width != setup_.camera.width_px || image.height != setup_.camera.height_px) {
     throw std::invalid_argument("the image has another size than the camera");
   }
+  if (image.stride < image.width)
+    throw std::invalid_argument("the image's rows overlap: its stride is below its width");
   FrameEstimate estimate;
   estimate.mid_exposure = mid_exposure;
 

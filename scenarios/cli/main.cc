@@ -4,11 +4,13 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <opencv2/core/utility.hpp>
 
 #include "models/error.h"
 #include "scenarios/cli/command.h"
 #include "scenarios/cli/fly.h"
 #include "scenarios/cli/interrupt.h"
+#include "scenarios/cli/train.h"
 #include "scenarios/flight/interrupted.h"
 
 namespace {
@@ -17,7 +19,7 @@ using touchdown::scenarios::AddCommand;
 using touchdown::scenarios::ExitStatus;
 using touchdown::scenarios::Run;
 
-AddCommand* const kCommands[] = {touchdown::scenarios::AddFly};
+AddCommand* const kCommands[] = {touchdown::scenarios::AddFly, touchdown::scenarios::AddTrain};
 
 int RunAndExplain(const Run& run) {
   try {
@@ -40,6 +42,7 @@ int main(int argc, char** argv) {
   spdlog::set_default_logger(spdlog::stderr_color_mt("touchdown"));
   spdlog::set_pattern("%^%l%$: %v");
   touchdown::scenarios::CatchInterrupts();
+  cv::setNumThreads(1);  // A flight keeps to one core: many fly side by side.
 
   CLI::App app("A closed-loop testbed for vision-based quadrotor landing", "touchdown");
   app.set_version_flag("--version", TOUCHDOWN_VERSION);

@@ -1,11 +1,8 @@
 #include "scenarios/flight/output_folder.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <stdio.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <system_error>
@@ -19,10 +16,6 @@ namespace fs = std::filesystem;
 
 InputError Unusable(const fs::path& place, std::string_view why) {
   return InputError(fmt::format("output folder {}: {}", place.string(), why));
-}
-
-bool Contains(const std::vector<std::string>& names, const fs::path& name) {
-  return std::find(names.begin(), names.end(), name.string()) != names.end();
 }
 
 }  // namespace
@@ -65,11 +58,16 @@ bool OutputFolder::IsOfKind() const {
 
 void OutputFolder::MakeFolders() {
   std::error_code error;
-  for (fs::path parent = place_.parent_path(); !fs::exists(parent, error) && parent != parent.root_path();
-       parent = parent.parent_path()) {
-    made_.insert(made_.begin(), parent);
+  const std::string hidden = fmt::format(".{}.partial-{}", place_.filename().string(), getpid());
+  if (fs::exists(place_, error)) {
+    temporary_ = place_ / hidden;
+  } else {
+    for (fs::path parent = place_.parent_path(); !fs::exists(parent, error) && parent != parent.root_path();
+         parent = parent.parent_path()) {
+      made_.insert(made_.begin(), parent);
+    }
+    temporary_ = place_.parent_path() / hidden;
   }
-  temporary_ = place_.parent_path() / fmt::format(".{}.partial-{}", place_.filename().string(), getpid());
   fs::create_directories(temporary_, error);
   if (error) {
     const std::string why = error.message();
@@ -94,39 +92,29 @@ void OutputFolder::Write(std::string_view name, std::string_view content) {
 
 void OutputFolder::Commit() {
   std::error_code error;
-  if (fs::exists(place_, error)) {
-    CheckPlace();
-    TakePlaceOfOld();
-    KeepOthersFiles(temporary_);
+  if (temporary_.parent_path() == place_) {
+    ReplaceFiles();
   } else {
+    if (fs::exists(place_, error)) throw Unusable(place_, "has come into being meanwhile");
     fs::rename(temporary_, place_, error);
     if (error) throw Unusable(place_, error.message());
   }
   committed_ = true;
 }
 
-void OutputFolder::TakePlaceOfOld() {
-  if (renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, place_.c_str(), RENAME_EXCHANGE) == 0) return;
-  // Not every file system can exchange two folders at once.
-  std::error_code error;
-  const fs::path aside = temporary_.string() + "-old";
-  fs::rename(place_, aside, error);
-  if (error) throw Unusable(place_, error.message());
-  fs::rename(temporary_, place_, error);
-  if (error) {
-    const std::string why = error.message();
-    fs::rename(aside, place_, error);
-    throw Unusable(place_, why);
+void OutputFolder::ReplaceFiles() const {
+  // The first file tells that the others are there: it goes first and comes last.
+  for (const std::string& name : kind_.files) {
+    std::error_code error;
+    fs::remove(place_ / name, error);
+    if (error) throw Unusable(place_, fmt::format("{}: {}", name, error.message()));
   }
-  fs::rename(aside, temporary_);
-}
-
-void OutputFolder::KeepOthersFiles(const fs::path& old_folder) const {
-  std::vector<fs::path> kept;
-  for (const fs::directory_entry& entry : fs::directory_iterator(old_folder)) {
-    if (!Contains(kind_.files, entry.path().filename())) kept.push_back(entry.path().filename());
+  for (auto name = kind_.files.rbegin(); name != kind_.files.rend(); ++name) {
+    std::error_code error;
+    if (!fs::exists(temporary_ / *name, error)) continue;
+    fs::rename(temporary_ / *name, place_ / *name, error);
+    if (error) throw Unusable(place_, fmt::format("{}: {}", *name, error.message()));
   }
-  for (const fs::path& name : kept) fs::rename(old_folder / name, place_ / name);
 }
 
 }  // namespace touchdown::scenarios

@@ -13,11 +13,11 @@ struct FolderKind {
   std::string mark;                ///< A text that the first file holds.
 };
 
-/// A folder of results that appears whole or not at all: it is filled under a hidden name beside its place, and takes
-/// its place with Commit. Until then, and when it is destroyed before, nothing is to be seen of it.
+/// A folder of results that appears whole or not at all: it is filled under a hidden name, and takes its place with
+/// Commit. Until then, and when it is destroyed before, nothing is to be seen of it.
 ///
-/// Nothing that a user made is lost: a place that holds anything but an earlier folder of the same kind is refused; of
-/// an earlier one the files that this program writes are replaced, and all others stay.
+/// Nothing that a user made is lost: a place that holds anything but an earlier folder of the same kind is refused; in
+/// an earlier one Commit replaces the files of its kind, and touches no other.
 class OutputFolder {
  public:
   /// Throws InputError when `place` is in use for something else, or cannot be written.
@@ -29,15 +29,15 @@ class OutputFolder {
   /// Throws InputError when the disk is full or the like.
   void Write(std::string_view name, std::string_view content);
 
-  /// Moves the folder to its place. Throws InputError when it cannot; then its place is as it was.
+  /// Moves the files to their place. Throws InputError when it cannot. In an earlier folder of the same kind, whose
+  /// first file is removed before the others change and comes back last, a failure halfway leaves no first file.
   void Commit();
 
  private:
   void CheckPlace() const;
   void MakeFolders();
   bool IsOfKind() const;
-  void TakePlaceOfOld();
-  void KeepOthersFiles(const std::filesystem::path& old_folder) const;
+  void ReplaceFiles() const;
 
   std::filesystem::path place_;
   FolderKind kind_;

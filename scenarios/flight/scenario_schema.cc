@@ -144,6 +144,14 @@ void Describe(ConfigVisitor& v, Scenario& s) {
   v.Keys({"attitude_estimator", "Roll and pitch from the IMU, yaw from vision."}, s.attitude_estimator);
   v.Keys({"pose_filter", "The Kalman filter on vision's position."}, s.pose_filter);
   v.Keys({"controller", "Guidance, position loop, attitude loop."}, s.controller);
+  v.Check("camera.latency_ms", [&s] {
+    const double oldest_s = s.camera.latency_s + 1.0 / s.camera.rate_hz;
+    if (oldest_s >= s.controller.vision_fresh_s || s.camera.latency_s >= s.attitude_estimator.history_s) {
+      throw InputError(
+          "with a frame's period on top must stay below controller.vision_fresh_s, and below "
+          "attitude_estimator.history_s: the frames would come too late to be used");
+    }
+  });
   v.Check("scene", [&s] { sim::MakeScene(s.scene, s.pad, s.seed); });
   v.Check("script", [&s] {
     controller::FlightController(s.controller, s.vehicle, s.time, s.imu.rate_hz, s.script, s.start.airborne);

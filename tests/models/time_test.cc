@@ -29,6 +29,12 @@ TEST(TimeBase, BringsEveryTickBack) {
   }
 }
 
+TEST(TimeBase, TakesForeverAsATimeThatNeverComes) {
+  const TimeBase time;
+  EXPECT_EQ(time.FromSeconds(1e300), 1'000'000'000'000'000);
+  EXPECT_EQ(time.FromSeconds(-1e300), -1'000'000'000'000'000);
+}
+
 TEST(TimeBase, GivesThePeriodsOfTheSensors) {
   const TimeBase time;
   EXPECT_EQ(time.PeriodOf(200), 6);

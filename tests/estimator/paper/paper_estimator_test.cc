@@ -231,6 +231,12 @@ TEST_F(PaperEstimatorTest, RefusesAnImageOfAnotherSize) {
   const models::Image image(320, 240, 100);
   EXPECT_THROW(SeeImage(image, Eigen::Isometry3d::Identity()), std::invalid_argument);
   EXPECT_THROW(estimator_->Estimate({}, 0, -Vector3d::UnitZ()), std::invalid_argument);
+  const models::Image whole(640, 480, 200);
+  for (const std::ptrdiff_t stride : {0, 639, -640}) {
+    models::ImageView view = whole.View();
+    view.stride = stride;
+    EXPECT_THROW(estimator_->Estimate(view, 0, -Vector3d::UnitZ()), std::invalid_argument) << stride;
+  }
 }
 
 TEST_F(PaperEstimatorTest, ClaimsAPositiveDefiniteCovarianceThatGrowsWithHeight) {

@@ -13,8 +13,11 @@ namespace touchdown::scenarios {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
 using ::testing::UnorderedElementsAre;
 
 const FolderKind kKind = {.files = {"result.json", "log.csv"}, .mark = "\"schema\""};
@@ -75,6 +78,23 @@ TEST_F(OutputFolderTest, ReplacesItsOwnFilesAndKeepsOthers) {
   EXPECT_EQ(Content(place / "notes.txt"), "mine");
   EXPECT_EQ(Content(place / "plots" / "p.png"), "also mine");
   EXPECT_THAT(Names(root_), ElementsAre("a"));
+}
+
+TEST_F(OutputFolderTest, TouchesNoFileOfOthersWhenItCannotReplaceItsOwn) {
+  const fs::path place = root_ / "a";
+  Fill(place, "old");
+  Put(place / "notes.txt", "mine");
+  {
+    OutputFolder folder(place, kKind);
+    folder.Write("log.csv", "new");
+    folder.Write("result.json", "{}");
+    fs::remove(place / "log.csv");
+    fs::create_directories(place / "log.csv" / "in the way");
+    EXPECT_ANY_THROW(folder.Commit());
+  }
+  EXPECT_EQ(Content(place / "notes.txt"), "mine");
+  EXPECT_TRUE(fs::is_directory(place / "log.csv" / "in the way"));
+  EXPECT_THAT(Names(place), Not(Contains(StartsWith("."))));
 }
 
 TEST_F(OutputFolderTest, KeepsTheOldOneWhenTheNewOneIsNotCommitted) {

@@ -135,6 +135,9 @@ TEST(Scenario, ChecksWhatKeysMeanTogether) {
   EXPECT_THAT(ErrorOf(With("criteria: [{metric: flight.sim_time_s}]\n")), HasSubstr("needs a min or a max"));
   EXPECT_THAT(ErrorOf("script: [{do: hover, duration_s: 3}]\n"), StartsWith("f.yaml:1: script: "));
   EXPECT_THAT(ErrorOf("script: []\n"), HasSubstr("script"));
+  EXPECT_THAT(ErrorOf(With("camera: {latency_ms: 60}\n")),
+              AllOf(StartsWith("f.yaml:4: camera.latency_ms: "), HasSubstr("controller.vision_fresh_s")));
+  EXPECT_EQ(Parse(With("camera: {latency_ms: 60}\ncontroller: {vision_fresh_s: 0.08}\n")).camera.latency_s, 0.060);
 }
 
 TEST(Scenario, KnowsOnlyTheKeysOfAnItemsKind) {

@@ -41,7 +41,7 @@ TEST(Training, LearnsTheExclusiveOr) {
                               .learning_rate = 0.5,
                               .weight_decay = 0.0};
   const TrainingResult result = Train(samples, samples, config, 1);
-  EXPECT_LT(MeanLoss(result.network, samples), 0.05);
+  EXPECT_LT(BalancedLoss(result.network, samples), 0.05);
   EXPECT_EQ(ShareRight(result.network, samples), 1.0);
 }
 
@@ -56,7 +56,7 @@ TEST(Training, KeepsTheNetworkOfTheBestValidationLoss) {
   models::RandomStream random(5, "labels at random");
   for (TrainingSample& sample : noise) sample.target = random.UniformInt(0, 2);
   const std::vector<TrainingSample> validation = Rings(200, 2);
-  double smallest = MeanLoss(Perceptron::Random({2, 20, 3}, 1), validation);
+  double smallest = BalancedLoss(Perceptron::Random({2, 20, 3}, 1), validation);
   int epochs = 0;
   const TrainingConfig config{.max_epochs = 400, .patience_epochs = 20, .learning_rate = 0.2};
   const TrainingResult result =
@@ -65,7 +65,7 @@ TEST(Training, KeepsTheNetworkOfTheBestValidationLoss) {
                                              epochs = report.epoch;
                                            }});
   EXPECT_DOUBLE_EQ(result.validation_loss, smallest);
-  EXPECT_DOUBLE_EQ(MeanLoss(result.network, validation), smallest);
+  EXPECT_DOUBLE_EQ(BalancedLoss(result.network, validation), smallest);
   EXPECT_EQ(epochs, result.best_epoch + 20);
 }
 
