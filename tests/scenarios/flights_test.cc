@@ -2,11 +2,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <future>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 #include <string>
 
 #include "scenarios/flight/flight_folder.h"
@@ -33,7 +36,26 @@ void ExpectPass(const FlightResult& result) {
 /// Cuts a flight off in the air.
 std::vector<std::string> Short() { return {"time_limit_s=3"}; }
 
-TEST(Flights, TakeoffHoverLandPasses) { ExpectPass(Fly(Flight("takeoff_hover_land"))); }
+/// The README's picture is this flight's contact sheet, made smaller. To remake it:
+///   TOUCHDOWN_WRITE_DOCS=1 build/release/tests/scenarios/scenarios_flights_test --gtest_filter=*README*
+TEST(Flights, TakeoffHoverLandPassesAndLooksAsInTheREADME) {
+  const fs::path place = fs::path(::testing::TempDir()) / "flights_test_takeoff_hover_land";
+  fs::remove_all(place);
+  ExpectPass(FlyIntoFolder(Flight("takeoff_hover_land"), place));
+  cv::Mat sheet;
+  cv::resize(cv::imread((place / "frames.png").string()), sheet, {1280, 720}, 0, 0, cv::INTER_AREA);
+  fs::remove_all(place);
+
+  const fs::path picture = fs::path(TOUCHDOWN_SOURCE_DIR) / "docs" / "images" / "takeoff_hover_land.jpg";
+  if (std::getenv("TOUCHDOWN_WRITE_DOCS") != nullptr) {
+    fs::create_directories(picture.parent_path());
+    ASSERT_TRUE(cv::imwrite(picture.string(), sheet, {cv::IMWRITE_JPEG_QUALITY, 82}));
+  }
+  const cv::Mat kept = cv::imread(picture.string());
+  ASSERT_EQ(kept.size(), sheet.size());
+  // JPEG alone is off by 2; a frame's time that shifts by one by 5 and more. Other CPUs draw the same flight.
+  EXPECT_LT(cv::norm(kept, sheet, cv::NORM_L1) / static_cast<double>(sheet.total() * 3), 8.0);
+}
 
 TEST(Flights, DisturbedHoverPasses) { ExpectPass(Fly(Flight("disturbed_hover"))); }
 
