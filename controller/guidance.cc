@@ -75,7 +75,7 @@ void GuidanceConfig::Validate() const {
   RequirePositive(hold_limit_s, "hold_limit");
   RequirePositive(search_climb_rate_m_s, "search_climb_rate");
   RequirePositive(search_climb_limit_s, "search_climb_limit");
-  RequirePositive(search_ceiling_m, "search_ceiling");
+  RequirePositive(search_climb_m, "search_climb");
   if (!std::isfinite(h_land_clearance_m) || h_land_clearance_m >= blind_clearance_m) {
     throw InputError("h_land_clearance must be finite and below blind_clearance");
   }
@@ -147,8 +147,8 @@ Conditions Guidance::Judge(const Input& input) const {
                                        now_ - *satisfied_since_ >= time_.FromSeconds(config_.t_0_s) &&
                                        input.motion.v_WB.norm() < config_.blind_entry_speed_m_s;
   conditions.low_enough = height_m <= LandHeight();
-  conditions.high_enough = phase_ == Phase::kBlindClimb ? height_m - entry_height_m_ >= config_.blind_climb_limit_m
-                                                        : height_m >= config_.search_ceiling_m;
+  conditions.high_enough = height_m - entry_height_m_ >=
+                           (phase_ == Phase::kBlindClimb ? config_.blind_climb_limit_m : config_.search_climb_m);
   return conditions;
 }
 
@@ -205,7 +205,7 @@ void Guidance::MoveSetPoint(const Input& input) {
       MoveHeight(LandHeight() - 1.0, config_.blind_descent_rate_m_s);
       break;
     case Phase::kSearchClimb:
-      MoveHeight(std::max(p_m_.z(), config_.search_ceiling_m), config_.search_climb_rate_m_s);
+      MoveHeight(std::max(p_m_.z(), entry_height_m_ + config_.search_climb_m), config_.search_climb_rate_m_s);
       break;
     default:
       break;

@@ -106,7 +106,7 @@ void Describe(ConfigVisitor& v, controller::GuidanceConfig& c) {
            kMetrePerSecond, kPositive);
   v.Number({"search_climb_limit_s", "How long it climbs before it gives up."}, c.search_climb_limit_s, kSecond,
            kPositive);
-  v.Number({"search_ceiling_m", "How high it climbs before it gives up, by prediction."}, c.search_ceiling_m, kMetre,
+  v.Number({"search_climb_m", "How far it climbs before it gives up, by prediction."}, c.search_climb_m, kMetre,
            kPositive);
   v.Check("", [&c] { c.Validate(); });
 }

@@ -271,13 +271,27 @@ TEST(Guidance, HoldsThenClimbsThenGivesUpWithoutThePad) {
   EXPECT_EQ(flight.output.phase, Phase::kGaveUp);
 }
 
-TEST(Guidance, GivesUpAtTheSearchsCeiling) {
-  Flight flight({kHover}, true);
-  flight.Run(0.5);
-  flight.LosePad();
-  ASSERT_TRUE(flight.RunUntil(Phase::kSearchClimb, 2.0));
-  flight.p.z() = kConfig.search_ceiling_m + 0.01;
-  EXPECT_EQ(flight.Step().phase, Phase::kGaveUp);
+TEST(Guidance, GivesUpWhenItHasClimbedFarEnoughFromAnyHeight) {
+  for (const double height_m : {0.5, 1.0, 4.0}) {
+    Flight flight({kHover}, true);
+    flight.p.z() = height_m;
+    flight.Run(0.5);
+    flight.LosePad();
+    ASSERT_TRUE(flight.RunUntil(Phase::kSearchClimb, 2.0));
+    flight.p.z() = height_m + kConfig.search_climb_m - 0.01;
+    EXPECT_EQ(flight.Step().phase, Phase::kSearchClimb) << height_m;
+    flight.p.z() = height_m + kConfig.search_climb_m + 0.01;
+    EXPECT_EQ(flight.Step().phase, Phase::kGaveUp) << height_m;
+  }
+}
+
+TEST(Guidance, GivesUpALandingThatTakesTooLong) {
+  Flight flight({kLand}, true);
+  flight.p = {1.0, 0.0, 1.0};  // Outside the cone, for good.
+  ASSERT_TRUE(flight.RunUntil(Phase::kLanding, 1.0));
+  flight.Run(kConfig.landing_limit_s - 1.0);
+  EXPECT_EQ(flight.output.phase, Phase::kLanding);
+  EXPECT_TRUE(flight.RunUntil(Phase::kGaveUp, 1.5));
 }
 
 TEST(Guidance, RestartsALandingFromTheHeightWhereThePadIsFoundAgain) {
