@@ -17,7 +17,7 @@ using estimator::FrameTrace;
 using models::RandomStream;
 using Labels = std::vector<std::optional<FrameTrace::Label>>;
 
-constexpr double kPadViews = 0.5;
+constexpr double kPadViews = 0.4;
 
 sim::Scene DrawScene(const SceneSamplesConfig& config, RandomStream& random) {
   sim::SceneConfig scene;

@@ -47,7 +47,7 @@ struct SceneSamples {
 models::LandingPad DrawPad(models::RandomStream& random);
 
 /// Builds a scene from the seed, renders frames of it from many views, and binarizes, labels and classifies by the
-/// truth. Half of the views look for the pad, the others for a lone ring or letter. The same seed gives the same
+/// truth. Four views in ten look for the pad, the others for a lone ring or letter. The same seed gives the same
 /// samples. `optics` are config.camera's. `pictures` is how many annotated frames to keep.
 SceneSamples CollectSceneSamples(const SceneSamplesConfig& config, sim::CameraOptics& optics, std::uint64_t seed,
                                  int pictures);

@@ -11,6 +11,8 @@
 namespace touchdown::scenarios {
 namespace {
 
+constexpr double kLastRate = 0.02;
+
 Perceptron::Shape ShapeOf(std::span<const TrainingSample> training, std::span<const TrainingSample> validation,
                           int hidden_units) {
   if (training.empty() || validation.empty()) throw std::invalid_argument("training and validation need samples");
@@ -94,12 +96,23 @@ void TrainingConfig::Validate() const {
   }
 }
 
-double MeanLoss(const Perceptron& network, std::span<const TrainingSample> samples) {
-  double sum = 0.0;
+double BalancedLoss(const Perceptron& network, std::span<const TrainingSample> samples) {
+  const auto classes = static_cast<std::size_t>(network.shape().outputs);
+  std::vector<double> sum(classes, 0.0);
+  std::vector<int> count(classes, 0);
   for (const TrainingSample& sample : samples) {
-    sum -= std::log(std::max(network.Posteriors(sample.input)[static_cast<std::size_t>(sample.target)], 1e-300));
+    const auto target = static_cast<std::size_t>(sample.target);
+    sum[target] -= std::log(std::max(network.Posteriors(sample.input)[target], 1e-300));
+    ++count[target];
   }
-  return sum / static_cast<double>(samples.size());
+  double total = 0.0;
+  int present = 0;
+  for (std::size_t k = 0; k < classes; ++k) {
+    if (count[k] == 0) continue;
+    total += sum[k] / count[k];
+    ++present;
+  }
+  return total / present;
 }
 
 TrainingResult Train(std::span<const TrainingSample> training, std::span<const TrainingSample> validation,
@@ -111,10 +124,11 @@ TrainingResult Train(std::span<const TrainingSample> training, std::span<const T
   std::vector<std::size_t> order(training.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
 
-  TrainingResult best{.network = network.Rounded(), .best_epoch = 0, .validation_loss = MeanLoss(network, validation)};
+  TrainingResult best{
+      .network = network.Rounded(), .best_epoch = 0, .validation_loss = BalancedLoss(network, validation)};
   for (int epoch = 1; epoch <= config.max_epochs && epoch - best.best_epoch <= config.patience_epochs; ++epoch) {
     const double done = static_cast<double>(epoch - 1) / config.max_epochs;
-    const double learning_rate = config.learning_rate * (1.0 - 0.95 * done);
+    const double learning_rate = config.learning_rate * std::pow(kLastRate, done);
     Shuffle(order, random);
     double loss = 0.0;
     for (std::size_t begin = 0; begin < order.size(); begin += static_cast<std::size_t>(config.batch_size)) {
@@ -122,7 +136,7 @@ TrainingResult Train(std::span<const TrainingSample> training, std::span<const T
       loss += descent.Step(training, std::span(order).subspan(begin, count), learning_rate);
     }
     Perceptron rounded = network.Rounded();
-    const double validation_loss = MeanLoss(rounded, validation);
+    const double validation_loss = BalancedLoss(rounded, validation);
     if (hooks.progress) hooks.progress({epoch, loss / static_cast<double>(training.size()), validation_loss});
     if (validation_loss < best.validation_loss) best = {std::move(rounded), epoch, validation_loss};
   }

@@ -23,7 +23,7 @@ struct TrainingConfig {
   int max_epochs = 80;
   int patience_epochs = 80;  ///< Ends after so many epochs without a better validation loss.
   int batch_size = 16;
-  double learning_rate = 0.2;  ///< On the batch's mean gradient; falls linearly to a twentieth at max_epochs.
+  double learning_rate = 0.2;  ///< On the batch's mean gradient; falls to its fiftieth, by the same factor each epoch.
   double momentum = 0.9;
   double weight_decay = 1e-5;  ///< Adds this times the weight to the gradient; biases are left alone.
 
@@ -34,7 +34,7 @@ struct TrainingConfig {
 struct EpochReport {
   int epoch = 0;
   double training_loss = 0.0;    ///< Mean cross-entropy over the epoch, nats.
-  double validation_loss = 0.0;  ///< After the epoch.
+  double validation_loss = 0.0;  ///< BalancedLoss after the epoch.
 };
 
 struct TrainingResult {
@@ -51,8 +51,9 @@ struct TrainingHooks {
   std::function<void(const EpochReport&)> progress;
 };
 
-/// Mean cross-entropy of the network, nats.
-double MeanLoss(const Perceptron& network, std::span<const TrainingSample> samples);
+/// Cross-entropy of the network, nats: the mean over the classes present of the mean over each one's samples, so that
+/// it does not matter how many samples a class has.
+double BalancedLoss(const Perceptron& network, std::span<const TrainingSample> samples);
 
 /// Trains a network of as many inputs and outputs as the samples have. The same samples, config and seed give the same
 /// weights, bit for bit, on the same type of CPU. Throws std::invalid_argument when either set is empty or its inputs
