@@ -55,7 +55,7 @@ std::vector<std::string> Violations(const std::string& path, const std::string& 
     const std::string target = header.substr(0, header.find('/'));
     if (quoted && (header.find("..") != std::string::npos || header.find('/') == std::string::npos)) {
       complaints.push_back(where + "include \"" + header + "\" is not written from the root");
-    } else if (kMayInclude.contains(target) && !kMayInclude.at(folder).contains(target)) {
+    } else if ((quoted || kMayInclude.contains(target)) && !kMayInclude.at(folder).contains(target)) {
       complaints.push_back(where + folder + "/ must not include " + target + "/");
     }
     for (const auto& rule : LibraryRules()) {
@@ -97,6 +97,8 @@ TEST(Architecture, ComplainsOfASiblingAnUpperFloorAndALibraryOutOfPlace) {
   EXPECT_THAT(Violations("estimator/estimator.h", "#include <opencv2/core.hpp>\n"), testing::SizeIs(1));
   EXPECT_THAT(Violations("sim/a.cc", "#include \"../estimator/estimator.h\"\n"), testing::SizeIs(1));
   EXPECT_THAT(Violations("sim/a.cc", "#include \"world.h\"\n"), testing::SizeIs(1));
+  EXPECT_THAT(Violations("sim/a.cc", "#include \"tests/support/rooms.h\"\n"), testing::SizeIs(1));
+  EXPECT_THAT(Violations("sim/a.cc", "#include <estimator/estimator.h>\n"), testing::SizeIs(1));
   EXPECT_THAT(Violations("scenarios/flight/a.cc", "#include \"sim/world.h\"\n#include \"models/time.h\"\n"),
               testing::IsEmpty());
 }
