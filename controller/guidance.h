@@ -58,7 +58,7 @@ struct GuidanceConfig {
   double hold_limit_s = 0.6;
   double search_climb_rate_m_s = 0.40;
   double search_climb_limit_s = 5.0;
-  double search_climb_m = 1.5;  ///< By prediction: how far it climbs at most.
+  double search_climb_m = 1.0;  ///< By prediction: how far it climbs at most.
 
   /// Throws InputError when a number is not finite, a time, rate or length that must be positive is not, or the numbers
   /// contradict each other.

@@ -63,8 +63,9 @@ class Estimator {
  public:
   virtual ~Estimator() = default;
 
-  /// `image` has the camera's size and a stride of at least its width (throws std::invalid_argument otherwise). `gravity_B` is the unit vector pointing
-  /// down, in the body frame at mid-exposure, as the IMU has it. Frames come in the order of their exposure.
+  /// `image` has the camera's size and a stride of at least its width (throws std::invalid_argument otherwise).
+  /// `gravity_B` is the unit vector pointing down, in the body frame at mid-exposure, as the IMU has it. Frames come in
+  /// the order of their exposure.
   virtual FrameEstimate Estimate(const models::ImageView& image, models::Tick mid_exposure,
                                  const Eigen::Vector3d& gravity_B) = 0;
 };

@@ -23,7 +23,7 @@ sim::Scene DrawScene(const SceneSamplesConfig& config, RandomStream& random) {
   sim::SceneConfig scene;
   scene.lone_circles = config.lone_circles;
   scene.lone_letters = config.lone_letters;
-  scene.illumination = random.Uniform(0.35, 1.1);
+  scene.illumination = random.Uniform(0.4, 1.1);
   return sim::MakeScene(scene, DrawPad(random), random.Bits());
 }
 

@@ -28,9 +28,9 @@ struct SceneSamplesConfig {
   models::CameraModel camera;
   ViewConfig views;
   TruthConfig truth;
-  int frames = 28;
-  int lone_circles = 16;  ///< More decoys than a flight's scene has: each adds proportions of its own.
-  int lone_letters = 16;
+  int frames = 24;
+  int lone_circles = 26;  ///< More decoys than a flight's scene has: each adds proportions of its own.
+  int lone_letters = 28;
   int clutter_per_frame = 24;  ///< At most; drawn at random from the frame's.
 
   /// Throws InputError when a count is not positive or the views' settings are unusable.

@@ -91,7 +91,7 @@ View DrawView(const ViewConfig& config, const sim::Scene& scene, const GroundSha
   view.contrast = random.Chance(0.5) ? random.Uniform(config.weakest_contrast, 1.0) : 1.0;
   const int levels = static_cast<int>(config.noise_sigmas.size());
   view.noise_level = random.UniformInt(0, view.contrast < kWeakContrast && levels > 1 ? levels - 2 : levels - 1);
-  view.brightness = random.Uniform(0.0, 200.0) * (1.0 - view.contrast);
+  view.brightness = random.Uniform(0.0, 120.0) * (1.0 - view.contrast);
   return view;
 }
 

@@ -23,7 +23,7 @@ struct ViewConfig {
   double longest_exposure_s = 0.012;
   double largest_defocus_px = 1.5;                  ///< 1-sigma of the lens's blur.
   std::vector<double> noise_sigmas{0.5, 3.0, 7.0};  ///< Of 255. At weak contrast the last is left out.
-  double weakest_contrast = 0.25;                   ///< Of 1, the renderer's own.
+  double weakest_contrast = 0.45;                   ///< Of 1, the renderer's own.
 
   /// Throws InputError when a range is empty or a number is not finite.
   void Validate() const;

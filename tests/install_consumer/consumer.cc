@@ -17,7 +17,8 @@ int main() {
   const auto estimate = estimator->Estimate(blank.View(), 0, -Eigen::Vector3d::UnitZ());
   if (estimate.status == touchdown::estimator::FrameStatus::kOk) return 1;
 
-  touchdown::controller::FlightController controller({}, vehicle, time, 200, {{}}, false);
+  touchdown::controller::FlightController controller({}, vehicle, time, 200,
+                                                     {{.kind = touchdown::controller::ManoeuvreKind::kTakeoff}}, false);
   const auto output = controller.Update({});
   std::printf("%s, %s\n", std::string(Name(estimate.status)).c_str(), std::string(Name(output.phase)).c_str());
   return output.rotors.speed_rad_s[0] == 0.0 ? 0 : 1;

@@ -46,7 +46,7 @@ TEST(Training, LearnsTheExclusiveOr) {
 }
 
 TEST(Training, GeneralisesToSamplesThatItNeverSaw) {
-  const TrainingConfig config{.max_epochs = 150, .learning_rate = 0.1, .weight_decay = 0.0};
+  const TrainingConfig config{.max_epochs = 300, .patience_epochs = 300, .learning_rate = 0.2, .weight_decay = 0.0};
   const TrainingResult result = Train(Rings(1500, 1), Rings(500, 2), config, 1);
   EXPECT_GT(ShareRight(result.network, Rings(2000, 3)), 0.95);
 }
@@ -56,7 +56,7 @@ TEST(Training, KeepsTheNetworkOfTheBestValidationLoss) {
   models::RandomStream random(5, "labels at random");
   for (TrainingSample& sample : noise) sample.target = random.UniformInt(0, 2);
   const std::vector<TrainingSample> validation = Rings(200, 2);
-  double smallest = BalancedLoss(Perceptron::Random({2, 20, 3}, 1), validation);
+  double smallest = BalancedLoss(Perceptron::Random({2, 20, 3}, 1).Rounded(), validation);
   int epochs = 0;
   const TrainingConfig config{.max_epochs = 400, .patience_epochs = 20, .learning_rate = 0.2};
   const TrainingResult result =
