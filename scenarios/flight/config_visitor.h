@@ -47,6 +47,12 @@ inline constexpr Range kAny{}, kPositive{.min = 0.0, .min_is_open = true}, kNotN
 constexpr Range Between(double min, double max) { return {.min = min, .max = max}; }
 constexpr Range PositiveUpTo(double max) { return {.min = 0.0, .max = max, .min_is_open = true}; }
 
+inline constexpr Range kImageSize_px = Between(1, 16384);
+
+/// Of times in seconds: ten hours is beyond every flight.
+inline constexpr double kLongest_s = 36000.0;
+inline constexpr Range kPositiveTime = PositiveUpTo(kLongest_s), kTime = Between(0.0, kLongest_s);
+
 /// A key and what it means, for the reference.
 struct Key {
   std::string_view name;

@@ -25,18 +25,6 @@ Scenario ReadScenario(const ConfigNode& root, const std::string& default_name, s
   return scenario;
 }
 
-template <typename T>
-T LoadAlone(ConfigNode root) {
-  T value;
-  OriginByPath origins;
-  ConfigReader reader(root, origins);
-  Describe(reader, value);
-  reader.Finish();
-  ConfigChecker checker(origins, root.origin);
-  Describe(checker, value);
-  return value;
-}
-
 }  // namespace
 
 Outcome Scenario::expected_outcome() const {
@@ -66,11 +54,11 @@ std::string ScenarioYaml(const Scenario& scenario) {
 
 models::CameraModel LoadCameraModel(const std::filesystem::path& file) {
   ConfigNode root = ReadConfigFile(file);
-  return LoadAlone<models::CameraModel>(IsCameraInfo(root) ? CameraModelFromCameraInfo(root) : std::move(root));
+  return ReadAlone<models::CameraModel>(IsCameraInfo(root) ? CameraModelFromCameraInfo(root) : std::move(root));
 }
 
 models::LandingPad LoadPad(const std::filesystem::path& file) {
-  return LoadAlone<models::LandingPad>(ReadConfigFile(file));
+  return ReadAlone<models::LandingPad>(ReadConfigFile(file));
 }
 
 }  // namespace touchdown::scenarios

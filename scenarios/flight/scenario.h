@@ -75,7 +75,8 @@ struct Scenario {
   std::string description;
   std::uint64_t seed = 1;
   double time_limit_s = 120.0;
-  /// The right end of this flight. When not given: landed after a script that ends with a landing, else hovered.
+  /// The right end of this flight, any but an error. When not given: landed after a script that ends with a landing,
+  /// else hovered.
   std::optional<Outcome> expect;
   Start start;
   std::vector<controller::Manoeuvre> script;
@@ -96,6 +97,8 @@ struct Scenario {
   controller::FlightControllerConfig controller;
 
   Outcome expected_outcome() const;
+  /// Height at which the room ends: it is a cube.
+  double ceiling_m() const { return scene.floor_size_m; }
 };
 
 /// Reads a scenario's file and applies "key=value" overrides over it, in their order. Throws InputError, naming file,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "scenarios/flight/camera_info.h"
 #include "scenarios/flight/metrics.h"
@@ -12,12 +13,82 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kManoeuvreNames = {"takeoff", "hover", "land"};
 
+/// A flight that ends in an error has no verdict but that: nothing can expect it.
+constexpr auto kExpectableOutcomes = std::span(kOutcomeNames).first<4>();
+static_assert(kOutcomeNames[4] == "error");
+
 bool IsPlainName(const std::string& name) {
   return !name.empty() && name.size() <= 100 && name[0] != '.' && name[0] != '-' &&
          std::all_of(name.begin(), name.end(), [](char c) {
            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
                   c == '.';
          });
+}
+
+/// Throws InputError for a place along X or Y of the body's origin at which the vehicle reaches out of the room.
+void RequireInRoom(const Scenario& s, double x_m) {
+  const double farthest_m = 0.5 * s.scene.floor_size_m - s.vehicle.arm_m - 0.5 * s.vehicle.rotor.propeller_diameter_m;
+  if (std::abs(x_m) > farthest_m) {
+    throw InputError(
+        fmt::format("{} m lies outside the room: a vehicle of this size and a floor of {} m allow {:.3g} m", x_m,
+                    s.scene.floor_size_m, farthest_m));
+  }
+}
+
+/// The same of a place in the air.
+void RequireInRoom(const Scenario& s, const Eigen::Vector3d& p_WB) {
+  RequireInRoom(s, p_WB.x());
+  RequireInRoom(s, p_WB.y());
+  if (p_WB.z() < s.vehicle.gear.height_m || p_WB.z() > s.ceiling_m()) {
+    throw InputError(
+        fmt::format("a height of {} m is not between the floor (with the gear below, {} m) and the ceiling ({} m)",
+                    p_WB.z(), s.vehicle.gear.height_m, s.ceiling_m()));
+  }
+}
+
+void CheckPlaces(ConfigVisitor& v, const Scenario& s) {
+  if (s.start.airborne) {
+    v.Check("start.position_m", [&s] { RequireInRoom(s, s.start.position_m); });
+  } else {
+    v.Check("start.x_m", [&s] { RequireInRoom(s, s.start.position_m.x()); });
+    v.Check("start.y_m", [&s] { RequireInRoom(s, s.start.position_m.y()); });
+  }
+  for (std::size_t i = 0; i < s.script.size(); ++i) {
+    const controller::Manoeuvre& m = s.script[i];
+    if (m.kind == controller::ManoeuvreKind::kLand) continue;
+    const char* const key = m.kind == controller::ManoeuvreKind::kTakeoff ? "height_m" : "position_m";
+    v.Check(fmt::format("script.{}.{}", i, key), [&] { RequireInRoom(s, m.position_m); });
+  }
+}
+
+/// Throws InputError for an event that is over before anything notices it.
+void RequireEffect(const Scenario& s, const Event& event) {
+  switch (event.kind) {
+    case Event::Kind::kPush:
+      if (event.force_n.isZero(0.0) && event.torque_n_m.isZero(0.0)) {
+        throw InputError("a push needs a force_n or a torque_n_m other than 0");
+      }
+      if (event.duration_s < s.time.period_s()) throw InputError("lasts less than a tick of the clock");
+      break;
+    case Event::Kind::kWind:
+      break;
+    case Event::Kind::kCoverPad:
+      if (!s.scene.pad) throw InputError("there is no pad to cover: scene.pad is false");
+      [[fallthrough]];
+    case Event::Kind::kLoseFrames:
+      if (event.duration_s * s.camera.rate_hz < 1.0) throw InputError("lasts less than a camera frame's period");
+      break;
+  }
+}
+
+void CheckEvents(ConfigVisitor& v, const Scenario& s) {
+  for (std::size_t i = 0; i < s.events.size(); ++i) {
+    const Event& event = s.events[i];
+    v.Check(fmt::format("events.{}.at_s", i), [&] {
+      if (event.at_s >= s.time_limit_s) throw InputError("must be below time_limit_s, the flight's end");
+    });
+    v.Check(fmt::format("events.{}", i), [&] { RequireEffect(s, event); });
+  }
 }
 
 }  // namespace
@@ -46,7 +117,7 @@ void Describe(ConfigVisitor& v, controller::Manoeuvre& m) {
       break;
     case controller::ManoeuvreKind::kHover:
       v.Vector3({"position_m", "Set-point in W (hover only)."}, m.position_m, kMetre, Between(-15.0, 15.0));
-      v.Number({"duration_s", "How long to stay there (hover only).", true}, m.duration_s, kSecond, kNotNegative);
+      v.Number({"duration_s", "How long to stay there (hover only).", true}, m.duration_s, kSecond, kTime);
       break;
     case controller::ManoeuvreKind::kLand:
       break;
@@ -54,7 +125,7 @@ void Describe(ConfigVisitor& v, controller::Manoeuvre& m) {
 }
 
 void Describe(ConfigVisitor& v, Event& event) {
-  v.Number({"at_s", "When it begins, from the start of the flight.", true}, event.at_s, kSecond, kNotNegative);
+  v.Number({"at_s", "When it begins, from the start of the flight.", true}, event.at_s, kSecond, kTime);
   v.Choice({"do", "What happens.", true}, event.kind, Event::kNames);
   switch (event.kind) {
     case Event::Kind::kPush:
@@ -69,7 +140,7 @@ void Describe(ConfigVisitor& v, Event& event) {
     case Event::Kind::kLoseFrames:
       break;
   }
-  v.Number({"duration_s", "How long it lasts (not for wind).", true}, event.duration_s, kSecond, kPositive);
+  v.Number({"duration_s", "How long it lasts (not for wind).", true}, event.duration_s, kSecond, kPositiveTime);
 }
 
 void Describe(ConfigVisitor& v, Criterion& criterion) {
@@ -91,10 +162,9 @@ void DescribeStory(ConfigVisitor& v, Scenario& s) {
   v.Text({"name", "Letters, digits, _ - and . only; by default the file's name."}, s.name);
   v.Text({"description", "What the flight shows."}, s.description);
   v.Integer({"seed", "Of every random source."}, s.seed, kNotNegative);
-  v.Number({"time_limit_s", "After which the flight counts as given up."}, s.time_limit_s, kSecond,
-           PositiveUpTo(36000.0));
+  v.Number({"time_limit_s", "After which the flight counts as given up."}, s.time_limit_s, kSecond, kPositiveTime);
   int expect = s.expect ? static_cast<int>(*s.expect) : -1;
-  v.Choice({"expect", "The right end of the flight; by default as the script ends."}, expect, kOutcomeNames);
+  v.Choice({"expect", "The right end of the flight; by default as the script ends."}, expect, kExpectableOutcomes);
   if (expect >= 0) s.expect = static_cast<Outcome>(expect);
   v.Keys({"start", "Where the vehicle is at the start, at rest."}, s.start);
   v.Items({"script", "What the vehicle is to do, one after the other.", true}, s.script);
@@ -153,6 +223,8 @@ void Describe(ConfigVisitor& v, Scenario& s) {
     }
   });
   v.Check("scene", [&s] { sim::MakeScene(s.scene, s.pad, s.seed); });
+  CheckPlaces(v, s);
+  CheckEvents(v, s);
   v.Check("script", [&s] {
     controller::FlightController(s.controller, s.vehicle, s.time, s.imu.rate_hz, s.script, s.start.airborne);
   });
