@@ -190,12 +190,12 @@ ConfigNode ReadConfigFile(const std::filesystem::path& file) {
   return ParseConfig(text, file.string(), file.parent_path());
 }
 
-ConfigNode ParseOverride(const std::string& override_text) {
-  const Origin origin{"--set " + override_text, {}};
-  const std::size_t equals = override_text.find('=');
+ConfigNode ParseOverride(const std::string& assignment, const std::string& place) {
+  const Origin origin{place, {}};
+  const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0) throw ConfigError(origin, "", "must have the form key=value");
-  const std::string path = override_text.substr(0, equals);
-  ConfigNode node = Parse(override_text.substr(equals + 1), [&](const YAML::Mark&) { return origin; });
+  const std::string path = assignment.substr(0, equals);
+  ConfigNode node = Parse(assignment.substr(equals + 1), [&](const YAML::Mark&) { return origin; });
   node.origin = origin;
   std::size_t end = path.size();
   for (int depth = 0;; ++depth) {

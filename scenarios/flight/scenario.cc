@@ -8,7 +8,7 @@
 namespace touchdown::scenarios {
 namespace {
 
-Scenario ReadScenario(const ConfigNode& root, const std::string& default_name, std::span<const std::string> overrides) {
+Scenario ReadScenario(const ConfigNode& root, const std::string& default_name, std::span<const Override> overrides) {
   Scenario scenario;
   scenario.name = default_name;
   OriginByPath origins;
@@ -18,7 +18,7 @@ Scenario ReadScenario(const ConfigNode& root, const std::string& default_name, s
     reader.Finish();
   };
   read(root);
-  for (const std::string& text : overrides) read(ParseOverride(text));
+  for (const Override& change : overrides) read(ParseOverride(change.assignment, change.place));
   ConfigChecker checker(origins, root.origin);
   Describe(checker, scenario);
   scenario.expect = scenario.expected_outcome();
@@ -34,13 +34,13 @@ Outcome Scenario::expected_outcome() const {
 }
 
 Scenario ParseScenario(const std::string& text, const std::string& name, const std::filesystem::path& folder,
-                       std::span<const std::string> overrides) {
+                       std::span<const Override> overrides) {
   const std::string stem = std::filesystem::path(name).stem().string();
   const Scenario written = ReadScenario(ParseConfig(text, name, folder), stem, overrides);
   return ReadScenario(ParseConfig(ScenarioYaml(written), "resolved " + name, folder), stem, {});
 }
 
-Scenario LoadScenario(const std::filesystem::path& file, std::span<const std::string> overrides) {
+Scenario LoadScenario(const std::filesystem::path& file, std::span<const Override> overrides) {
   const Scenario written = ReadScenario(ReadConfigFile(file), file.stem().string(), overrides);
   return ReadScenario(ParseConfig(ScenarioYaml(written), "resolved " + file.string(), {}), "", {});
 }

@@ -101,16 +101,27 @@ struct Scenario {
   double ceiling_m() const { return scene.floor_size_m; }
 };
 
-/// Reads a scenario's file and applies "key=value" overrides over it, in their order. Throws InputError, naming file,
+/// A change of one key over what a scenario's file says.
+struct Override {
+  /// As --set is given it: "key=value", the value as YAML.
+  Override(const std::string& set) : assignment(set), place("--set " + set) {}  // NOLINT: strings are overrides.
+  Override(std::string assignment_text, std::string typed)
+      : assignment(std::move(assignment_text)), place(std::move(typed)) {}
+
+  std::string assignment;
+  std::string place;  ///< What messages call it.
+};
+
+/// Reads a scenario's file and applies overrides over it, in their order. Throws InputError, naming file,
 /// line and key, for anything that is not as docs/scenarios.md has it.
 ///
 /// The result is as reading its own ScenarioYaml gives it, to the last bit, so that a flight can be flown again from
 /// the scenario.yaml beside its results.
-Scenario LoadScenario(const std::filesystem::path& file, std::span<const std::string> overrides = {});
+Scenario LoadScenario(const std::filesystem::path& file, std::span<const Override> overrides = {});
 
 /// The same of text; `name` stands for the file in messages, and files are looked for in `folder`.
 Scenario ParseScenario(const std::string& text, const std::string& name, const std::filesystem::path& folder,
-                       std::span<const std::string> overrides = {});
+                       std::span<const Override> overrides = {});
 
 /// The whole scenario as YAML with every key, in place.
 std::string ScenarioYaml(const Scenario& scenario);

@@ -22,7 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 Scenario Flight(const std::string& name, const std::vector<std::string>& overrides = {}) {
-  return LoadScenario(fs::path(TOUCHDOWN_SOURCE_DIR) / "scenarios" / "flights" / (name + ".yaml"), overrides);
+  return LoadScenario(fs::path(TOUCHDOWN_SOURCE_DIR) / "scenarios" / "flights" / (name + ".yaml"),
+                      std::vector<Override>(overrides.begin(), overrides.end()));
 }
 
 void ExpectPass(const FlightResult& result) {

@@ -144,23 +144,23 @@ TEST_F(ConfigFile, SurvivesAnyBytes) {
 }
 
 TEST(ParseOverride, NestsTheKeyAndMarksItAsAPatch) {
-  const ConfigNode root = ParseOverride("events.0.force_n=[1, 2, 3]");
+  const ConfigNode root = ParseOverride("events.0.force_n=[1, 2, 3]", "--force [1, 2, 3]");
   EXPECT_TRUE(root.patch);
   const ConfigNode& events = *root.Find("events");
   EXPECT_TRUE(events.patch);
   const ConfigNode& force = *events.Find("0")->Find("force_n");
   EXPECT_FALSE(force.patch);
   EXPECT_EQ(force.items.size(), 3u);
-  EXPECT_EQ(force.origin.place, "--set events.0.force_n=[1, 2, 3]");
+  EXPECT_EQ(force.origin.place, "--force [1, 2, 3]");
 }
 
-TEST(ParseOverride, TakesAValueWithAnEqualsSign) { EXPECT_EQ(ParseOverride("a=b=c").Find("a")->text, "b=c"); }
+TEST(ParseOverride, TakesAValueWithAnEqualsSign) { EXPECT_EQ(ParseOverride("a=b=c", "--set").Find("a")->text, "b=c"); }
 
 TEST(ParseOverride, RefusesWhatHasNoKey) {
   for (const char* text : {"", "a", "=1", ".=1", ".a=1", "a.=1", "a..b=1"}) {
-    EXPECT_THROW(ParseOverride(text), InputError) << text;
+    EXPECT_THROW(ParseOverride(text, "--set"), InputError) << text;
   }
-  EXPECT_THROW(ParseOverride("a=[1"), InputError);
+  EXPECT_THROW(ParseOverride("a=[1", "--set"), InputError);
 }
 
 }  // namespace

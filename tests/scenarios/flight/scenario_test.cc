@@ -28,8 +28,10 @@ std::string With(const std::string& lines) {
   return "script:\n  - {do: takeoff, height_m: 1}\n  - {do: land}\n" + lines;
 }
 
+std::vector<Override> Overrides(const std::vector<std::string>& set) { return {set.begin(), set.end()}; }
+
 Scenario Parse(const std::string& text, std::vector<std::string> overrides = {}) {
-  return ParseScenario(text, "f.yaml", fs::path(TOUCHDOWN_SOURCE_DIR), overrides);
+  return ParseScenario(text, "f.yaml", fs::path(TOUCHDOWN_SOURCE_DIR), Overrides(overrides));
 }
 
 std::string ErrorOf(const std::string& text, std::vector<std::string> overrides = {}) {
@@ -200,7 +202,7 @@ TEST(Scenario, ReadsItsOwnYamlToTheSameScenario) {
   for (const char* name : {"takeoff_hover_land", "disturbed_hover", "landing"}) {
     const std::vector<std::string> overrides = {"start.yaw_deg=12.3456789", "camera.exposure_ms=3.3333333333333335",
                                                 "imu.gyro_range_deg_s=499.99999999999994", "description=\"a: b\\n#c\""};
-    const Scenario scenario = LoadScenario(kFlights / (std::string(name) + ".yaml"), overrides);
+    const Scenario scenario = LoadScenario(kFlights / (std::string(name) + ".yaml"), Overrides(overrides));
     const std::string yaml = ScenarioYaml(scenario);
     const Scenario again = ParseScenario(yaml, "other.yaml", "");
     EXPECT_EQ(ScenarioYaml(again), yaml);
