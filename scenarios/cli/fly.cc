@@ -33,8 +33,8 @@ void PrintVerdict(const FlightResult& result) {
     fmt::print("  {}  {:<32} {:>10} {:<4} {}\n", check.pass ? "pass" : "FAIL", check.name,
                value.empty() ? "none" : value, check.unit, check.limit);
   }
-  fmt::print("{} ({}): {}\n", kOutcomeNames[static_cast<std::size_t>(result.outcome)], result.reason,
-             kVerdictNames[static_cast<std::size_t>(result.verdict)]);
+  fmt::print("{} ({}): {}\n", Name(result.outcome), result.reason,
+             Name(result.verdict));
 }
 
 FlightResult FlyWithProgress(const Scenario& scenario, const std::string& out) {

@@ -29,7 +29,8 @@ struct Unit {
 
 inline constexpr Unit kNoUnit{"-"}, kMetre{"m"}, kSecond{"s"}, kMillisecond{"ms", 1.0, 1000.0}, kKilogram{"kg"},
     kNewton{"N"}, kMetrePerSecond{"m/s"}, kMetrePerSecond2{"m/s^2"}, kRadianPerSecond{"rad/s"}, kPixel{"px"},
-    kHertz{"Hz"}, kDegree{"deg", models::kPi / 180.0}, kDegreePerSecond{"deg/s", models::kPi / 180.0};
+    kHertz{"Hz"}, kPerSecond{"1/s"}, kMetrePerSecond2RootHertz{"m/s^2/sqrt(Hz)"}, kDegree{"deg", models::kPi / 180.0},
+    kDegreePerSecond{"deg/s", models::kPi / 180.0};
 
 /// The numbers that a key takes, in the key's unit.
 struct Range {

@@ -25,6 +25,11 @@ Scenario ReadScenario(const ConfigNode& root, const std::string& default_name, s
   return scenario;
 }
 
+/// As reading its own text gives it.
+Scenario Resolved(const Scenario& written, const std::string& name) {
+  return ReadScenario(ParseConfig(ScenarioYaml(written), "resolved " + name, {}), written.name, {});
+}
+
 }  // namespace
 
 Outcome Scenario::expected_outcome() const {
@@ -36,13 +41,11 @@ Outcome Scenario::expected_outcome() const {
 Scenario ParseScenario(const std::string& text, const std::string& name, const std::filesystem::path& folder,
                        std::span<const Override> overrides) {
   const std::string stem = std::filesystem::path(name).stem().string();
-  const Scenario written = ReadScenario(ParseConfig(text, name, folder), stem, overrides);
-  return ReadScenario(ParseConfig(ScenarioYaml(written), "resolved " + name, folder), stem, {});
+  return Resolved(ReadScenario(ParseConfig(text, name, folder), stem, overrides), name);
 }
 
 Scenario LoadScenario(const std::filesystem::path& file, std::span<const Override> overrides) {
-  const Scenario written = ReadScenario(ReadConfigFile(file), file.stem().string(), overrides);
-  return ReadScenario(ParseConfig(ScenarioYaml(written), "resolved " + file.string(), {}), "", {});
+  return Resolved(ReadScenario(ReadConfigFile(file), file.stem().string(), overrides), file.string());
 }
 
 std::string ScenarioYaml(const Scenario& scenario) {

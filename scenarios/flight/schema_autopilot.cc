@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kContourPointNames = {"integer", "subpixel"};
 
-constexpr Unit kPerSecond{"1/s"}, kMetrePerSecond2RootHertz{"m/s^2/sqrt(Hz)"}, kRadianPerSecond2{"rad/s^2"};
+constexpr Unit kRadianPerSecond2{"rad/s^2"};
 
 }  // namespace
 
@@ -58,7 +58,9 @@ void Describe(ConfigVisitor& v, estimator::PoseFilterConfig& c) {
   v.Check("", [&c] { c.Validate(); });
 }
 
-void Describe(ConfigVisitor& v, controller::GuidanceConfig& c) {
+namespace {
+
+void DescribeTakeoff(ConfigVisitor& v, controller::GuidanceConfig& c) {
   v.Number({"standby_s", "On the ground before takeoff, in which the IMU settles."}, c.standby_s, kSecond, kTime);
   v.Number({"start_thrust_ratio", "Thrust at the start of the blind climb, as a share of the weight."},
            c.start_thrust_ratio, kNoUnit, kNotNegative);
@@ -72,6 +74,9 @@ void Describe(ConfigVisitor& v, controller::GuidanceConfig& c) {
            kMetrePerSecond, kPositive);
   v.Number({"arrival_error_m", "Height error at which the takeoff is done."}, c.arrival_error_m, kMetre, kPositive);
   v.Number({"ramp_limit_s", "How long the climb may take."}, c.ramp_limit_s, kSecond, kPositiveTime);
+}
+
+void DescribeLanding(ConfigVisitor& v, controller::GuidanceConfig& c) {
   v.Number({"cone_radius_m", "Of the cone Q' at its bottom. Wider lands sooner, further off."}, c.cone_radius_m, kMetre,
            kPositive);
   v.Number({"cone_half_angle_deg", "Of the cone Q'."}, c.cone_half_angle_rad, kDegree, Between(0.0, 80.0));
@@ -92,6 +97,9 @@ void Describe(ConfigVisitor& v, controller::GuidanceConfig& c) {
   v.Number({"blind_descent_rate_m_s", "Of the blind descent."}, c.blind_descent_rate_m_s, kMetrePerSecond, kPositive);
   v.Number({"h_land_clearance_m", "Of the soles, by prediction, at which the motors go off."}, c.h_land_clearance_m,
            kMetre, Between(-1.0, 1.0));
+}
+
+void DescribeSearch(ConfigVisitor& v, controller::GuidanceConfig& c) {
   v.Number({"pad_lost_s", "Without a sighting, after which the pad counts as lost."}, c.pad_lost_s, kSecond,
            kPositiveTime);
   v.Number({"pad_found_s", "Of sightings, after which it counts as found again."}, c.pad_found_s, kSecond, kTime);
@@ -103,6 +111,14 @@ void Describe(ConfigVisitor& v, controller::GuidanceConfig& c) {
            kPositiveTime);
   v.Number({"search_climb_m", "How far it climbs before it gives up, by prediction."}, c.search_climb_m, kMetre,
            kPositive);
+}
+
+}  // namespace
+
+void Describe(ConfigVisitor& v, controller::GuidanceConfig& c) {
+  DescribeTakeoff(v, c);
+  DescribeLanding(v, c);
+  DescribeSearch(v, c);
   v.Check("", [&c] { c.Validate(); });
 }
 

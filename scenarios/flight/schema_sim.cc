@@ -5,8 +5,7 @@
 namespace touchdown::scenarios {
 namespace {
 
-constexpr Unit kPerSecond{"1/s"}, kMetrePerSecond2RootHertz{"m/s^2/sqrt(Hz)"},
-    kRadianPerSecondRootHertz{"rad/s/sqrt(Hz)"};
+constexpr Unit kRadianPerSecondRootHertz{"rad/s/sqrt(Hz)"};
 
 void DescribeMounting(ConfigVisitor& v, models::Mounting& m) {
   v.Vector3({"position_m", "Position in B."}, m.position_m, kMetre, Between(-2.0, 2.0));
