@@ -24,7 +24,7 @@ struct Options {
   std::vector<std::string> overrides;
   std::optional<std::string> seed;
   std::optional<std::string> estimator;
-  std::string out;
+  std::optional<std::string> out;
 };
 
 void PrintVerdict(const FlightResult& result) {
@@ -33,8 +33,7 @@ void PrintVerdict(const FlightResult& result) {
     fmt::print("  {}  {:<32} {:>10} {:<4} {}\n", check.pass ? "pass" : "FAIL", check.name,
                value.empty() ? "none" : value, check.unit, check.limit);
   }
-  fmt::print("{} ({}): {}\n", Name(result.outcome), result.reason,
-             Name(result.verdict));
+  fmt::print("{} ({}): {}\n", Name(result.outcome), result.reason, Name(result.verdict));
 }
 
 FlightResult FlyWithProgress(const Scenario& scenario, const std::string& out) {
@@ -58,7 +57,7 @@ std::vector<Override> OverridesOf(const Options& options) {
 
 int FlyWith(const Options& options) {
   const Scenario scenario = LoadScenario(options.scenario, OverridesOf(options));
-  const std::string out = options.out.empty() ? "out/" + scenario.name : options.out;
+  const std::string out = options.out.value_or("out/" + scenario.name);
   if (std::filesystem::path(options.scenario).parent_path() != "" &&
       std::filesystem::weakly_canonical(options.scenario).parent_path() == std::filesystem::weakly_canonical(out)) {
     throw InputError(fmt::format("output folder {}: holds the scenario that is flown; name another", out));

@@ -171,7 +171,7 @@ TEST_F(Program, RefusesAnOutputFolderThatHoldsOtherThings) {
 TEST_F(Program, RefusesAnOutputFolderThatCannotBeWritten) {
   Put("good.yaml", kGoodScript);
   Put("file", "");
-  for (const char* place : {"file", "file/below", "/proc/touchdown"}) {
+  for (const char* place : {"", "file", "file/below", "/proc/touchdown"}) {
     const ProgramRun run = Run({"fly", "good.yaml", "--out", place});
     EXPECT_EQ(run.status, 2) << place;
     EXPECT_THAT(run.err, HasSubstr("output folder"));
@@ -196,6 +196,14 @@ TEST_F(Program, LeavesNothingWhenInterrupted) {
     EXPECT_EQ(run.status, 130) << signal;
     EXPECT_THAT(Names(), UnorderedElementsAre("good.yaml"));
   }
+}
+
+TEST_F(Program, ExitsWithThreeWhenItsOutputCannotBeWritten) {
+  Put("short.yaml", std::string(kGoodScript) + "time_limit_s: 0.01\n");
+  const ProgramRun run = touchdown::testing::RunProgram(
+      "/bin/sh", {"-c", "exec \"$0\" fly short.yaml --out result > /dev/full", TOUCHDOWN_PROGRAM}, folder_);
+  EXPECT_EQ(run.status, 3);
+  EXPECT_EQ(run.err, "error: internal error: the standard output cannot be written\n");
 }
 
 TEST_F(Program, ExitsWithThreeWhenTheSimulationGoesWrong) {
