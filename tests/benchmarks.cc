@@ -1,10 +1,14 @@
-// What a frame costs, with AprilTag 3 on the same frames in the same run as the yardstick. `make bench`.
+// What a frame costs, with AprilTag 3 on the same frames in the same run as the yardstick. `make bench`. Exit status 1
+// when vision takes more than a quarter of what undecimated AprilTag does.
 #include <apriltag/apriltag.h>
 #include <apriltag/tag36h11.h>
 #include <benchmark/benchmark.h>
 
+#include <cstdio>
+#include <map>
 #include <memory>
 #include <opencv2/core/utility.hpp>
+#include <string>
 #include <vector>
 
 #include "estimator/make_estimator.h"
@@ -18,6 +22,8 @@ namespace {
 using namespace touchdown;
 
 constexpr int kFrames = 24;
+constexpr const char *kVision = "vision", *kAprilTag = "AprilTag/undecimated";
+constexpr double kMostOfAprilTag = 0.25;
 
 struct View {
   models::Image image;
@@ -64,7 +70,7 @@ void BM_Vision(benchmark::State& state) {
   }
   state.counters["found"] = static_cast<double>(ok) / frames;
 }
-BENCHMARK(BM_Vision)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_Vision)->Name(kVision)->Unit(benchmark::kMillisecond);
 
 void AprilTag(benchmark::State& state, float decimate) {
   const auto& views = Views();
@@ -83,7 +89,7 @@ void AprilTag(benchmark::State& state, float decimate) {
   apriltag_detector_destroy(detector);
   tag36h11_destroy(family);
 }
-BENCHMARK_CAPTURE(AprilTag, undecimated, 1.0F)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(AprilTag, undecimated, 1.0F)->Name(kAprilTag)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(AprilTag, decimated_by_2, 2.0F)->Unit(benchmark::kMillisecond);
 
 /// One camera period of the closed loop's simulation: 20 physics ticks and a frame.
@@ -107,11 +113,36 @@ void BM_SimulatedCameraPeriod(benchmark::State& state) {
 }
 BENCHMARK(BM_SimulatedCameraPeriod)->Unit(benchmark::kMillisecond)->Iterations(120);
 
+/// Shows the runs and keeps what each took.
+class Reporter : public benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override {
+    ConsoleReporter::ReportRuns(runs);
+    for (const Run& run : runs) time_ms_[run.run_name.function_name] = run.GetAdjustedCPUTime();
+  }
+
+  /// Whether vision kept its share of AprilTag's time, or one of them was not run.
+  bool VisionIsFastEnough() const {
+    const auto vision = time_ms_.find(kVision), yardstick = time_ms_.find(kAprilTag);
+    if (vision == time_ms_.end() || yardstick == time_ms_.end()) return true;
+    const double share = vision->second / yardstick->second;
+    const bool good = share <= kMostOfAprilTag;
+    std::printf("%s: vision takes %.3f of undecimated AprilTag's time, limit %.2f\n", good ? "pass" : "FAIL", share,
+                kMostOfAprilTag);
+    return good;
+  }
+
+ private:
+  std::map<std::string, double> time_ms_;
+};
+
 }  // namespace
 
 int main(int argc, char** argv) {
   cv::setNumThreads(1);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
+  Reporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  return reporter.VisionIsFastEnough() ? 0 : 1;
 }

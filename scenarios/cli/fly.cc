@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "models/error.h"
 #include "scenarios/cli/interrupt.h"
 #include "scenarios/cli/progress_line.h"
+#include "scenarios/flight/config_writer.h"
 #include "scenarios/flight/flight_folder.h"
 #include "scenarios/flight/scenario.h"
 
@@ -22,9 +22,9 @@ namespace {
 struct Options {
   std::string scenario;
   std::vector<std::string> overrides;
-  std::optional<std::uint64_t> seed;
-  std::string estimator;
-  std::string out;
+  std::optional<std::string> seed;
+  std::optional<std::string> estimator;
+  std::optional<std::string> out;
 };
 
 void PrintVerdict(const FlightResult& result) {
@@ -33,8 +33,7 @@ void PrintVerdict(const FlightResult& result) {
     fmt::print("  {}  {:<32} {:>10} {:<4} {}\n", check.pass ? "pass" : "FAIL", check.name,
                value.empty() ? "none" : value, check.unit, check.limit);
   }
-  fmt::print("{} ({}): {}\n", kOutcomeNames[static_cast<std::size_t>(result.outcome)], result.reason,
-             kVerdictNames[static_cast<std::size_t>(result.verdict)]);
+  fmt::print("{} ({}): {}\n", Name(result.outcome), result.reason, Name(result.verdict));
 }
 
 FlightResult FlyWithProgress(const Scenario& scenario, const std::string& out) {
@@ -47,12 +46,18 @@ FlightResult FlyWithProgress(const Scenario& scenario, const std::string& out) {
   return FlyIntoFolder(scenario, out, show, InterruptRequested);
 }
 
+std::vector<Override> OverridesOf(const Options& options) {
+  std::vector<Override> overrides(options.overrides.begin(), options.overrides.end());
+  if (options.seed) overrides.emplace_back("seed=" + *options.seed, "--seed " + *options.seed);
+  if (options.estimator) {
+    overrides.emplace_back("estimator.name=" + WriteText(*options.estimator), "--estimator " + *options.estimator);
+  }
+  return overrides;
+}
+
 int FlyWith(const Options& options) {
-  std::vector<std::string> overrides = options.overrides;
-  if (options.seed) overrides.push_back(fmt::format("seed={}", *options.seed));
-  if (!options.estimator.empty()) overrides.push_back("estimator.name=" + options.estimator);
-  const Scenario scenario = LoadScenario(options.scenario, overrides);
-  const std::string out = options.out.empty() ? "out/" + scenario.name : options.out;
+  const Scenario scenario = LoadScenario(options.scenario, OverridesOf(options));
+  const std::string out = options.out.value_or("out/" + scenario.name);
   if (std::filesystem::path(options.scenario).parent_path() != "" &&
       std::filesystem::weakly_canonical(options.scenario).parent_path() == std::filesystem::weakly_canonical(out)) {
     throw InputError(fmt::format("output folder {}: holds the scenario that is flown; name another", out));
@@ -83,9 +88,10 @@ void AddFly(CLI::App& app, Run& run) {
   command.add_option("--set", options->overrides, "Change a key of the scenario, as in --set camera.noise_sigma=5")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  command.add_option("--seed", options->seed, "Seed of every random source (default: the scenario's)");
-  command.add_option("--estimator", options->estimator, "Name of the estimator (default: the scenario's)");
-  command.add_option("--out", options->out, "Folder for the files (default: out/NAME)");
+  command.add_option("--seed", options->seed, "Seed of every random source (default: the scenario's)")->type_name("N");
+  command.add_option("--estimator", options->estimator, "Name of the estimator (default: the scenario's)")
+      ->type_name("NAME");
+  command.add_option("--out", options->out, "Folder for the files (default: out/NAME)")->type_name("DIR");
   command.callback([options, &run] { run = [options] { return FlyWith(*options); }; });
 }
 

@@ -1,6 +1,7 @@
 #include "scenarios/cli/interrupt.h"
 
 #include <csignal>
+#include <initializer_list>
 
 namespace touchdown::scenarios {
 namespace {
@@ -12,8 +13,10 @@ extern "C" void Request(int) { requested = 1; }
 }  // namespace
 
 void CatchInterrupts() {
-  std::signal(SIGINT, Request);
-  std::signal(SIGTERM, Request);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    // What started the program may have it ignore one, as nohup does with SIGHUP.
+    if (std::signal(signal, Request) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
 }
 
 bool InterruptRequested() { return requested != 0; }

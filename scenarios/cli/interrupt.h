@@ -2,7 +2,8 @@
 
 namespace touchdown::scenarios {
 
-/// Makes Ctrl-C (SIGINT) and SIGTERM ask the program to stop instead of ending it at once.
+/// Makes Ctrl-C (SIGINT), SIGTERM and a terminal that closes (SIGHUP) ask the program to stop instead of ending it at
+/// once.
 void CatchInterrupts();
 
 /// Whether the user has asked the program to stop.

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <exception>
 #include <opencv2/core/utility.hpp>
+#include <stdexcept>
+#include <string>
 
 #include "models/error.h"
 #include "scenarios/cli/command.h"
@@ -23,15 +25,17 @@ AddCommand* const kCommands[] = {touchdown::scenarios::AddFly, touchdown::scenar
 
 int RunAndExplain(const Run& run) {
   try {
-    return run();
+    const int status = run();
+    if (std::fflush(stdout) != 0) throw std::runtime_error("the standard output cannot be written");
+    return status;
   } catch (const touchdown::InputError& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
+    spdlog::error("{}", error.what());
     return ExitStatus::kBadInput;
   } catch (const touchdown::scenarios::Interrupted&) {
-    std::fprintf(stderr, "interrupted\n");
+    spdlog::warn("interrupted, nothing was written");
     return ExitStatus::kInterrupted;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "internal error: %s\n", error.what());
+    spdlog::error("internal error: {}", error.what());
     return ExitStatus::kInternalError;
   }
 }
@@ -47,6 +51,9 @@ int main(int argc, char** argv) {
   CLI::App app("A closed-loop testbed for vision-based quadrotor landing", "touchdown");
   app.set_version_flag("--version", TOUCHDOWN_VERSION);
   app.require_subcommand(1);
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return std::string("error: ") + error.what() + " (touchdown --help tells more)\n";
+  });
   Run run;
   for (AddCommand* const add : kCommands) add(app, run);
   try {

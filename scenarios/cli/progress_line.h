@@ -6,16 +6,18 @@
 
 namespace touchdown::scenarios {
 
-/// A line on the terminal that tells how far long work is. Elsewhere than on a terminal it stays silent.
+/// Tells on stderr how far long work is: on a terminal a line that changes in place, elsewhere a plain line now and
+/// then.
 class ProgressLine {
  public:
   ProgressLine();
-  /// Clears the line.
+  /// Clears the line on a terminal.
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Whether it is time for another Show: a few times a second on a terminal, never elsewhere.
+  /// Whether it is time for another Show: from the start and a few times a second on a terminal, elsewhere every few
+  /// seconds.
   bool IsDue() const;
   void Show(const std::string& text);
 

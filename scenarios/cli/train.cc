@@ -1,8 +1,6 @@
 #include "scenarios/cli/train.h"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
-#include <unistd.h>
 
 #include <cstdint>
 #include <memory>
@@ -23,23 +21,19 @@ struct Options {
   std::uint64_t seed = 1;
 };
 
-/// A bar with the time to go on a terminal; elsewhere a line for every tenth of the way.
+/// How much is done, and the time to go.
 class TrainProgress {
  public:
   void Tell(const std::string& text, double share) {
     if (InterruptRequested()) throw Interrupted();
+    if (!line_.IsDue()) return;
     const double left_s = since_start_.seconds() * (1.0 - share) / share;
-    const std::string line = fmt::format("{:3.0f}%  {}, {:.0f} s to go", 100.0 * share, text, left_s);
-    if (line_.IsDue()) line_.Show(line);
-    if (share < next_told_) return;
-    if (isatty(STDERR_FILENO) == 0) spdlog::info(line);
-    next_told_ = share + 0.1;
+    line_.Show(fmt::format("{:3.0f}%  {}, {:.0f} s to go", 100.0 * share, text, left_s));
   }
 
  private:
   ProgressLine line_;
   Stopwatch since_start_;
-  double next_told_ = 0.0;
 };
 
 int TrainWith(const Options& options) {

@@ -1,81 +1,129 @@
 #include "scenarios/flight/camera_info.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
-#include <string>
+#include <initializer_list>
 #include <string_view>
 #include <vector>
+
+#include "models/camera_model.h"
+#include "scenarios/flight/config_reader.h"
 
 namespace touchdown::scenarios {
 namespace {
 
-constexpr std::array<std::string_view, 8> kKnownKeys = {"image_width",          "image_height",
-                                                        "camera_name",          "camera_matrix",
-                                                        "distortion_model",     "distortion_coefficients",
-                                                        "rectification_matrix", "projection_matrix"};
+constexpr std::array<std::string_view, 1> kDistortionModels = {"plumb_bob"};
 
-const ConfigNode& Require(const ConfigNode& parent, std::string_view key, const std::string& path) {
-  const ConfigNode* const node = parent.Find(key);
-  if (node == nullptr) throw ConfigError(parent.origin, path, "must be given");
-  return *node;
+/// Row by row; empty when it is not given.
+struct Matrix {
+  int rows = 0;
+  int cols = 0;
+  std::vector<double> data;
+};
+
+/// A file as ROS's camera_calibration_parsers write it.
+struct CameraInfo {
+  int width_px = 0;
+  int height_px = 0;
+  std::string camera_name;
+  int distortion_model = 0;
+  Matrix camera_matrix;
+  Matrix distortion_coefficients;
+  Matrix rectification_matrix;
+  Matrix projection_matrix;
+};
+
+models::CameraModel ModelOf(const CameraInfo& info) {
+  const std::vector<double>&k = info.camera_matrix.data, &d = info.distortion_coefficients.data;
+  return {.width_px = info.width_px,
+          .height_px = info.height_px,
+          .fx_px = k[0],
+          .fy_px = k[4],
+          .cx_px = k[2],
+          .cy_px = k[5],
+          .k1 = d[0],
+          .k2 = d[1]};
 }
 
-std::vector<ConfigNode> Data(const ConfigNode& root, const std::string& key, std::size_t least, std::size_t most) {
-  const ConfigNode& matrix = Require(root, key, key);
-  const ConfigNode& data = Require(matrix, "data", key + ".data");
-  if (data.kind != ConfigNode::Kind::kList || data.items.size() < least || data.items.size() > most) {
-    throw ConfigError(data.origin, key + ".data", fmt::format("must be a list of {} numbers", most));
+/// Throws InputError for a 0, a 1 or a focal length (f...) of the layout that is none in the matrix.
+void RequireLayout(const Matrix& matrix, std::initializer_list<std::string_view> layout) {
+  const auto holds = [](std::string_view item, double value) {
+    if (item == "0") return value == 0.0;
+    if (item == "1") return value == 1.0;
+    return !item.starts_with('f') || value > 0.0;
+  };
+  if (!std::equal(layout.begin(), layout.end(), matrix.data.begin(), holds)) {
+    throw InputError(fmt::format("must be [{}], is [{}]", fmt::join(layout, ", "), fmt::join(matrix.data, ", ")));
   }
-  return data.items;
 }
 
-bool IsZero(const ConfigNode& node) {
-  return node.kind == ConfigNode::Kind::kText && !node.quoted && !node.text.empty() &&
-         node.text.find_first_not_of("-+0.") == std::string::npos && node.text.find('0') != std::string::npos;
+void RequireRadial(const Matrix& coefficients) {
+  if (std::any_of(coefficients.data.begin() + 2, coefficients.data.end(), [](double value) { return value != 0.0; })) {
+    throw InputError("only the first two terms (k1, k2) may differ from 0");
+  }
+}
+
+void DescribeMatrix(ConfigVisitor& v, const Key& key, Matrix& matrix, const Range& rows, const Range& cols) {
+  v.Section(key, {}, [&](ConfigVisitor& m) {
+    m.Integer({"rows", "", true}, matrix.rows, rows);
+    m.Integer({"cols", "", true}, matrix.cols, cols);
+    matrix.data.resize(static_cast<std::size_t>(matrix.rows) * static_cast<std::size_t>(matrix.cols));
+    std::vector<double*> data;
+    for (double& value : matrix.data) data.push_back(&value);
+    m.Numbers({"data", "", true}, data, kNoUnit, kAny);
+  });
+}
+
+void Describe(ConfigVisitor& v, CameraInfo& info) {
+  constexpr Range kOne = Between(1, 1), kThree = Between(3, 3), kFour = Between(4, 4);
+  v.Integer({"image_width", "", true}, info.width_px, kImageSize_px);
+  v.Integer({"image_height", "", true}, info.height_px, kImageSize_px);
+  v.Text({"camera_name", ""}, info.camera_name);
+  v.Choice({"distortion_model", "", true}, info.distortion_model, kDistortionModels);
+  DescribeMatrix(v, {"camera_matrix", "", true}, info.camera_matrix, kThree, kThree);
+  DescribeMatrix(v, {"distortion_coefficients", "", true}, info.distortion_coefficients, kOne, Between(4, 5));
+  DescribeMatrix(v, {"rectification_matrix", ""}, info.rectification_matrix, kThree, kThree);
+  DescribeMatrix(v, {"projection_matrix", ""}, info.projection_matrix, kThree, kFour);
+  v.Check("camera_matrix.data", [&info] {
+    RequireLayout(info.camera_matrix, {"fx", "0", "cx", "0", "fy", "cy", "0", "0", "1"});
+  });
+  v.Check("distortion_coefficients.data", [&info] {
+    RequireRadial(info.distortion_coefficients);
+    ModelOf(info).Validate();
+  });
+  v.Check("rectification_matrix.data", [&matrix = info.rectification_matrix] {
+    if (!matrix.data.empty()) RequireLayout(matrix, {"1", "0", "0", "0", "1", "0", "0", "0", "1"});
+  });
+  v.Check("projection_matrix.data", [&matrix = info.projection_matrix] {
+    if (!matrix.data.empty()) {
+      RequireLayout(matrix, {"fx'", "0", "cx'", "0", "0", "fy'", "cy'", "0", "0", "0", "1", "0"});
+    }
+  });
 }
 
 }  // namespace
 
 bool IsCameraInfo(const ConfigNode& root) {
-  return root.Find("image_width") != nullptr || root.Find("camera_matrix") != nullptr;
+  constexpr std::array<std::string_view, 5> kTelling = {"image_width", "image_height", "camera_matrix",
+                                                        "distortion_model", "distortion_coefficients"};
+  return std::any_of(kTelling.begin(), kTelling.end(), [&root](auto key) { return root.Find(key) != nullptr; });
 }
 
 ConfigNode CameraModelFromCameraInfo(const ConfigNode& root) {
-  for (const auto& [key, node] : root.keys) {
-    if (std::find(kKnownKeys.begin(), kKnownKeys.end(), key) == kKnownKeys.end()) {
-      throw ConfigError(node.origin, key, "unknown key of a camera_info calibration");
-    }
-  }
-  const ConfigNode& model = Require(root, "distortion_model", "distortion_model");
-  if (model.text != "plumb_bob") throw ConfigError(model.origin, "distortion_model", "must be plumb_bob");
-
-  const std::vector<ConfigNode> matrix = Data(root, "camera_matrix", 9, 9);
-  for (const std::size_t index : {1, 3, 6, 7}) {
-    if (!IsZero(matrix[index])) {
-      throw ConfigError(matrix[index].origin, "camera_matrix.data", "must be [fx, 0, cx, 0, fy, cy, 0, 0, 1]");
-    }
-  }
-  const std::vector<ConfigNode> distortion = Data(root, "distortion_coefficients", 4, 5);
-  for (std::size_t index = 2; index < distortion.size(); ++index) {
-    if (!IsZero(distortion[index])) {
-      throw ConfigError(distortion[index].origin, "distortion_coefficients.data",
-                        "only the first two terms (k1, k2) may differ from 0");
-    }
-  }
-
+  ReadAlone<CameraInfo>(root);
+  const auto item = [&root](std::string_view matrix, std::size_t index) {
+    return root.Find(matrix)->Find("data")->items[index];
+  };
   ConfigNode keys;
   keys.kind = ConfigNode::Kind::kKeys;
   keys.origin = root.origin;
-  keys.keys = {{"width_px", Require(root, "image_width", "image_width")},
-               {"height_px", Require(root, "image_height", "image_height")},
-               {"fx_px", matrix[0]},
-               {"fy_px", matrix[4]},
-               {"cx_px", matrix[2]},
-               {"cy_px", matrix[5]},
-               {"k1", distortion[0]},
-               {"k2", distortion[1]}};
+  keys.keys = {{"width_px", *root.Find("image_width")},    {"height_px", *root.Find("image_height")},
+               {"fx_px", item("camera_matrix", 0)},        {"fy_px", item("camera_matrix", 4)},
+               {"cx_px", item("camera_matrix", 2)},        {"cy_px", item("camera_matrix", 5)},
+               {"k1", item("distortion_coefficients", 0)}, {"k2", item("distortion_coefficients", 1)}};
   return keys;
 }
 

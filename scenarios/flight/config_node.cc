@@ -10,6 +10,7 @@
 #include <functional>
 #include <optional>
 #include <sstream>
+#include <unordered_map>
 
 namespace touchdown::scenarios {
 namespace {
@@ -33,7 +34,7 @@ class TreeBuilder : public YAML::EventHandler {
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     ConfigNode node = MakeNode(ConfigNode::Kind::kNothing, mark, "?", anchor);
     // The parser notices that nothing was given only on the next line.
-    if (!pending_.empty() && pending_.back()) node.origin = pending_.back()->origin;
+    if (!open_.empty() && open_.back().pending) node.origin = open_.back().pending->origin;
     Add(std::move(node));
   }
 
@@ -43,13 +44,11 @@ class TreeBuilder : public YAML::EventHandler {
 
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
-    if (!open_.empty() && open_.back()->kind == ConfigNode::Kind::kKeys && !pending_.back()) {
-      for (const auto& [key, node] : open_.back()->keys) {
-        if (key == value) {
-          throw ConfigError(origin_of_(mark), value, "duplicate key, first given at " + node.origin.place);
-        }
-      }
-      pending_.back() = PendingKey{value, origin_of_(mark)};
+    if (!open_.empty() && open_.back().node->kind == ConfigNode::Kind::kKeys && !open_.back().pending) {
+      const Origin origin = origin_of_(mark);
+      const auto [first, is_new] = open_.back().places.emplace(value, origin.place);
+      if (!is_new) throw ConfigError(origin, value, "duplicate key, first given at " + first->second);
+      open_.back().pending = PendingKey{value, origin};
       return;
     }
     ConfigNode node = MakeNode(ConfigNode::Kind::kText, mark, tag, anchor);
@@ -75,6 +74,11 @@ class TreeBuilder : public YAML::EventHandler {
     std::string name;
     Origin origin;
   };
+  struct OpenNode {
+    ConfigNode* node;
+    std::optional<PendingKey> pending;                    ///< Waits for its value.
+    std::unordered_map<std::string, std::string> places;  ///< Of its keys so far.
+  };
 
   ConfigNode MakeNode(ConfigNode::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
     const Origin origin = origin_of_(mark);
@@ -91,14 +95,19 @@ class TreeBuilder : public YAML::EventHandler {
       root_ = std::move(node);
       return &root_;
     }
-    ConfigNode& parent = *open_.back();
+    OpenNode& open = open_.back();
+    ConfigNode& parent = *open.node;
     if (parent.kind == ConfigNode::Kind::kList) {
       parent.items.push_back(std::move(node));
       return &parent.items.back();
     }
-    if (!pending_.back()) throw ConfigError(node.origin, "", "a key must be plain text");
-    parent.keys.push_back({pending_.back()->name, std::move(node)});
-    pending_.back().reset();
+    if (!open.pending) {
+      const bool is_bracket = node.kind != ConfigNode::Kind::kNothing;
+      throw ConfigError(node.origin, "",
+                        fmt::format("a key must be plain text{}", is_bracket ? "; is a bracket not closed?" : ""));
+    }
+    parent.keys.push_back({std::move(open.pending->name), std::move(node)});
+    open.pending.reset();
     return &parent.keys.back().node;
   }
 
@@ -107,20 +116,15 @@ class TreeBuilder : public YAML::EventHandler {
       throw ConfigError(node.origin, "", fmt::format("nested more than {} deep", kDeepestNesting));
     }
     ConfigNode* const opened = Add(std::move(node));
-    open_.push_back(opened);
-    pending_.emplace_back();
+    open_.push_back({opened, {}, {}});
   }
 
-  void Close() {
-    open_.pop_back();
-    pending_.pop_back();
-  }
+  void Close() { open_.pop_back(); }
 
   OriginOf origin_of_;
   ConfigNode root_;
   // Only the innermost open node grows, so that the addresses of those around it hold.
-  std::vector<ConfigNode*> open_;
-  std::vector<std::optional<PendingKey>> pending_;  ///< For each open node, the key that waits for its value.
+  std::vector<OpenNode> open_;
 };
 
 ConfigNode Parse(const std::string& text, const OriginOf& origin_of) {
@@ -186,12 +190,12 @@ ConfigNode ReadConfigFile(const std::filesystem::path& file) {
   return ParseConfig(text, file.string(), file.parent_path());
 }
 
-ConfigNode ParseOverride(const std::string& override_text) {
-  const Origin origin{"--set " + override_text, {}};
-  const std::size_t equals = override_text.find('=');
+ConfigNode ParseOverride(const std::string& assignment, const std::string& place) {
+  const Origin origin{place, {}};
+  const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0) throw ConfigError(origin, "", "must have the form key=value");
-  const std::string path = override_text.substr(0, equals);
-  ConfigNode node = Parse(override_text.substr(equals + 1), [&](const YAML::Mark&) { return origin; });
+  const std::string path = assignment.substr(0, equals);
+  ConfigNode node = Parse(assignment.substr(equals + 1), [&](const YAML::Mark&) { return origin; });
   node.origin = origin;
   std::size_t end = path.size();
   for (int depth = 0;; ++depth) {

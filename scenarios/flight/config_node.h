@@ -51,8 +51,8 @@ ConfigNode ReadConfigFile(const std::filesystem::path& file);
 /// Parses YAML text as of a file named `name`. Throws as ReadConfigFile does.
 ConfigNode ParseConfig(const std::string& text, const std::string& name, const std::filesystem::path& folder);
 
-/// The patch that "a.b.c=value" stands for; the value is YAML. Throws InputError when it has no key or its value is no
-/// YAML.
-ConfigNode ParseOverride(const std::string& override_text);
+/// The patch that "a.b.c=value" stands for; the value is YAML. `place` is what messages call it. Throws InputError when
+/// it has no key or its value is no YAML.
+ConfigNode ParseOverride(const std::string& assignment, const std::string& place);
 
 }  // namespace touchdown::scenarios

@@ -75,6 +75,7 @@ std::string UnknownKeyMessage(std::string_view key, const std::set<std::string, 
 }  // namespace
 
 std::string Range::Describe() const {
+  if (min == max) return fmt::format("must be {}", min);
   const bool has_min = std::isfinite(min), has_max = std::isfinite(max);
   if (has_min && has_max && !min_is_open) return fmt::format("must be from {} to {}", min, max);
   const std::string low = has_min ? fmt::format("{} {}", min_is_open ? "above" : "at least", min) : "";
@@ -168,12 +169,12 @@ void ConfigReader::Text(const Key& key, std::string& value) {
 }
 
 void ConfigReader::Choice(const Key& key, int& index, std::span<const std::string_view> names) {
-  const ConfigNode* const node = VisitText(key, fmt::format("one of {}", fmt::join(names, ", ")));
+  const std::string one_of = fmt::format("{}{}", names.size() > 1 ? "one of " : "", fmt::join(names, ", "));
+  const ConfigNode* const node = VisitText(key, one_of);
   if (node == nullptr) return;
   const auto found = std::find(names.begin(), names.end(), node->text);
   if (found == names.end()) {
-    throw ConfigError(node->origin, PathOf(key.name),
-                      fmt::format("must be one of {}, is {}", fmt::join(names, ", "), Excerpt(node->text)));
+    throw ConfigError(node->origin, PathOf(key.name), fmt::format("must be {}, is {}", one_of, Excerpt(node->text)));
   }
   index = static_cast<int>(found - names.begin());
 }
@@ -257,6 +258,15 @@ std::string ConfigChecker::PathOf(std::string_view key) const {
   return fmt::format("{}.{}", path_, key);
 }
 
+const Origin& ConfigChecker::OriginOf(std::string_view path) const {
+  for (;;) {
+    if (const auto origin = origins_.find(path); origin != origins_.end()) return origin->second;
+    const std::size_t dot = path.rfind('.');
+    if (dot == std::string_view::npos) return fallback_;
+    path = path.substr(0, dot);
+  }
+}
+
 void ConfigChecker::Section(const Key& key, const SectionFile&, const std::function<void(ConfigVisitor&)>& describe) {
   const std::string parent = std::exchange(path_, PathOf(key.name));
   describe(*this);
@@ -279,9 +289,7 @@ void ConfigChecker::Check(std::string_view key, const std::function<void()>& che
     check();
   } catch (const InputError& error) {
     const std::string path = PathOf(key);
-    auto origin = origins_.find(path);
-    if (origin == origins_.end()) origin = origins_.find(path_);
-    throw ConfigError(origin == origins_.end() ? fallback_ : origin->second, path, error.what());
+    throw ConfigError(OriginOf(path), path, error.what());
   }
 }
 

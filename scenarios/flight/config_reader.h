@@ -57,7 +57,7 @@ class ConfigReader : public ConfigVisitor {
 /// Runs the checks of a configuration that has been read. Its visits throw InputError with the place of the section.
 class ConfigChecker : public ConfigVisitor {
  public:
-  /// `fallback` is named for a section that nobody wrote.
+  /// `fallback` is named for what nobody wrote, nor anything around it.
   ConfigChecker(const OriginByPath& origins, Origin fallback) : origins_(origins), fallback_(std::move(fallback)) {}
 
   void Number(const Key&, double&, const Unit&, const Range&) override {}
@@ -73,11 +73,26 @@ class ConfigChecker : public ConfigVisitor {
   void Check(std::string_view key, const std::function<void()>& check) override;
 
  private:
+  std::string PathOf(std::string_view key) const;
+  /// Of the innermost part of `path` that somebody wrote.
+  const Origin& OriginOf(std::string_view path) const;
+
   const OriginByPath& origins_;
   Origin fallback_;
-  std::string PathOf(std::string_view key) const;
-
   std::string path_;
 };
+
+/// Reads and checks a struct whose keys are those of `root`. Throws InputError, naming place and key.
+template <typename T>
+T ReadAlone(const ConfigNode& root) {
+  T value;
+  OriginByPath origins;
+  ConfigReader reader(root, origins);
+  Describe(reader, value);
+  reader.Finish();
+  ConfigChecker checker(origins, root.origin);
+  Describe(checker, value);
+  return value;
+}
 
 }  // namespace touchdown::scenarios

@@ -102,7 +102,7 @@ void ConfigReference::List(const Key& key, std::size_t, const std::function<void
 }
 
 std::vector<ScenarioKey> ScenarioReference() {
-  constexpr int kVariants = 5;  // The most names that a choice has.
+  constexpr int kVariants = 4;  // The most names that a choice has.
   ConfigReference reference;
   for (int variant = 0; variant < kVariants; ++variant) {
     Scenario scenario;

@@ -29,7 +29,8 @@ struct Unit {
 
 inline constexpr Unit kNoUnit{"-"}, kMetre{"m"}, kSecond{"s"}, kMillisecond{"ms", 1.0, 1000.0}, kKilogram{"kg"},
     kNewton{"N"}, kMetrePerSecond{"m/s"}, kMetrePerSecond2{"m/s^2"}, kRadianPerSecond{"rad/s"}, kPixel{"px"},
-    kHertz{"Hz"}, kDegree{"deg", models::kPi / 180.0}, kDegreePerSecond{"deg/s", models::kPi / 180.0};
+    kHertz{"Hz"}, kPerSecond{"1/s"}, kMetrePerSecond2RootHertz{"m/s^2/sqrt(Hz)"}, kDegree{"deg", models::kPi / 180.0},
+    kDegreePerSecond{"deg/s", models::kPi / 180.0};
 
 /// The numbers that a key takes, in the key's unit.
 struct Range {
@@ -46,6 +47,12 @@ inline constexpr Range kAny{}, kPositive{.min = 0.0, .min_is_open = true}, kNotN
     kFraction{.min = 0.0, .max = 1.0};
 constexpr Range Between(double min, double max) { return {.min = min, .max = max}; }
 constexpr Range PositiveUpTo(double max) { return {.min = 0.0, .max = max, .min_is_open = true}; }
+
+inline constexpr Range kImageSize_px = Between(1, 16384);
+
+/// Of times in seconds: ten hours is beyond every flight.
+inline constexpr double kLongest_s = 36000.0;
+inline constexpr Range kPositiveTime = PositiveUpTo(kLongest_s), kTime = Between(0.0, kLongest_s);
 
 /// A key and what it means, for the reference.
 struct Key {

@@ -14,7 +14,7 @@ EndWatch::EndWatch(const Scenario& scenario)
     : time_(scenario.time),
       time_limit_(scenario.time.FromSeconds(scenario.time_limit_s)),
       half_room_m_(scenario.scene.floor_size_m / 2.0),
-      ceiling_m_(scenario.scene.floor_size_m) {}
+      ceiling_m_(scenario.ceiling_m()) {}
 
 std::optional<Ending> EndWatch::Judge(const sim::TrueState& truth, const controller::ControlOutput& control) {
   if (auto danger = JudgeDanger(truth)) return danger;

@@ -22,7 +22,7 @@ FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path
   folder.Write("tracking.csv", result.tables.tracking_csv);
   folder.Write("frame_timing.csv", result.tables.frame_timing_csv);
   folder.Write("timing.json", TimingJson(result.timing));
-  folder.Write("frames.png", sheet.Png());
+  if (const auto png = sheet.Png()) folder.Write("frames.png", *png);
   folder.Write("result.json", ResultJson(scenario, result));
   folder.Commit();
   return result;

@@ -6,6 +6,7 @@
 
 #include "scenarios/flight/flight_tables.h"
 #include "scenarios/flight/platform.h"
+#include "scenarios/flight/sha256.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -46,6 +47,18 @@ nlohmann::ordered_json CheckJson(const Check& check) {
 
 }  // namespace
 
+std::string_view Name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kPass:
+      return "pass";
+    case Verdict::kFail:
+      return "fail";
+    case Verdict::kError:
+      break;
+  }
+  return "error";
+}
+
 FlightResult JudgeFlight(const Scenario& scenario, const FlightLog& log) {
   FlightResult result;
   result.outcome = log.outcome;
@@ -71,8 +84,8 @@ std::string ResultJson(const Scenario& scenario, const FlightResult& result) {
   json["scenario"] = scenario.name;
   json["seed"] = scenario.seed;
   json["estimator"] = scenario.estimator.name;
-  json["outcome"] = kOutcomeNames[static_cast<std::size_t>(result.outcome)];
-  json["verdict"] = kVerdictNames[static_cast<std::size_t>(result.verdict)];
+  json["outcome"] = Name(result.outcome);
+  json["verdict"] = Name(result.verdict);
   json["checks"] = nlohmann::ordered_json::array();
   for (const Check& check : result.checks) json["checks"].push_back(CheckJson(check));
   json["metrics"] = nlohmann::ordered_json::object();

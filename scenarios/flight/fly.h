@@ -17,7 +17,8 @@ enum class Verdict {
   kFail,   ///< A check was not.
   kError,  ///< The simulation went wrong.
 };
-inline constexpr std::array<std::string_view, 3> kVerdictNames = {"pass", "fail", "error"};
+/// "pass", "fail" or "error".
+std::string_view Name(Verdict verdict);
 
 /// What the wall clock says of a flight.
 struct Timing {

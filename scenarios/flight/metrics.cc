@@ -183,13 +183,12 @@ Metrics ComputeMetrics(const FlightLog& log) {
 }
 
 std::vector<Check> Judge(const Scenario& scenario, Outcome outcome, const Metrics& metrics) {
-  const auto name_of = [](Outcome o) { return std::string(kOutcomeNames[static_cast<std::size_t>(o)]); };
   std::vector<Check> checks;
   checks.push_back({.name = "outcome",
                     .value = {},
-                    .text = name_of(outcome),
+                    .text = std::string(Name(outcome)),
                     .unit = "",
-                    .limit = name_of(scenario.expected_outcome()),
+                    .limit = std::string(Name(scenario.expected_outcome())),
                     .pass = outcome == scenario.expected_outcome()});
   for (const Criterion& criterion : scenario.criteria) {
     Check check;

@@ -9,7 +9,4 @@ namespace touchdown::scenarios {
 /// What decides, beside scenario and seed, the last bits of a flight: names and values, in a fixed order.
 std::vector<std::pair<std::string, std::string>> PlatformFacts();
 
-/// SHA-256 of the texts, one after the other, in lower-case hexadecimal.
-std::string Sha256(const std::vector<const std::string*>& texts);
-
 }  // namespace touchdown::scenarios

@@ -8,7 +8,7 @@
 namespace touchdown::scenarios {
 namespace {
 
-Scenario ReadScenario(const ConfigNode& root, const std::string& default_name, std::span<const std::string> overrides) {
+Scenario ReadScenario(const ConfigNode& root, const std::string& default_name, std::span<const Override> overrides) {
   Scenario scenario;
   scenario.name = default_name;
   OriginByPath origins;
@@ -18,23 +18,16 @@ Scenario ReadScenario(const ConfigNode& root, const std::string& default_name, s
     reader.Finish();
   };
   read(root);
-  for (const std::string& text : overrides) read(ParseOverride(text));
+  for (const Override& change : overrides) read(ParseOverride(change.assignment, change.place));
   ConfigChecker checker(origins, root.origin);
   Describe(checker, scenario);
   scenario.expect = scenario.expected_outcome();
   return scenario;
 }
 
-template <typename T>
-T LoadAlone(ConfigNode root) {
-  T value;
-  OriginByPath origins;
-  ConfigReader reader(root, origins);
-  Describe(reader, value);
-  reader.Finish();
-  ConfigChecker checker(origins, root.origin);
-  Describe(checker, value);
-  return value;
+/// As reading its own text gives it.
+Scenario Resolved(const Scenario& written, const std::string& name) {
+  return ReadScenario(ParseConfig(ScenarioYaml(written), "resolved " + name, {}), written.name, {});
 }
 
 }  // namespace
@@ -46,15 +39,13 @@ Outcome Scenario::expected_outcome() const {
 }
 
 Scenario ParseScenario(const std::string& text, const std::string& name, const std::filesystem::path& folder,
-                       std::span<const std::string> overrides) {
+                       std::span<const Override> overrides) {
   const std::string stem = std::filesystem::path(name).stem().string();
-  const Scenario written = ReadScenario(ParseConfig(text, name, folder), stem, overrides);
-  return ReadScenario(ParseConfig(ScenarioYaml(written), "resolved " + name, folder), stem, {});
+  return Resolved(ReadScenario(ParseConfig(text, name, folder), stem, overrides), name);
 }
 
-Scenario LoadScenario(const std::filesystem::path& file, std::span<const std::string> overrides) {
-  const Scenario written = ReadScenario(ReadConfigFile(file), file.stem().string(), overrides);
-  return ReadScenario(ParseConfig(ScenarioYaml(written), "resolved " + file.string(), {}), "", {});
+Scenario LoadScenario(const std::filesystem::path& file, std::span<const Override> overrides) {
+  return Resolved(ReadScenario(ReadConfigFile(file), file.stem().string(), overrides), file.string());
 }
 
 std::string ScenarioYaml(const Scenario& scenario) {
@@ -66,11 +57,11 @@ std::string ScenarioYaml(const Scenario& scenario) {
 
 models::CameraModel LoadCameraModel(const std::filesystem::path& file) {
   ConfigNode root = ReadConfigFile(file);
-  return LoadAlone<models::CameraModel>(IsCameraInfo(root) ? CameraModelFromCameraInfo(root) : std::move(root));
+  return ReadAlone<models::CameraModel>(IsCameraInfo(root) ? CameraModelFromCameraInfo(root) : std::move(root));
 }
 
 models::LandingPad LoadPad(const std::filesystem::path& file) {
-  return LoadAlone<models::LandingPad>(ReadConfigFile(file));
+  return ReadAlone<models::LandingPad>(ReadConfigFile(file));
 }
 
 }  // namespace touchdown::scenarios

@@ -36,6 +36,7 @@ enum class Outcome {
   kError,    ///< The simulation went wrong.
 };
 inline constexpr std::array<std::string_view, 5> kOutcomeNames = {"landed", "hovered", "gave_up", "crashed", "error"};
+constexpr std::string_view Name(Outcome outcome) { return kOutcomeNames[static_cast<std::size_t>(outcome)]; }
 
 /// Where the vehicle is at tick 0, at rest.
 struct Start {
@@ -75,7 +76,8 @@ struct Scenario {
   std::string description;
   std::uint64_t seed = 1;
   double time_limit_s = 120.0;
-  /// The right end of this flight. When not given: landed after a script that ends with a landing, else hovered.
+  /// The right end of this flight, any but an error. When not given: landed after a script that ends with a landing,
+  /// else hovered.
   std::optional<Outcome> expect;
   Start start;
   std::vector<controller::Manoeuvre> script;
@@ -96,18 +98,31 @@ struct Scenario {
   controller::FlightControllerConfig controller;
 
   Outcome expected_outcome() const;
+  /// Height at which the room ends: it is a cube.
+  double ceiling_m() const { return scene.floor_size_m; }
 };
 
-/// Reads a scenario's file and applies "key=value" overrides over it, in their order. Throws InputError, naming file,
+/// A change of one key over what a scenario's file says.
+struct Override {
+  /// As --set is given it: "key=value", the value as YAML.
+  Override(const std::string& set) : assignment(set), place("--set " + set) {}  // NOLINT: strings are overrides.
+  Override(std::string assignment_text, std::string typed)
+      : assignment(std::move(assignment_text)), place(std::move(typed)) {}
+
+  std::string assignment;
+  std::string place;  ///< What messages call it.
+};
+
+/// Reads a scenario's file and applies overrides over it, in their order. Throws InputError, naming file,
 /// line and key, for anything that is not as docs/scenarios.md has it.
 ///
 /// The result is as reading its own ScenarioYaml gives it, to the last bit, so that a flight can be flown again from
 /// the scenario.yaml beside its results.
-Scenario LoadScenario(const std::filesystem::path& file, std::span<const std::string> overrides = {});
+Scenario LoadScenario(const std::filesystem::path& file, std::span<const Override> overrides = {});
 
 /// The same of text; `name` stands for the file in messages, and files are looked for in `folder`.
 Scenario ParseScenario(const std::string& text, const std::string& name, const std::filesystem::path& folder,
-                       std::span<const std::string> overrides = {});
+                       std::span<const Override> overrides = {});
 
 /// The whole scenario as YAML with every key, in place.
 std::string ScenarioYaml(const Scenario& scenario);

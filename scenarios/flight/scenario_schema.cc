@@ -6,11 +6,16 @@
 
 #include "scenarios/flight/camera_info.h"
 #include "scenarios/flight/metrics.h"
+#include "scenarios/flight/scenario_checks.h"
 
 namespace touchdown::scenarios {
 namespace {
 
 constexpr std::array<std::string_view, 3> kManoeuvreNames = {"takeoff", "hover", "land"};
+
+/// A flight that ends in an error has no verdict but that: nothing can expect it.
+constexpr auto kExpectableOutcomes = std::span(kOutcomeNames).first<4>();
+static_assert(kOutcomeNames[4] == "error");
 
 bool IsPlainName(const std::string& name) {
   return !name.empty() && name.size() <= 100 && name[0] != '.' && name[0] != '-' &&
@@ -46,7 +51,7 @@ void Describe(ConfigVisitor& v, controller::Manoeuvre& m) {
       break;
     case controller::ManoeuvreKind::kHover:
       v.Vector3({"position_m", "Set-point in W (hover only)."}, m.position_m, kMetre, Between(-15.0, 15.0));
-      v.Number({"duration_s", "How long to stay there (hover only).", true}, m.duration_s, kSecond, kNotNegative);
+      v.Number({"duration_s", "How long to stay there (hover only).", true}, m.duration_s, kSecond, kTime);
       break;
     case controller::ManoeuvreKind::kLand:
       break;
@@ -54,7 +59,7 @@ void Describe(ConfigVisitor& v, controller::Manoeuvre& m) {
 }
 
 void Describe(ConfigVisitor& v, Event& event) {
-  v.Number({"at_s", "When it begins, from the start of the flight.", true}, event.at_s, kSecond, kNotNegative);
+  v.Number({"at_s", "When it begins, from the start of the flight.", true}, event.at_s, kSecond, kTime);
   v.Choice({"do", "What happens.", true}, event.kind, Event::kNames);
   switch (event.kind) {
     case Event::Kind::kPush:
@@ -69,7 +74,7 @@ void Describe(ConfigVisitor& v, Event& event) {
     case Event::Kind::kLoseFrames:
       break;
   }
-  v.Number({"duration_s", "How long it lasts (not for wind).", true}, event.duration_s, kSecond, kPositive);
+  v.Number({"duration_s", "How long it lasts (not for wind).", true}, event.duration_s, kSecond, kPositiveTime);
 }
 
 void Describe(ConfigVisitor& v, Criterion& criterion) {
@@ -91,10 +96,9 @@ void DescribeStory(ConfigVisitor& v, Scenario& s) {
   v.Text({"name", "Letters, digits, _ - and . only; by default the file's name."}, s.name);
   v.Text({"description", "What the flight shows."}, s.description);
   v.Integer({"seed", "Of every random source."}, s.seed, kNotNegative);
-  v.Number({"time_limit_s", "After which the flight counts as given up."}, s.time_limit_s, kSecond,
-           PositiveUpTo(36000.0));
+  v.Number({"time_limit_s", "After which the flight counts as given up."}, s.time_limit_s, kSecond, kPositiveTime);
   int expect = s.expect ? static_cast<int>(*s.expect) : -1;
-  v.Choice({"expect", "The right end of the flight; by default as the script ends."}, expect, kOutcomeNames);
+  v.Choice({"expect", "The right end of the flight; by default as the script ends."}, expect, kExpectableOutcomes);
   if (expect >= 0) s.expect = static_cast<Outcome>(expect);
   v.Keys({"start", "Where the vehicle is at the start, at rest."}, s.start);
   v.Items({"script", "What the vehicle is to do, one after the other.", true}, s.script);
@@ -108,10 +112,7 @@ void DescribeStory(ConfigVisitor& v, Scenario& s) {
   });
 }
 
-}  // namespace
-
-void Describe(ConfigVisitor& v, Scenario& s) {
-  DescribeStory(v, s);
+void DescribeSimulation(ConfigVisitor& v, Scenario& s) {
   v.Section({"time", "The simulation's clock."}, {}, [&s](ConfigVisitor& t) {
     t.Integer({"ticks_per_s", "Physics steps a second; every sensor's rate divides it."}, s.time.ticks_per_s,
               Between(100, 100000));
@@ -140,22 +141,22 @@ void Describe(ConfigVisitor& v, Scenario& s) {
   });
   v.Keys({"scene", "What lies around the pad. The layout is drawn from the seed."}, s.scene);
   v.Keys({"world", "Wind and vibration."}, s.world);
+}
+
+void DescribeAutopilot(ConfigVisitor& v, Scenario& s) {
   v.Keys({"estimator", "Frames to poses."}, s.estimator);
   v.Keys({"attitude_estimator", "Roll and pitch from the IMU, yaw from vision."}, s.attitude_estimator);
   v.Keys({"pose_filter", "The Kalman filter on vision's position."}, s.pose_filter);
   v.Keys({"controller", "Guidance, position loop, attitude loop."}, s.controller);
-  v.Check("camera.latency_ms", [&s] {
-    const double oldest_s = s.camera.latency_s + 1.0 / s.camera.rate_hz;
-    if (oldest_s >= s.controller.vision_fresh_s || s.camera.latency_s >= s.attitude_estimator.history_s) {
-      throw InputError(
-          "with a frame's period on top must stay below controller.vision_fresh_s, and below "
-          "attitude_estimator.history_s: the frames would come too late to be used");
-    }
-  });
-  v.Check("scene", [&s] { sim::MakeScene(s.scene, s.pad, s.seed); });
-  v.Check("script", [&s] {
-    controller::FlightController(s.controller, s.vehicle, s.time, s.imu.rate_hz, s.script, s.start.airborne);
-  });
+}
+
+}  // namespace
+
+void Describe(ConfigVisitor& v, Scenario& s) {
+  DescribeStory(v, s);
+  DescribeSimulation(v, s);
+  DescribeAutopilot(v, s);
+  CheckScenario(v, s);
 }
 
 }  // namespace touchdown::scenarios

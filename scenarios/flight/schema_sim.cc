@@ -5,8 +5,7 @@
 namespace touchdown::scenarios {
 namespace {
 
-constexpr Unit kPerSecond{"1/s"}, kMetrePerSecond2RootHertz{"m/s^2/sqrt(Hz)"},
-    kRadianPerSecondRootHertz{"rad/s/sqrt(Hz)"};
+constexpr Unit kRadianPerSecondRootHertz{"rad/s/sqrt(Hz)"};
 
 void DescribeMounting(ConfigVisitor& v, models::Mounting& m) {
   v.Vector3({"position_m", "Position in B."}, m.position_m, kMetre, Between(-2.0, 2.0));
@@ -18,7 +17,7 @@ void DescribeRotor(ConfigVisitor& v, models::Rotor& r) {
   v.Number({"thrust_coefficient_n_s2", "Thrust over squared speed in rad/s."}, r.thrust_coefficient_n_s2, {"N s^2"},
            kPositive);
   v.Number({"torque_ratio_m", "Drag torque in Nm for each N of thrust."}, r.torque_ratio_m, kMetre, kPositive);
-  v.Number({"time_constant_s", "Of the lag from command to speed."}, r.time_constant_s, kSecond, kPositive);
+  v.Number({"time_constant_s", "Of the lag from command to speed."}, r.time_constant_s, kSecond, kPositiveTime);
   v.Number({"max_speed_rad_s", "Highest speed."}, r.max_speed_rad_s, kRadianPerSecond, kPositive);
   v.Number({"min_speed_rad_s", "Idle of a running motor."}, r.min_speed_rad_s, kRadianPerSecond, kNotNegative);
   v.Number({"propeller_diameter_m", "Of the propeller."}, r.propeller_diameter_m, kMetre, kPositive);
@@ -52,8 +51,8 @@ void Describe(ConfigVisitor& v, models::Vehicle& c) {
 }
 
 void Describe(ConfigVisitor& v, models::CameraModel& c) {
-  v.Integer({"width_px", "Image width."}, c.width_px, Between(1, 16384));
-  v.Integer({"height_px", "Image height."}, c.height_px, Between(1, 16384));
+  v.Integer({"width_px", "Image width."}, c.width_px, kImageSize_px);
+  v.Integer({"height_px", "Image height."}, c.height_px, kImageSize_px);
   v.Number({"fx_px", "Focal length."}, c.fx_px, kPixel, kPositive);
   v.Number({"fy_px", "Focal length."}, c.fy_px, kPixel, kPositive);
   v.Number({"cx_px", "Principal point; pixel centres lie on integers."}, c.cx_px, kPixel, kAny);
@@ -96,7 +95,7 @@ void Describe(ConfigVisitor& v, sim::TrackingSystemConfig& c) {
   v.Number({"rotation_noise_deg", "1-sigma, per axis."}, c.rotation_noise_rad, kDegree, kNotNegative);
   v.Number({"occlusions_per_s", "Mean rate at which occlusions of the markers begin."}, c.occlusions_per_s, kPerSecond,
            kNotNegative);
-  v.Number({"occlusion_duration_s", "Mean length of an occlusion."}, c.occlusion_duration_s, kSecond, kNotNegative);
+  v.Number({"occlusion_duration_s", "Mean length of an occlusion."}, c.occlusion_duration_s, kSecond, kTime);
   v.Number({"outlier_probability", "That an occlusion gives outliers; otherwise it is a gap."}, c.outlier_probability,
            kNoUnit, kFraction);
   v.Number({"outlier_position_m", "1-sigma per axis of an outlier's offset."}, c.outlier_position_m, kMetre,

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <stdexcept>
 
 namespace touchdown::scenarios {
 namespace {
@@ -13,7 +14,8 @@ namespace {
 constexpr std::size_t kMostKept = 48;
 constexpr std::size_t kColumns = 4;
 constexpr std::size_t kTiles = 12;
-constexpr int kTileWidth_px = 480;
+constexpr int kWidestTile_px = 480;
+constexpr int kHighestTile_px = 720;
 
 // Blue, green, red.
 const cv::Scalar kGreen(60, 190, 60), kBlue(230, 110, 30), kRed(60, 60, 220), kOrange(0, 140, 255),
@@ -58,6 +60,14 @@ void DrawCaption(cv::Mat& picture, const FrameRecord& record, double time_s) {
   cv::putText(picture, caption, {8, 19}, cv::FONT_HERSHEY_SIMPLEX, 0.58, colour, 1, cv::LINE_AA);
 }
 
+/// The camera's frame, scaled to fit.
+cv::Size TileSize(const models::CameraModel& camera) {
+  const double scale = std::min(static_cast<double>(kWidestTile_px) / camera.width_px,
+                                static_cast<double>(kHighestTile_px) / camera.height_px);
+  return {std::max(1, static_cast<int>(std::lround(scale * camera.width_px))),
+          std::max(1, static_cast<int>(std::lround(scale * camera.height_px)))};
+}
+
 }  // namespace
 
 cv::Mat AnnotateFrame(const models::ImageView& image, const models::CameraModel& camera,
@@ -88,10 +98,15 @@ cv::Mat AnnotateFrame(const models::ImageView& image, const models::CameraModel&
   return picture;
 }
 
+ContactSheet::ContactSheet(const models::CameraModel& camera, const models::TimeBase& time)
+    : camera_(camera), time_(time), tile_(TileSize(camera)) {}
+
 void ContactSheet::Add(const models::CameraFrame& frame, const estimator::FrameEstimate& estimate,
                        const FrameRecord& record) {
   if (count_++ % stride_ != 0) return;
-  kept_.push_back({frame.image, estimate.trace, record});
+  const cv::Mat picture =
+      AnnotateFrame(frame.image.View(), camera_, estimate.trace, record, time_.ToSeconds(record.mid_exposure));
+  cv::resize(picture, kept_.emplace_back(), tile_, 0.0, 0.0, cv::INTER_AREA);
   if (kept_.size() < kMostKept) return;
   // Every other one: the stride doubles, and what is kept stays evenly spread.
   for (std::size_t i = 1; 2 * i < kept_.size(); ++i) kept_[i] = std::move(kept_[2 * i]);
@@ -108,23 +123,18 @@ std::vector<std::size_t> ContactSheet::Selection() const {
   return selection;
 }
 
-std::string ContactSheet::Png() const {
-  if (kept_.empty()) return "";
+std::optional<std::string> ContactSheet::Png() const {
+  if (kept_.empty()) return std::nullopt;
   const std::vector<std::size_t> selection = Selection();
-  const int tile_height = std::max(1, kTileWidth_px * camera_.height_px / camera_.width_px);
   const int rows = static_cast<int>((selection.size() + kColumns - 1) / kColumns);
-  cv::Mat sheet(rows * tile_height, static_cast<int>(kColumns) * kTileWidth_px, CV_8UC3, cv::Scalar(40, 40, 40));
+  cv::Mat sheet(rows * tile_.height, static_cast<int>(kColumns) * tile_.width, CV_8UC3, cv::Scalar(40, 40, 40));
   for (std::size_t i = 0; i < selection.size(); ++i) {
-    const Kept& kept = kept_[selection[i]];
-    const cv::Mat picture =
-        AnnotateFrame(kept.image.View(), camera_, kept.trace, kept.record, time_.ToSeconds(kept.record.mid_exposure));
-    const cv::Rect place(static_cast<int>(i % kColumns) * kTileWidth_px, static_cast<int>(i / kColumns) * tile_height,
-                         kTileWidth_px, tile_height);
-    cv::resize(picture, sheet(place), place.size(), 0.0, 0.0, cv::INTER_AREA);
+    const cv::Point corner(static_cast<int>(i % kColumns) * tile_.width, static_cast<int>(i / kColumns) * tile_.height);
+    kept_[selection[i]].copyTo(sheet(cv::Rect(corner, tile_)));
   }
   std::vector<unsigned char> png;
-  cv::imencode(".png", sheet, png);
-  return {png.begin(), png.end()};
+  if (!cv::imencode(".png", sheet, png)) throw std::runtime_error("OpenCV cannot encode the contact sheet");
+  return std::string(png.begin(), png.end());
 }
 
 }  // namespace touchdown::scenarios

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,29 +19,26 @@ namespace touchdown::scenarios {
 cv::Mat AnnotateFrame(const models::ImageView& image, const models::CameraModel& camera,
                       const estimator::FrameTrace& trace, const FrameRecord& record, double time_s);
 
-/// Some annotated frames, evenly spread over a flight of unknown length, on one picture.
+/// Some annotated frames, evenly spread over a flight of unknown length, on one picture. What it keeps is bounded,
+/// however long the flight and large the frames.
 class ContactSheet {
  public:
-  ContactSheet(const models::CameraModel& camera, const models::TimeBase& time) : camera_(camera), time_(time) {}
+  ContactSheet(const models::CameraModel& camera, const models::TimeBase& time);
 
-  /// Takes note of the next frame. Keeps a bounded number of them.
+  /// Takes note of the next frame.
   void Add(const models::CameraFrame& frame, const estimator::FrameEstimate& estimate, const FrameRecord& record);
 
-  /// The picture as PNG, four frames a row; empty when there were no frames.
-  std::string Png() const;
+  /// The picture as PNG, four frames a row; nullopt when there were no frames. Throws std::runtime_error when it cannot
+  /// be encoded.
+  std::optional<std::string> Png() const;
 
  private:
-  struct Kept {
-    models::Image image;
-    estimator::FrameTrace trace;
-    FrameRecord record;
-  };
-
   std::vector<std::size_t> Selection() const;
 
   models::CameraModel camera_;
   models::TimeBase time_;
-  std::vector<Kept> kept_;
+  cv::Size tile_;
+  std::vector<cv::Mat> kept_;  ///< Annotated, in the size of a tile.
   std::size_t stride_ = 1;
   std::size_t count_ = 0;
 };

@@ -21,10 +21,22 @@ std::string TakeFile(const std::filesystem::path& file) {
   return content;
 }
 
+void InterruptWhenDue(pid_t child, const Interruption& interruption) {
+  siginfo_t info{};
+  const auto has_ended = [&] {
+    return waitid(P_PID, child, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid != 0;
+  };
+  while (!interruption.when()) {
+    if (has_ended()) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  kill(child, interruption.signal);
+}
+
 }  // namespace
 
 ProgramRun RunProgram(const std::string& program, const std::vector<std::string>& arguments,
-                      const std::filesystem::path& folder, int interrupt_after_ms) {
+                      const std::filesystem::path& folder, const Interruption& interruption) {
   const std::filesystem::path base = folder.parent_path() / (folder.filename().string() + ".captured");
   const std::string out_file = base.string() + "_out", err_file = base.string() + "_err";
   std::vector<char*> argv{const_cast<char*>(program.c_str())};
@@ -40,10 +52,7 @@ ProgramRun RunProgram(const std::string& program, const std::vector<std::string>
     }
     _exit(127);
   }
-  if (interrupt_after_ms >= 0) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(interrupt_after_ms));
-    kill(child, SIGINT);
-  }
+  if (interruption.signal != 0) InterruptWhenDue(child, interruption);
   int state = 0;
   waitpid(child, &state, 0);
   ProgramRun run;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,14 @@ struct ProgramRun {
   std::string err;
 };
 
-/// Runs a program in `folder` to its end. `interrupt_after_ms` >= 0 sends it SIGINT after that time.
+/// A signal for the program, sent once `when` is true.
+struct Interruption {
+  int signal = 0;
+  std::function<bool()> when;
+};
+
+/// Runs a program in `folder` to its end; interrupts it when `interruption` has a signal.
 ProgramRun RunProgram(const std::string& program, const std::vector<std::string>& arguments,
-                      const std::filesystem::path& folder, int interrupt_after_ms = -1);
+                      const std::filesystem::path& folder, const Interruption& interruption = {});
 
 }  // namespace touchdown::testing

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/support/run_program.h"
@@ -16,7 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 using ::testing::UnorderedElementsAre;
+using touchdown::testing::Interruption;
 using touchdown::testing::ProgramRun;
 
 constexpr const char* kGoodScript = "script:\n  - {do: takeoff, height_m: 1}\n  - {do: land}\n";
@@ -32,8 +36,8 @@ class Program : public ::testing::Test {
   void Put(const std::string& name, const std::string& content) const {
     std::ofstream(folder_ / name, std::ios::binary) << content;
   }
-  ProgramRun Run(const std::vector<std::string>& arguments, int interrupt_after_ms = -1) const {
-    return touchdown::testing::RunProgram(TOUCHDOWN_PROGRAM, arguments, folder_, interrupt_after_ms);
+  ProgramRun Run(const std::vector<std::string>& arguments, const Interruption& interruption = {}) const {
+    return touchdown::testing::RunProgram(TOUCHDOWN_PROGRAM, arguments, folder_, interruption);
   }
   std::vector<std::string> Names() const {
     std::vector<std::string> names;
@@ -77,12 +81,12 @@ TEST_F(Program, ExitsWithTwoOnBadUsage) {
                                              {"flie"},
                                              {"fly"},
                                              {"fly", "a.yaml", "--sed", "1"},
-                                             {"fly", "a.yaml", "--seed", "one"},
-                                             {"fly", "a.yaml", "--seed", "-1"},
+                                             {"fly", "a.yaml", "--estimator"},
                                              {"fly", "a.yaml", "b.yaml"}}) {
     const ProgramRun run = Run(arguments);
     EXPECT_EQ(run.status, 2) << run.err;
-    EXPECT_NE(run.err, "");
+    EXPECT_THAT(run.err, StartsWith("error: "));
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
   }
   EXPECT_TRUE(Names().empty());
 }
@@ -138,8 +142,17 @@ TEST_F(Program, RefusesAFolderForAScenario) {
 
 TEST_F(Program, RefusesAnUnknownEstimator) {
   EXPECT_THAT(ErrorOfText(std::string(kGoodScript) + "estimator: {name: magic}\n"),
-              HasSubstr("bad.yaml:4: estimator.name: unknown estimator 'magic', known: paper"));
-  EXPECT_THAT(ErrorOfText(kGoodScript, {"--estimator", "magic"}), HasSubstr("estimator.name: unknown estimator"));
+              HasSubstr("bad.yaml:4: estimator.name: unknown estimator 'magic'; there is: paper"));
+}
+
+TEST_F(Program, NamesTheOptionThatIsWrong) {
+  const std::vector<std::pair<std::string, std::string>> wrong = {
+      {"--estimator", "magic"}, {"--estimator", ""}, {"--seed", "one"}, {"--seed", "18446744073709551616"}};
+  for (const auto& [option, value] : wrong) {
+    EXPECT_THAT(
+        ErrorOfText(kGoodScript, {option, value}),
+        StartsWith("error: " + option + " " + value + ": " + (option == "--seed" ? "seed: " : "estimator.name: ")));
+  }
 }
 
 TEST_F(Program, RefusesToSetAKeyThatDoesNotExist) {
@@ -157,7 +170,7 @@ TEST_F(Program, RefusesAnOutputFolderThatHoldsOtherThings) {
 TEST_F(Program, RefusesAnOutputFolderThatCannotBeWritten) {
   Put("good.yaml", kGoodScript);
   Put("file", "");
-  for (const char* place : {"file", "file/below", "/proc/touchdown"}) {
+  for (const char* place : {"", "file", "file/below", "/proc/touchdown"}) {
     const ProgramRun run = Run({"fly", "good.yaml", "--out", place});
     EXPECT_EQ(run.status, 2) << place;
     EXPECT_THAT(run.err, HasSubstr("output folder"));
@@ -176,9 +189,34 @@ TEST_F(Program, RefusesToWriteOverTheScenarioItFlies) {
 
 TEST_F(Program, LeavesNothingWhenInterrupted) {
   Put("good.yaml", kGoodScript);
-  const ProgramRun run = Run({"fly", "good.yaml", "--out", "a/result"}, 700);
-  EXPECT_EQ(run.status, 130);
-  EXPECT_THAT(Names(), UnorderedElementsAre("good.yaml"));
+  const auto flies = [this] { return fs::exists(folder_ / "a"); };
+  for (const int signal : {SIGINT, SIGHUP}) {
+    const ProgramRun run = Run({"fly", "good.yaml", "--out", "a/result"}, {signal, flies});
+    EXPECT_EQ(run.status, 130) << signal;
+    EXPECT_THAT(Names(), UnorderedElementsAre("good.yaml"));
+  }
+}
+
+TEST_F(Program, ExitsWithThreeWhenItsOutputCannotBeWritten) {
+  Put("short.yaml", std::string(kGoodScript) + "time_limit_s: 0.01\n");
+  const ProgramRun run = touchdown::testing::RunProgram(
+      "/bin/sh", {"-c", "exec \"$0\" fly short.yaml --out result > /dev/full", TOUCHDOWN_PROGRAM}, folder_);
+  EXPECT_EQ(run.status, 3);
+  EXPECT_EQ(run.err, "error: internal error: the standard output cannot be written\n");
+}
+
+TEST_F(Program, ExitsWithThreeWhenTheSimulationGoesWrong) {
+  // Drag that no step of the clock is short enough for.
+  Put("stiff.yaml",
+      "start: {airborne: true}\nscript: [{do: hover, duration_s: 1}]\n"
+      "vehicle: {linear_drag_n_s_m: [1e9, 1e9, 1e9]}\nworld: {wind_m_s: [50, 0, 0]}\n");
+  const ProgramRun run = Run({"fly", "stiff.yaml", "--out", "result"});
+  EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(run.err, StartsWith("error: the simulation went wrong: MuJoCo: "));
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("): error\n"));
+  EXPECT_TRUE(fs::exists(folder_ / "result" / "result.json"));
+  EXPECT_FALSE(fs::exists(folder_ / "result" / "frames.png")) << "the flight had no frames";
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::Contains;
 using ::testing::EndsWith;
 using ::testing::Field;
@@ -27,8 +28,10 @@ std::string With(const std::string& lines) {
   return "script:\n  - {do: takeoff, height_m: 1}\n  - {do: land}\n" + lines;
 }
 
+std::vector<Override> Overrides(const std::vector<std::string>& set) { return {set.begin(), set.end()}; }
+
 Scenario Parse(const std::string& text, std::vector<std::string> overrides = {}) {
-  return ParseScenario(text, "f.yaml", fs::path(TOUCHDOWN_SOURCE_DIR), overrides);
+  return ParseScenario(text, "f.yaml", fs::path(TOUCHDOWN_SOURCE_DIR), Overrides(overrides));
 }
 
 std::string ErrorOf(const std::string& text, std::vector<std::string> overrides = {}) {
@@ -140,6 +143,54 @@ TEST(Scenario, ChecksWhatKeysMeanTogether) {
   EXPECT_EQ(Parse(With("camera: {latency_ms: 60}\ncontroller: {vision_fresh_s: 0.08}\n")).camera.latency_s, 0.060);
 }
 
+TEST(Scenario, RefusesPlacesOutsideTheRoom) {
+  EXPECT_THAT(ErrorOf("script: [{do: takeoff, height_m: 11}]\n"),
+              AllOf(StartsWith("f.yaml:1: script.0.height_m: "), HasSubstr("ceiling (10 m)")));
+  EXPECT_THAT(ErrorOf("script: [{do: takeoff, height_m: 0.1}]\n"), StartsWith("f.yaml:1: script.0.height_m: "));
+  const std::string airborne = "start:\n  airborne: true\n";
+  EXPECT_THAT(ErrorOf(airborne + "script:\n  - {do: hover, duration_s: 1, position_m: [0, 5.5, 1]}\n"),
+              AllOf(StartsWith("f.yaml:4: script.0.position_m: 5.5 m lies outside the room")));
+  EXPECT_THAT(ErrorOf(airborne + "  position_m: [-5, 0, 1]\nscript: [{do: land}]\n"),
+              StartsWith("f.yaml:3: start.position_m: -5 m lies outside the room"));
+  EXPECT_THAT(ErrorOf(airborne + "  position_m: [0, 0, 0]\nscript: [{do: land}]\n"),
+              StartsWith("f.yaml:3: start.position_m: a height of 0 m"));
+  EXPECT_THAT(ErrorOf(With("start: {x_m: 4.8}\n")), StartsWith("f.yaml:4: start.x_m: "));
+  EXPECT_THAT(ErrorOf(With("start: {y_m: -4.8}\n")), StartsWith("f.yaml:4: start.y_m: "));
+  EXPECT_EQ(Parse(With("start: {x_m: 4.8}\nscene: {floor_size_m: 12}\n")).start.position_m.x(), 4.8);
+}
+
+TEST(Scenario, RefusesTimesBeyondEveryFlight) {
+  const std::string airborne = "start: {airborne: true}\n";
+  EXPECT_THAT(ErrorOf(airborne + "script: [{do: hover, duration_s: 1e300}]\n"),
+              StartsWith("f.yaml:2: script.0.duration_s: must be from 0 to 36000, is 1e300"));
+  EXPECT_THAT(ErrorOf(With("time_limit_s: 1e300\n")), HasSubstr("time_limit_s: must be above 0 and at most 36000"));
+  EXPECT_THAT(ErrorOf(With("events: [{at_s: 1e300, do: lose_frames, duration_s: 1}]\n")),
+              HasSubstr("events.0.at_s: must be from 0 to 36000"));
+  for (const ScenarioKey& key : ScenarioReference()) {
+    if (key.unit == "s") {
+      EXPECT_THAT(key.range, AnyOf(HasSubstr("at most"), HasSubstr(" to "))) << key.path;
+    }
+  }
+}
+
+TEST(Scenario, RefusesEventsWithoutEffect) {
+  const auto error_of = [](const std::string& event) { return ErrorOf(With("events:\n  - {" + event + "}\n")); };
+  EXPECT_THAT(error_of("at_s: 1, do: push, duration_s: 1"),
+              AllOf(StartsWith("f.yaml:5: events.0: "), HasSubstr("needs a force_n or a torque_n_m other than 0")));
+  EXPECT_THAT(error_of("at_s: 1, do: push, force_n: [1, 0, 0], duration_s: 1e-4"), HasSubstr("less than a tick"));
+  EXPECT_THAT(error_of("at_s: 1, do: lose_frames, duration_s: 0.01"), HasSubstr("less than a camera frame's period"));
+  EXPECT_THAT(error_of("at_s: 120, do: lose_frames, duration_s: 1"),
+              StartsWith("f.yaml:5: events.0.at_s: must be below time_limit_s"));
+  EXPECT_THAT(ErrorOf(With("scene: {pad: false}\nevents: [{at_s: 1, do: cover_pad, duration_s: 1}]\n")),
+              StartsWith("f.yaml:5: events.0: there is no pad to cover"));
+  EXPECT_EQ(Parse(With("events: [{at_s: 1, do: push, torque_n_m: [0, 0, 0.1], duration_s: 1}]\n")).events.size(), 1u);
+}
+
+TEST(Scenario, CannotExpectAnError) {
+  EXPECT_THAT(ErrorOf(With("expect: error\n")),
+              StartsWith("f.yaml:4: expect: must be one of landed, hovered, gave_up, crashed, is 'error'"));
+}
+
 TEST(Scenario, KnowsOnlyTheKeysOfAnItemsKind) {
   EXPECT_THAT(ErrorOf("script: [{do: takeoff, duration_s: 3}]\n"), HasSubstr("script.0.duration_s: unknown key"));
   EXPECT_THAT(ErrorOf(With("events: [{at_s: 1, do: wind, duration_s: 2, velocity_m_s: [1, 0, 0]}]\n")),
@@ -151,7 +202,7 @@ TEST(Scenario, ReadsItsOwnYamlToTheSameScenario) {
   for (const char* name : {"takeoff_hover_land", "disturbed_hover", "landing"}) {
     const std::vector<std::string> overrides = {"start.yaw_deg=12.3456789", "camera.exposure_ms=3.3333333333333335",
                                                 "imu.gyro_range_deg_s=499.99999999999994", "description=\"a: b\\n#c\""};
-    const Scenario scenario = LoadScenario(kFlights / (std::string(name) + ".yaml"), overrides);
+    const Scenario scenario = LoadScenario(kFlights / (std::string(name) + ".yaml"), Overrides(overrides));
     const std::string yaml = ScenarioYaml(scenario);
     const Scenario again = ParseScenario(yaml, "other.yaml", "");
     EXPECT_EQ(ScenarioYaml(again), yaml);
@@ -220,17 +271,43 @@ TEST_F(ScenarioWithFiles, ReadsARosCalibrationBesideIt) {
   }
 }
 
-TEST_F(ScenarioWithFiles, RefusesACalibrationItCannotRender) {
-  std::string text = kCameraInfo;
-  text.replace(text.find("0.0, 0, 0]"), 3, "1e-4");
-  Put("camera.yaml", text);
-  EXPECT_THAT(LoadError("camera: camera.yaml\n"), AllOf(HasSubstr("camera.yaml:6"), HasSubstr("only the first two")));
-  text = kCameraInfo;
-  text.replace(text.find("plumb_bob"), 9, "equidistant");
-  Put("camera.yaml", text);
-  EXPECT_THAT(LoadError("camera: camera.yaml\n"), HasSubstr("must be plumb_bob"));
-  Put("camera.yaml", "image_width: 640\n");
-  EXPECT_THAT(LoadError("camera: camera.yaml\n"), HasSubstr("must be given"));
+TEST_F(ScenarioWithFiles, RefusesACalibrationThatIsNotOneAndNamesItsLineAndKey) {
+  // What of the calibration is replaced, by what, and what the error must say of the calibration's file.
+  const struct {
+    std::string written, instead, error;
+  } cases[] = {
+      {"plumb_bob", "equidistant", "camera.yaml:5: distortion_model: must be plumb_bob, is 'equidistant'"},
+      {"camera_name: cam0", "camera_nmae: cam0", "camera.yaml:3: camera_nmae: unknown key, did you mean camera_name?"},
+      {"rows: 3, cols: 3, data: [458", "rows: 3, skew: 0, cols: 3, data: [458",
+       "camera.yaml:4: camera_matrix.skew: unknown key"},
+      {"image_width: 752", "image_width: 752.5", "camera.yaml:1: image_width: must be a whole number"},
+      {"image_width: 752", "image_width: 0", "camera.yaml:1: image_width: must be from 1 to 16384"},
+      {"image_width: 752", "", "image_width: must be given"},
+      {"data: [458.654", "data: [wide", "camera.yaml:4: camera_matrix.data.0: must be a number, is 'wide'"},
+      {"data: [458.654", "data: [-458.654",
+       "camera.yaml:4: camera_matrix.data: must be [fx, 0, cx, 0, fy, cy, 0, 0, 1]"},
+      {"data: [458.654, 0,", "data: [458.654, 2,", "camera.yaml:4: camera_matrix.data: must be [fx, 0, cx"},
+      {"data: [458.654, 0,", "data: [458.654,", "camera.yaml:4: camera_matrix.data: must be a list of 9 numbers"},
+      {"rows: 3, cols: 3, data: [458", "rows: 2, cols: 3, data: [458",
+       "camera.yaml:4: camera_matrix.rows: must be 3, is 2"},
+      {"rows: 3, cols: 3, data: [458", "cols: 3, data: [458", "camera.yaml:4: camera_matrix.rows: must be given"},
+      {"0.0, 0, 0]", "1e-4, 0, 0]", "camera.yaml:6: distortion_coefficients.data: only the first two terms"},
+      {"0.0, 0, 0]", "0.0, 0, 0.1]", "camera.yaml:6: distortion_coefficients.data: only the first two terms"},
+      {"rows: 1, cols: 5", "rows: 1, cols: 4",
+       "camera.yaml:6: distortion_coefficients.data: must be a list of 4 numbers"},
+      {"rows: 1, cols: 5", "rows: 1, cols: 8", "camera.yaml:6: distortion_coefficients.cols: must be from 4 to 5"},
+      {"-0.28340811", "-0.9", "camera.yaml:6: distortion_coefficients.data: the camera's distortion (k1, k2) folds"},
+      {"data: [1, 0, 0,", "data: [1, 0.1, 0,", "camera.yaml:7: rectification_matrix.data: must be [1, 0, 0"},
+      {"367, 0, 0, 457", "367, -50, 0, 457", "camera.yaml:8: projection_matrix.data: must be [fx', 0, cx', 0,"},
+      {"rows: 3, cols: 4", "rows: 3, cols: 3", "camera.yaml:8: projection_matrix.cols: must be 4, is 3"},
+  };
+  for (const auto& [written, instead, error] : cases) {
+    std::string text = kCameraInfo;
+    ASSERT_NE(text.find(written), std::string::npos) << written;
+    text.replace(text.find(written), written.size(), instead);
+    Put("camera.yaml", text);
+    EXPECT_THAT(LoadError("camera: camera.yaml\n"), AllOf(HasSubstr("flight.yaml:4: camera: "), HasSubstr(error)));
+  }
 }
 
 TEST_F(ScenarioWithFiles, ReadsPadAndVehicleBesideItAndResolvesThemInPlace) {

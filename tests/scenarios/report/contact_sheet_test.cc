@@ -11,8 +11,24 @@ cv::Mat Decode(const std::string& png) {
   return cv::imdecode(std::vector<unsigned char>(png.begin(), png.end()), cv::IMREAD_COLOR);
 }
 
-TEST(ContactSheet, IsEmptyWithoutFrames) {
-  EXPECT_TRUE(ContactSheet(models::CameraModel(), models::TimeBase()).Png().empty());
+TEST(ContactSheet, IsNoPictureWithoutFrames) {
+  EXPECT_FALSE(ContactSheet(models::CameraModel(), models::TimeBase()).Png());
+}
+
+TEST(ContactSheet, IsOfBoundedSizeWhateverTheFramesShape) {
+  for (const auto& [width, height] : {std::pair(1, 4000), std::pair(4000, 1), std::pair(2000, 2000)}) {
+    models::CameraModel camera;
+    camera.width_px = width;
+    camera.height_px = height;
+    ContactSheet sheet(camera, models::TimeBase());
+    models::CameraFrame frame;
+    frame.image = models::Image(width, height, 128);
+    for (int i = 0; i < 12; ++i) sheet.Add(frame, {}, {});
+    const cv::Mat picture = Decode(sheet.Png().value());
+    EXPECT_LE(picture.cols, 4 * 480);
+    EXPECT_LE(picture.rows, 3 * 720);
+    EXPECT_FALSE(picture.empty());
+  }
 }
 
 TEST(ContactSheet, ShowsTwelveFramesOfALongFlightFromItsStartToItsEnd) {
@@ -27,7 +43,7 @@ TEST(ContactSheet, ShowsTwelveFramesOfALongFlightFromItsStartToItsEnd) {
     frame.image = models::Image(64, 48, static_cast<std::uint8_t>(i * 250 / kFrames));
     sheet.Add(frame, {}, {});
   }
-  const cv::Mat picture = Decode(sheet.Png());
+  const cv::Mat picture = Decode(sheet.Png().value());
   ASSERT_EQ(picture.cols, 4 * 480);
   ASSERT_EQ(picture.rows, 3 * 360);
   int previous = -1;
