@@ -142,7 +142,7 @@ TEST_F(Program, RefusesAFolderForAScenario) {
 
 TEST_F(Program, RefusesAnUnknownEstimator) {
   EXPECT_THAT(ErrorOfText(std::string(kGoodScript) + "estimator: {name: magic}\n"),
-              HasSubstr("bad.yaml:4: estimator.name: unknown estimator 'magic'; there is: paper"));
+              HasSubstr("bad.yaml:4: estimator.name: unknown estimator 'magic', known: paper"));
 }
 
 TEST_F(Program, NamesTheOptionThatIsWrong) {
