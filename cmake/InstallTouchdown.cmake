@@ -8,6 +8,7 @@ install(TARGETS touchdown_models touchdown_estimator touchdown_controller EXPORT
 install(EXPORT TouchdownTargets NAMESPACE touchdown:: DESTINATION ${TOUCHDOWN_PACKAGE_DIR})
 install(DIRECTORY models controller DESTINATION ${TOUCHDOWN_HEADER_DIR} FILES_MATCHING PATTERN "*.h")
 install(DIRECTORY estimator DESTINATION ${TOUCHDOWN_HEADER_DIR} FILES_MATCHING PATTERN "*.h" PATTERN paper EXCLUDE)
+install(FILES estimator/paper/paper_options.h DESTINATION ${TOUCHDOWN_HEADER_DIR}/estimator/paper)
 
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/TouchdownConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_LIST_DIR}/TouchdownConfig.cmake ${PROJECT_BINARY_DIR}/TouchdownConfigVersion.cmake

@@ -86,7 +86,7 @@ PositionController::Demand FlightController::Follow(const Guidance::Output& guid
                                                     const models::VehicleEstimate::Motion& motion,
                                                     const models::TaitBryan& attitude) {
   if (guidance.phase == Phase::kBlindClimb) {
-    PositionController::Demand demand = position_.Trimmed(0.0, attitude);
+    PositionController::Demand demand = position_.Trimmed(attitude);
     demand.thrust_n = guidance.thrust_ratio * weight_n_;
     return demand;
   }

@@ -64,11 +64,8 @@ PositionController::Demand PositionController::Update(const Target& target,
   return demand;
 }
 
-PositionController::Demand PositionController::Trimmed(double z_acceleration_m_s2,
-                                                       const models::TaitBryan& attitude) const {
-  Eigen::Vector3d acceleration = integral_;
-  acceleration.z() += z_acceleration_m_s2;
-  return DemandFor(Limited(acceleration), attitude);
+PositionController::Demand PositionController::Trimmed(const models::TaitBryan& attitude) const {
+  return DemandFor(Limited(integral_), attitude);
 }
 
 Eigen::Vector3d PositionController::Limited(Eigen::Vector3d acceleration) const {

@@ -52,8 +52,8 @@ class PositionController {
   /// Thrust and tilt towards `target`, at the present yaw. The thrust makes up for the present tilt.
   Demand Update(const Target& target, const models::VehicleEstimate::Motion& motion, const models::TaitBryan& attitude);
 
-  /// The thrust and tilt that hold the trim, and a vertical acceleration in m/s^2 on top.
-  Demand Trimmed(double z_acceleration_m_s2, const models::TaitBryan& attitude) const;
+  /// The thrust and tilt that hold the trim.
+  Demand Trimmed(const models::TaitBryan& attitude) const;
 
   /// Steps the integrators by the newest Update's velocity error, but not further into a limit that the tilt, the
   /// acceleration or (by `achieved_thrust_n`) the rotors have reached.

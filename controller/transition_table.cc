@@ -11,42 +11,37 @@ constexpr std::array<std::string_view, kPhaseCount> kNames{"standby",      "blin
                                                            "search_climb", "gave_up"};
 
 constexpr Transition kTable[] = {
-    {kStandby, "takeoff is the task, IMU settled",
-     [](const Conditions& c, bool time_is_up) { return c.task == Kind::kTakeoff && time_is_up; }, kBlindClimb},
+    {kStandby, [](const Conditions& c, bool time_is_up) { return c.task == Kind::kTakeoff && time_is_up; },
+     kBlindClimb},
 
-    {kBlindClimb, "pad found", [](const Conditions& c, bool) { return c.pad_found; }, kRamp},
-    {kBlindClimb, "high enough without the pad", [](const Conditions& c, bool) { return c.high_enough; }, kHold},
-    {kBlindClimb, "time is up", [](const Conditions&, bool time_is_up) { return time_is_up; }, kHold},
+    {kBlindClimb, [](const Conditions& c, bool) { return c.pad_found; }, kRamp},
+    {kBlindClimb, [](const Conditions& c, bool) { return c.high_enough; }, kHold},
+    {kBlindClimb, [](const Conditions&, bool time_is_up) { return time_is_up; }, kHold},
 
-    {kRamp, "pad lost", [](const Conditions& c, bool) { return c.pad_lost; }, kHold},
-    {kRamp, "arrived", [](const Conditions& c, bool) { return c.arrived; }, kHover},
-    {kRamp, "time is up", [](const Conditions&, bool time_is_up) { return time_is_up; }, kGaveUp},
+    {kRamp, [](const Conditions& c, bool) { return c.pad_lost; }, kHold},
+    {kRamp, [](const Conditions& c, bool) { return c.arrived; }, kHover},
+    {kRamp, [](const Conditions&, bool time_is_up) { return time_is_up; }, kGaveUp},
 
-    {kHover, "pad lost", [](const Conditions& c, bool) { return c.pad_lost; }, kHold},
-    {kHover, "land is the task", [](const Conditions& c, bool) { return c.task == Kind::kLand; }, kLanding},
+    {kHover, [](const Conditions& c, bool) { return c.pad_lost; }, kHold},
+    {kHover, [](const Conditions& c, bool) { return c.task == Kind::kLand; }, kLanding},
 
-    {kLanding, "pad lost", [](const Conditions& c, bool) { return c.pad_lost; }, kHold},
-    {kLanding, "ready for the blind descent", [](const Conditions& c, bool) { return c.ready_for_blind_descent; },
-     kBlindDescent},
-    {kLanding, "time is up", [](const Conditions&, bool time_is_up) { return time_is_up; }, kGaveUp},
+    {kLanding, [](const Conditions& c, bool) { return c.pad_lost; }, kHold},
+    {kLanding, [](const Conditions& c, bool) { return c.ready_for_blind_descent; }, kBlindDescent},
+    {kLanding, [](const Conditions&, bool time_is_up) { return time_is_up; }, kGaveUp},
 
-    {kBlindDescent, "low enough", [](const Conditions& c, bool) { return c.low_enough; }, kTouchdown},
-    {kBlindDescent, "time is up", [](const Conditions&, bool time_is_up) { return time_is_up; }, kTouchdown},
+    {kBlindDescent, [](const Conditions& c, bool) { return c.low_enough; }, kTouchdown},
+    {kBlindDescent, [](const Conditions&, bool time_is_up) { return time_is_up; }, kTouchdown},
 
-    {kHold, "pad found, takeoff is the task",
-     [](const Conditions& c, bool) { return c.pad_found && c.task == Kind::kTakeoff; }, kRamp},
-    {kHold, "pad found, land is the task",
-     [](const Conditions& c, bool) { return c.pad_found && c.task == Kind::kLand; }, kLanding},
-    {kHold, "pad found", [](const Conditions& c, bool) { return c.pad_found; }, kHover},
-    {kHold, "time is up", [](const Conditions&, bool time_is_up) { return time_is_up; }, kSearchClimb},
+    {kHold, [](const Conditions& c, bool) { return c.pad_found && c.task == Kind::kTakeoff; }, kRamp},
+    {kHold, [](const Conditions& c, bool) { return c.pad_found && c.task == Kind::kLand; }, kLanding},
+    {kHold, [](const Conditions& c, bool) { return c.pad_found; }, kHover},
+    {kHold, [](const Conditions&, bool time_is_up) { return time_is_up; }, kSearchClimb},
 
-    {kSearchClimb, "pad found, takeoff is the task",
-     [](const Conditions& c, bool) { return c.pad_found && c.task == Kind::kTakeoff; }, kRamp},
-    {kSearchClimb, "pad found, land is the task",
-     [](const Conditions& c, bool) { return c.pad_found && c.task == Kind::kLand; }, kLanding},
-    {kSearchClimb, "pad found", [](const Conditions& c, bool) { return c.pad_found; }, kHover},
-    {kSearchClimb, "high enough without the pad", [](const Conditions& c, bool) { return c.high_enough; }, kGaveUp},
-    {kSearchClimb, "time is up", [](const Conditions&, bool time_is_up) { return time_is_up; }, kGaveUp},
+    {kSearchClimb, [](const Conditions& c, bool) { return c.pad_found && c.task == Kind::kTakeoff; }, kRamp},
+    {kSearchClimb, [](const Conditions& c, bool) { return c.pad_found && c.task == Kind::kLand; }, kLanding},
+    {kSearchClimb, [](const Conditions& c, bool) { return c.pad_found; }, kHover},
+    {kSearchClimb, [](const Conditions& c, bool) { return c.high_enough; }, kGaveUp},
+    {kSearchClimb, [](const Conditions&, bool time_is_up) { return time_is_up; }, kGaveUp},
 };
 
 }  // namespace

@@ -44,10 +44,9 @@ struct Conditions {
 /// How long a phase may last, in ticks; nullopt: for ever. Indexed by phase.
 using PhaseLimits = std::array<std::optional<models::Tick>, kPhaseCount>;
 
-/// One row: in `from`, when `condition` holds, go to `to`.
+/// One row: in `from`, when `holds` says so, go to `to`.
 struct Transition {
   Phase from;
-  std::string_view condition;  ///< In words, for docs and logs.
   bool (*holds)(const Conditions& conditions, bool time_is_up);
   Phase to;
 };

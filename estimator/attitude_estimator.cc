@@ -19,6 +19,8 @@ constexpr double kRestDensity_rad2_s = 4e-7;
 constexpr double kSettling_s = 0.1;
 /// Gyro noise density squared (8.7e-4 rad/s/sqrt(Hz)).
 constexpr double kGyroDensity_rad2_s = 8e-7;
+/// A weaker specific force says nothing of where down is.
+constexpr double kLeastForce_m_s2 = 0.1 * kGravity_m_s2;
 
 }  // namespace
 
@@ -49,6 +51,10 @@ AttitudeEstimator::AttitudeEstimator(const AttitudeEstimatorConfig& config, cons
 void AttitudeEstimator::Update(const models::ImuSample& imu, bool at_rest) {
   const Eigen::Vector3d measured_f_B = R_BU_ * imu.specific_force_U;
   const Eigen::Vector3d w_B = R_BU_ * imu.w_WU_U;
+  if (history_.empty() && measured_f_B.norm() < kLeastForce_m_s2) {
+    w_WB_B_ = w_B;
+    return;
+  }
   if (history_.empty()) {
     Start(measured_f_B);
   } else {
@@ -64,7 +70,6 @@ void AttitudeEstimator::Update(const models::ImuSample& imu, bool at_rest) {
 }
 
 void AttitudeEstimator::Start(const Eigen::Vector3d& f_B) {
-  if (f_B.norm() < 0.1 * kGravity_m_s2) return;
   models::TaitBryan level;
   level.roll = std::atan2(f_B.y(), f_B.z());
   level.pitch = std::atan2(-f_B.x(), std::hypot(f_B.y(), f_B.z()));

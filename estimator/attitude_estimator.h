@@ -36,7 +36,8 @@ class AttitudeEstimator {
   AttitudeEstimator(const AttitudeEstimatorConfig& config, const models::TimeBase& time, const Eigen::Matrix3d& R_BU);
 
   /// Takes the next sample, a mean since the one before. The first one sets roll and pitch from the accelerometer and
-  /// yaw to 0. While `at_rest` (the vehicle knows that it stands on the ground, motors off) the gyro's bias is
+  /// yaw to 0; samples before it with a specific force below 0.1 g, as in free fall, show no down and give their rate
+  /// alone. While `at_rest` (the vehicle knows that it stands on the ground, motors off) the gyro's bias is
   /// averaged, and the accelerometer's as well if the ground may be level.
   void Update(const models::ImuSample& imu, bool at_rest);
 

@@ -7,7 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "models/camera_model.h"
+#include "models/landing_pad.h"
 #include "models/signals.h"
+#include "models/time.h"
 
 namespace touchdown::estimator {
 
@@ -15,7 +18,7 @@ namespace touchdown::estimator {
 enum class FrameStatus {
   kOk,           ///< A pose that may be used.
   kNoComponent,  ///< No connected component is large enough to be classified.
-  kNoCircle,     ///< No component was classified as a circle.
+  kNoCircle,     ///< No component was classified as a circle that the image's border does not cut.
   kNoH,          ///< No component was classified as a letter H.
   kNoPair,       ///< No H satisfies the geometric constraint with a circle (Sec. IV-A.4).
   kNoEllipse,    ///< The ring's outer boundary or the H gave no ellipse, or the ellipse gave no pose.
@@ -55,6 +58,14 @@ struct FrameEstimate {
   std::optional<VisionPose> pose;         ///< Present when kOk, and when kOutlier, where it must not be used.
   std::optional<Eigen::Vector2d> pad_px;  ///< Centre of the detected pad, raw px; present from kNoEllipse on.
   FrameTrace trace;
+};
+
+/// What every estimator is told of the world.
+struct EstimatorSetup {
+  models::CameraModel camera;
+  models::LandingPad pad;
+  Eigen::Isometry3d X_BC = Eigen::Isometry3d::Identity();  ///< The camera's calibrated mounting.
+  models::TimeBase time;
 };
 
 /// A strategy that turns camera frames into poses. It knows the camera, the pad and the mounting from its construction,

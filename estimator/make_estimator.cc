@@ -1,5 +1,6 @@
 #include "estimator/make_estimator.h"
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 
@@ -13,13 +14,19 @@ using Maker = std::function<std::unique_ptr<Estimator>(const EstimatorConfig&, c
 
 std::unique_ptr<Estimator> MakePaperEstimator(const EstimatorConfig& config, const EstimatorSetup& setup) {
   PaperEstimatorConfig paper;
-  paper.edges.contour_points = config.contour_points;
+  paper.edges.contour_points = config.paper.contour_points;
   return std::make_unique<PaperEstimator>(setup, paper);
 }
 
 const std::vector<std::pair<std::string, Maker>>& Makers() {
   static const std::vector<std::pair<std::string, Maker>> makers{{"paper", MakePaperEstimator}};
   return makers;
+}
+
+/// nullptr for an unknown name.
+const Maker* FindMaker(const std::string& name) {
+  const auto found = std::find_if(Makers().begin(), Makers().end(), [&](const auto& row) { return row.first == name; });
+  return found == Makers().end() ? nullptr : &found->second;
 }
 
 }  // namespace
@@ -30,13 +37,16 @@ std::vector<std::string> EstimatorNames() {
   return names;
 }
 
-std::unique_ptr<Estimator> MakeEstimator(const EstimatorConfig& config, const EstimatorSetup& setup) {
-  for (const auto& [name, maker] : Makers()) {
-    if (name == config.name) return maker(config, setup);
-  }
+void EstimatorConfig::Validate() const {
+  if (FindMaker(name) != nullptr) return;
   std::string known;
-  for (const std::string& name : EstimatorNames()) known += (known.empty() ? "" : ", ") + name;
-  throw InputError("unknown estimator '" + config.name + "'; there is: " + known);
+  for (const std::string& known_name : EstimatorNames()) known += (known.empty() ? "" : ", ") + known_name;
+  throw InputError("unknown estimator '" + name + "', known: " + known);
+}
+
+std::unique_ptr<Estimator> MakeEstimator(const EstimatorConfig& config, const EstimatorSetup& setup) {
+  config.Validate();
+  return (*FindMaker(config.name))(config, setup);
 }
 
 }  // namespace touchdown::estimator

@@ -49,8 +49,6 @@ std::optional<models::VehicleEstimate::Motion> PoseFilter::At(models::Tick tick)
   return motion;
 }
 
-void PoseFilter::Reset() { newest_.reset(); }
-
 Eigen::Vector3d PoseFilter::Noise(double height_m) const {
   const double xy = std::max(config_.min_xy_noise_m, config_.xy_noise_per_height * height_m);
   return {xy, xy, std::max(config_.min_z_noise_m, config_.z_noise_per_height * height_m)};

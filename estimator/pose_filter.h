@@ -38,8 +38,6 @@ class PoseFilter {
   /// Mid-exposure of the newest update; nullopt before the first.
   std::optional<models::Tick> newest() const { return newest_; }
 
-  void Reset();
-
  private:
   struct Axis {
     Eigen::Vector2d state = Eigen::Vector2d::Zero();  ///< Position, m, and velocity, m/s.

@@ -31,8 +31,8 @@ double WrapToPi(double angle);
 /// 180 degrees (Sec. IV-C.3).
 double WrapToHalfPi(double angle);
 
-/// The shortest rotation R with R * from = to, for unit vectors, by Rodrigues' formula. For opposite vectors the
-/// axis is undefined: any one perpendicular to `from` is taken.
+/// The shortest rotation R with R * from = to, for unit vectors, through the quaternion halfway between them. For
+/// opposite vectors the axis is undefined: any one perpendicular to `from` is taken.
 Eigen::Matrix3d ShortestRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
 /// exp([phi]x): the rotation by |phi| radians about phi.

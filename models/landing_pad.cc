@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/angles.h"
 #include "models/error.h"
 
 namespace touchdown::models {
@@ -31,6 +32,13 @@ bool LandingPad::IsBlack(const Eigen::Vector2d& p_W) const {
   const bool on_stroke = x <= h_height_m / 2.0 && y <= h_width_m / 2.0 && y >= h_width_m / 2.0 - h_stroke_m;
   const bool on_bar = x <= h_stroke_m / 2.0 && y <= h_width_m / 2.0;
   return on_stroke || on_bar;
+}
+
+Eigen::Isometry3d NearerTwin(const Eigen::Isometry3d& X_WB, double yaw) {
+  const double difference = WrapToPi(TaitBryanFromRotation(X_WB.linear()).yaw - yaw);
+  if (std::abs(difference) <= kPi / 2.0) return X_WB;
+  const Eigen::Isometry3d half_turn(Eigen::Matrix3d(Eigen::Vector3d(-1.0, -1.0, 1.0).asDiagonal()));
+  return half_turn * X_WB;
 }
 
 }  // namespace touchdown::models

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace touchdown::models {
 
@@ -28,5 +29,9 @@ struct LandingPad {
 
   friend bool operator==(const LandingPad&, const LandingPad&) = default;
 };
+
+/// A body's pose in W, or its twin: the pad looks the same from a pose turned by 180 degrees about W's Z axis
+/// (Sec. IV-C.3). The one whose yaw is nearer to `yaw`, rad, is returned.
+Eigen::Isometry3d NearerTwin(const Eigen::Isometry3d& X_WB, double yaw);
 
 }  // namespace touchdown::models

@@ -5,27 +5,26 @@
 #include <array>
 #include <cstdlib>
 #include <stdexcept>
+#include <type_traits>
 
 namespace touchdown::sim {
 namespace {
 
+OSMesaContext CreateContext() {
+  setenv("LP_NUM_THREADS", "0", /*overwrite=*/0);
+  constexpr int kDepthBits = 24, kStencilBits = 8, kAccumulationBits = 0;
+  OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, kDepthBits, kStencilBits, kAccumulationBits, nullptr);
+  if (context == nullptr) throw std::runtime_error("OSMesa cannot create an OpenGL context");
+  return context;
+}
+
 class OsMesaContext final : public GlContext {
  public:
-  OsMesaContext() {
-    setenv("LP_NUM_THREADS", "0", /*overwrite=*/0);
-    constexpr int kDepthBits = 24, kStencilBits = 8, kAccumulationBits = 0;
-    context_ = OSMesaCreateContextExt(OSMESA_RGBA, kDepthBits, kStencilBits, kAccumulationBits, nullptr);
-    if (context_ == nullptr) throw std::runtime_error("OSMesa cannot create an OpenGL context");
-    MakeCurrent();
-  }
-
-  ~OsMesaContext() override { OSMesaDestroyContext(context_); }
-  OsMesaContext(const OsMesaContext&) = delete;
-  OsMesaContext& operator=(const OsMesaContext&) = delete;
+  OsMesaContext() : context_(CreateContext()) { MakeCurrent(); }
 
   void MakeCurrent() override {
-    if (OSMesaGetCurrentContext() == context_) return;
-    if (!OSMesaMakeCurrent(context_, window_.data(), GL_UNSIGNED_BYTE, kWindowSide, kWindowSide)) {
+    if (OSMesaGetCurrentContext() == context_.get()) return;
+    if (!OSMesaMakeCurrent(context_.get(), window_.data(), GL_UNSIGNED_BYTE, kWindowSide, kWindowSide)) {
       throw std::runtime_error("OSMesa cannot make its OpenGL context current");
     }
   }
@@ -34,8 +33,12 @@ class OsMesaContext final : public GlContext {
   /// Views are rendered into a frame buffer object: OSMesa's own window is a formality.
   static constexpr int kWindowSide = 16;
 
-  OSMesaContext context_ = nullptr;
+  struct Destroy {
+    void operator()(OSMesaContext context) const { OSMesaDestroyContext(context); }
+  };
+
   std::array<unsigned char, 4 * kWindowSide * kWindowSide> window_{};
+  std::unique_ptr<std::remove_pointer_t<OSMesaContext>, Destroy> context_;
 };
 
 }  // namespace

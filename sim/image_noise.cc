@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "models/error.h"
+#include "sim/cpu_clones.h"
 
 namespace touchdown::sim {
 namespace {
@@ -28,6 +29,15 @@ std::vector<double> UnitNoise(models::RandomStream& random) {
   return noise;
 }
 
+TOUCHDOWN_CLONE_FOR_CPUS
+void AddNoise(const std::uint16_t* __restrict levels, const std::int16_t* __restrict noise, int count,
+              std::uint8_t* __restrict pixels) {
+  for (int i = 0; i < count; ++i) {
+    const std::int32_t level = (levels[i] + noise[i] + 128) >> 8;
+    pixels[i] = static_cast<std::uint8_t>(std::min(std::max(level, 0), 255));
+  }
+}
+
 }  // namespace
 
 ImageNoise::ImageNoise(double sigma, std::uint64_t seed) : random_(seed, "camera.noise") {
@@ -46,11 +56,7 @@ models::Image ImageNoise::Apply(const FineImage& frame) {
   const std::uint16_t* levels = frame.pixels.data();
   for (int v = 0; v < frame.height; ++v, levels += frame.width) {
     const std::int16_t* noise = strip_.data() + random_.UniformInt(0, kStrip - frame.width);
-    std::uint8_t* row = image.Row(v);
-    for (int u = 0; u < frame.width; ++u) {
-      const std::int32_t level = (levels[u] + noise[u] + 128) >> 8;
-      row[u] = static_cast<std::uint8_t>(std::min(std::max(level, 0), 255));
-    }
+    AddNoise(levels, noise, frame.width, image.Row(v));
   }
   return image;
 }

@@ -3,12 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-// The compiler makes a second copy of the marked functions for CPUs with AVX2; both give the same integers.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
-#define TOUCHDOWN_CLONE_FOR_CPUS __attribute__((target_clones("avx2", "default"), optimize("O3")))
-#else
-#define TOUCHDOWN_CLONE_FOR_CPUS
-#endif
+#include "sim/cpu_clones.h"
 
 namespace touchdown::sim {
 namespace {

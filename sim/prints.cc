@@ -101,8 +101,9 @@ cv::Mat1b PosterOfBlobs(const SceneItem& item, RandomStream& random) {
   for (int i = 0; i < 90; ++i) {
     const double x = random.Uniform(0.0, canvas.cols), y = random.Uniform(0.0, canvas.rows);
     const double a = canvas.cols * random.Uniform(0.01, 0.10), b = a * random.Uniform(0.3, 1.0);
-    cv::ellipse(canvas, Fixed(x, y), cv::Size(Fixed(a, b)), random.Uniform(0.0, 180.0), 0, 360,
-                cv::Scalar(random.Uniform(15.0, 235.0)), cv::FILLED, cv::LINE_AA, kShift);
+    const double turn_deg = random.Uniform(0.0, 180.0), level = random.Uniform(15.0, 235.0);
+    cv::ellipse(canvas, Fixed(x, y), cv::Size(Fixed(a, b)), turn_deg, 0, 360, cv::Scalar(level), cv::FILLED,
+                cv::LINE_AA, kShift);
   }
   return canvas;
 }
@@ -110,10 +111,11 @@ cv::Mat1b PosterOfBlobs(const SceneItem& item, RandomStream& random) {
 cv::Mat1b PosterOfLines(const SceneItem& item, RandomStream& random) {
   cv::Mat1b canvas = Blank(item, random.Uniform(120.0, 220.0));
   for (int i = 0; i < 60; ++i) {
-    const auto point = [&] { return cv::Point(random.UniformInt(0, canvas.cols), random.UniformInt(0, canvas.rows)); };
+    const auto point = [&] { return cv::Point{random.UniformInt(0, canvas.cols), random.UniformInt(0, canvas.rows)}; };
     const cv::Point from = point(), to = point();
-    cv::line(canvas, from, to, cv::Scalar(random.Uniform(15.0, 235.0)), random.UniformInt(1, canvas.cols / 40 + 2),
-             cv::LINE_AA);
+    const double level = random.Uniform(15.0, 235.0);
+    const int thickness = random.UniformInt(1, canvas.cols / 40 + 2);
+    cv::line(canvas, from, to, cv::Scalar(level), thickness, cv::LINE_AA);
   }
   return canvas;
 }

@@ -8,15 +8,15 @@
 #include <algorithm>
 #include <cstdint>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
-#include "sim/gl_context.h"
+#include "sim/geom_groups.h"
+#include "sim/textures.h"
 
 namespace touchdown::sim {
 namespace {
 
-constexpr int kVehicleGroup = 2;
-constexpr int kInvisibleGroup = 3;
 constexpr int kMaxGeoms = 400;
 /// 24 bits of depth from 2 cm to 40 m tell sheets 0.2 mm apart up to 8 m away.
 constexpr double kNear_m = 0.02;
@@ -38,6 +38,22 @@ mjvGLCamera CameraFor(const PinholeView& view, const Eigen::Isometry3d& X_WC) {
   camera.frustum_near = static_cast<float>(kNear_m);
   camera.frustum_far = static_cast<float>(kFar_m);
   return camera;
+}
+
+/// Whether every ray of the view meets the floor within its centre, above or on which all that it sees then lies.
+bool SeesOnlyTheFloorsCentre(const PinholeView& view, const Eigen::Isometry3d& X_WC) {
+  constexpr double kMargin_m = 0.01;
+  const double height = X_WC.translation().z() + kMargin_m;
+  for (const double u : {-0.5, view.width_px - 0.5}) {
+    for (const double v : {-0.5, view.height_px - 0.5}) {
+      const Eigen::Vector3d ray_C((u - view.cx_px) / view.focal_px, (v - view.cy_px) / view.focal_px, 1.0);
+      const Eigen::Vector3d ray_W = X_WC.linear() * ray_C;
+      if (ray_W.z() >= 0.0) return false;
+      const Eigen::Vector3d p_W = X_WC.translation() - height / ray_W.z() * ray_W;
+      if (p_W.head<2>().cwiseAbs().maxCoeff() > 0.5 * kFloorCentreSize_m - kMargin_m) return false;
+    }
+  }
+  return height > 0.0;
 }
 
 /// Gives the off-screen buffer that is bound now a single channel, the red one: all that the camera reads, at a quarter
@@ -65,59 +81,75 @@ void SimplifyFiltering(const mjModel& model, const mjrContext& context) {
   }
 }
 
-}  // namespace
+/// MuJoCo's list of what is drawn.
+class GeomList : public mjvScene {
+ public:
+  explicit GeomList(const mjModel& model) {
+    mjv_defaultScene(this);
+    mjv_makeScene(&model, this, kMaxGeoms);
+    for (const int flag : {mjRND_SHADOW, mjRND_REFLECTION, mjRND_SKYBOX, mjRND_FOG, mjRND_HAZE}) flags[flag] = 0;
+  }
+  ~GeomList() { mjv_freeScene(this); }
+  GeomList(const GeomList&) = delete;
+  GeomList& operator=(const GeomList&) = delete;
+};
 
-struct Renderer::Impl {
-  Impl(const mjModel& model_in, const PinholeView& view) : model(model_in), gl(MakeOsMesaContext()) {
-    mjv_defaultOption(&options);
-    options.geomgroup[kVehicleGroup] = 0;
-    options.geomgroup[kInvisibleGroup] = 0;
-    mjv_defaultCamera(&free_camera);
-    mjv_defaultScene(&scene);
-    mjv_makeScene(&model, &scene, kMaxGeoms);
-    for (const int flag : {mjRND_SHADOW, mjRND_REFLECTION, mjRND_SKYBOX, mjRND_FOG, mjRND_HAZE}) scene.flags[flag] = 0;
-
+/// What MuJoCo keeps in the GL context that is current: textures, and an off-screen buffer of the view's size.
+class GlResources : public mjrContext {
+ public:
+  GlResources(const mjModel& model, const PinholeView& view) {
     mjModel sized = model;
     sized.vis.global.offwidth = view.width_px;
     sized.vis.global.offheight = view.height_px;
-    mjr_defaultContext(&context);
-    mjr_makeContext(&sized, &context, mjFONTSCALE_100);
-    mjr_setBuffer(mjFB_OFFSCREEN, &context);
-    if (context.currentBuffer != mjFB_OFFSCREEN || context.offWidth < view.width_px) {
+    mjr_defaultContext(this);
+    mjr_makeContext(&sized, this, mjFONTSCALE_100);
+    mjr_setBuffer(mjFB_OFFSCREEN, this);
+  }
+  ~GlResources() { mjr_freeContext(this); }
+  GlResources(const GlResources&) = delete;
+  GlResources& operator=(const GlResources&) = delete;
+};
+
+}  // namespace
+
+struct Renderer::Impl {
+  Impl(const mjModel& model_in, const PinholeView& view, std::unique_ptr<GlContext> gl_in)
+      : model(model_in), gl((gl_in->MakeCurrent(), std::move(gl_in))), geoms(model), resources(model, view) {
+    if (resources.currentBuffer != mjFB_OFFSCREEN || resources.offWidth < view.width_px) {
       throw std::runtime_error("MuJoCo's renderer cannot make an off-screen buffer for the camera's view");
     }
     KeepOnlyRed(view);
-    SimplifyFiltering(model, context);
+    SimplifyFiltering(model, resources);
+    mjv_defaultOption(&options);
+    options.geomgroup[kVehicle] = options.geomgroup[kInvisible] = 0;
+    mjv_defaultCamera(&free_camera);
     bottom_up.resize(static_cast<std::size_t>(view.width_px) * static_cast<std::size_t>(view.height_px));
-  }
-
-  ~Impl() {
-    gl->MakeCurrent();
-    mjr_freeContext(&context);
-    mjv_freeScene(&scene);
   }
 
   const mjModel& model;
   std::unique_ptr<GlContext> gl;
+  GeomList geoms;
+  GlResources resources;
   mjvOption options;
   mjvCamera free_camera;
-  mjvScene scene;
-  mjrContext context;
   std::vector<std::uint8_t> bottom_up;
 };
 
-Renderer::Renderer(const mjModel_& model, const PinholeView& view)
-    : view_(view), image_(view.width_px, view.height_px), impl_(std::make_unique<Impl>(model, view)) {}
+Renderer::Renderer(const mjModel_& model, const PinholeView& view, std::unique_ptr<GlContext> context)
+    : view_(view),
+      image_(view.width_px, view.height_px),
+      impl_(std::make_unique<Impl>(model, view, std::move(context))) {}
 
-Renderer::~Renderer() = default;
+Renderer::~Renderer() { impl_->gl->MakeCurrent(); }
 
 const models::Image& Renderer::Render(mjData_& data, const Eigen::Isometry3d& X_WC) {
   Impl& impl = *impl_;
   impl.gl->MakeCurrent();
-  mjv_updateScene(&impl.model, &data, &impl.options, nullptr, &impl.free_camera, mjCAT_ALL, &impl.scene);
-  impl.scene.camera[0] = impl.scene.camera[1] = CameraFor(view_, X_WC);
+  impl.options.geomgroup[kSurroundings] = SeesOnlyTheFloorsCentre(view_, X_WC) ? 0 : 1;
+  mjv_updateScene(&impl.model, &data, &impl.options, nullptr, &impl.free_camera, mjCAT_ALL, &impl.geoms);
+  impl.geoms.camera[0] = impl.geoms.camera[1] = CameraFor(view_, X_WC);
   const mjrRect viewport{0, 0, view_.width_px, view_.height_px};
-  mjr_render(viewport, &impl.scene, &impl.context);
+  mjr_render(viewport, &impl.geoms, &impl.resources);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, view_.width_px, view_.height_px, GL_RED, GL_UNSIGNED_BYTE, impl.bottom_up.data());
   const std::uint8_t* source = impl.bottom_up.data();

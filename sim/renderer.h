@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "models/signals.h"
+#include "sim/gl_context.h"
 
 struct mjModel_;
 struct mjData_;
@@ -24,13 +25,13 @@ struct PinholeView {
 
 /// What a camera without lens errors, exposure time and noise sees: MuJoCo's renderer on a GL context of its own.
 ///
-/// The camera's spectral response is the red channel. The vehicle (geom group 2) is not shown. Several renderers can
-/// live in one process, on one thread each or on the same.
+/// The camera's spectral response is the red channel. Of the geom groups, see GeomGroup, the vehicle is not shown.
+/// Several renderers can live in one process, on one thread each or on the same.
 class Renderer {
  public:
-  /// Copies the model's textures into the GL context; `model` must outlive the renderer. Throws std::runtime_error when
-  /// there is no context for a view of that size.
-  Renderer(const mjModel_& model, const PinholeView& view);
+  /// Copies the model's textures into the GL context, which is the renderer's alone; `model` must outlive it. Throws
+  /// std::runtime_error when there is no buffer for a view of that size.
+  Renderer(const mjModel_& model, const PinholeView& view, std::unique_ptr<GlContext> context = MakeOsMesaContext());
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
@@ -39,8 +40,6 @@ class Renderer {
   /// computed (mj_forward, mj_step); it is the scene that counts, not the vehicle in it. The image is valid until the
   /// next call.
   const models::Image& Render(mjData_& data, const Eigen::Isometry3d& X_WC);
-
-  const PinholeView& view() const { return view_; }
 
  private:
   struct Impl;

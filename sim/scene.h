@@ -60,17 +60,16 @@ inline constexpr double kSolidKeepOut_m = 0.60;
 /// too small for so many things.
 Scene MakeScene(const SceneConfig& config, const models::LandingPad& pad, std::uint64_t seed);
 
+inline constexpr char kPadCoverName[] = "pad_cover";
+
 /// The whole MJCF: options, assets, floor, pad, items, lights, and `vehicle_body` (a <body> element) among them.
 ///
 /// The pad's sheet lies at z = 0, other prints and the visible floor a fraction of a millimetre below it; the solid
-/// floor "floor" is an invisible plane at z = 0. Geom group 0 is what the camera sees, 2 is the vehicle, 3 the
-/// invisible. The sheet "pad_cover" above the pad is transparent until its alpha is set to 1.
+/// floor "floor" is an invisible plane at z = 0. GeomGroup says who sees what. The sheet kPadCoverName above the pad is
+/// transparent until its alpha is set to 1.
 std::string SceneMjcf(const Scene& scene, const std::string& vehicle_body, double timestep_s);
 
 /// Fills the pixels of the textures that SceneMjcf declares, before a GL context is made of the model.
 void PaintTextures(const Scene& scene, mjModel_& model);
-
-/// Shows or hides the landing pad (with its sheet) in every view rendered from then on.
-void SetPadVisible(mjModel_& model, bool visible);
 
 }  // namespace touchdown::sim

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <mujoco/mujoco.h>
 
 #include <algorithm>
 #include <string>
@@ -7,6 +6,7 @@
 
 #include "models/angles.h"
 #include "models/vehicle.h"
+#include "sim/geom_groups.h"
 #include "sim/scene.h"
 #include "sim/textures.h"
 
@@ -62,8 +62,8 @@ std::string Walls(const Scene& scene) {
   for (const auto& [x, y] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
     walls += fmt::format(
         "    <geom type='plane' pos='{} {} {}' zaxis='{} {} 0' size='{} {} 100' contype='0' conaffinity='0' "
-        "rgba='{} {} {} 1'/>\n",
-        x * half, y * half, half, -x, -y, half, half, grey, grey, grey);
+        "group='{}' rgba='{} {} {} 1'/>\n",
+        x * half, y * half, half, -x, -y, half, half, int{kSurroundings}, grey, grey, grey);
   }
   return walls;
 }
@@ -73,7 +73,7 @@ std::string Things(const Scene& scene) {
   std::string things;
   const Eigen::Vector2d sheet(scene.pad.sheet_length_m, scene.pad.sheet_width_m);
   const double white = PaperLevel(scene) / 255.0;
-  things += Sheet("pad_cover", Eigen::Vector2d::Zero(), kCoverHeight_m, 0.0, sheet + Eigen::Vector2d::Constant(0.02),
+  things += Sheet(kPadCoverName, Eigen::Vector2d::Zero(), kCoverHeight_m, 0.0, sheet + Eigen::Vector2d::Constant(0.02),
                   fmt::format("rgba='{0} {0} {0} 0'", white));
   if (scene.config.pad) things += Sheet("pad", Eigen::Vector2d::Zero(), 0.0, 0.0, sheet, "material='pad'");
   for (std::size_t i = 0; i < scene.items.size(); ++i) {
@@ -86,7 +86,8 @@ std::string Things(const Scene& scene) {
   things += Sheet("floor_centre", Eigen::Vector2d::Zero(), -kCentreDepth_m, 0.0,
                   Eigen::Vector2d::Constant(kFloorCentreSize_m), "material='floor_centre'");
   things += Sheet("floor_print", Eigen::Vector2d::Zero(), -kFloorDepth_m, 0.0,
-                  Eigen::Vector2d::Constant(scene.config.floor_size_m), "material='floor'");
+                  Eigen::Vector2d::Constant(scene.config.floor_size_m),
+                  fmt::format("material='floor' group='{}'", int{kSurroundings}));
   return things + Walls(scene);
 }
 
@@ -94,11 +95,13 @@ std::string Things(const Scene& scene) {
 
 /// The room's light adds up to 1 on what faces up: ambient 0.45, and 0.5932 from a direction whose cosine with the
 /// vertical is 0.9275. Textures and colours of the floor appear as they are.
+/// RK4 keeps free fall and torque-free rotation exact to round-off; elliptic cones keep a resting vehicle in place.
 std::string SceneMjcf(const Scene& scene, const std::string& vehicle_body, double timestep_s) {
   return fmt::format(
       "<mujoco model='touchdown'>\n"
       "  <compiler angle='radian' coordinate='local'/>\n"
-      "  <option timestep='{timestep}' gravity='0 0 -{gravity}' integrator='Euler'/>\n"
+      "  <option timestep='{timestep}' gravity='0 0 -{gravity}' integrator='RK4' cone='elliptic' "
+      "impratio='10'/>\n"
       "  <size njmax='600' nconmax='200'/>\n"
       "  <statistic center='0 0 0.5' extent='2'/>\n"
       "  <visual>\n"
@@ -109,18 +112,13 @@ std::string SceneMjcf(const Scene& scene, const std::string& vehicle_body, doubl
       "  <worldbody>\n"
       "    <light name='room' directional='true' castshadow='false' dir='0.35 0.2 -1' ambient='0.45 0.45 0.45' "
       "diffuse='0.5932 0.5932 0.5932' specular='0 0 0'/>\n"
-      "    <geom name='floor' type='plane' size='{floor} {floor} 100' group='3' rgba='0 0 0 0'/>\n"
+      "    <geom name='floor' type='plane' size='{floor} {floor} 100' group='{invisible}' rgba='0 0 0 0'/>\n"
       "{things}{vehicle}\n"
       "  </worldbody>\n"
       "</mujoco>\n",
       fmt::arg("timestep", timestep_s), fmt::arg("gravity", models::kGravity_m_s2), fmt::arg("assets", Assets(scene)),
-      fmt::arg("floor", 0.5 * scene.config.floor_size_m), fmt::arg("things", Things(scene)),
-      fmt::arg("vehicle", vehicle_body));
-}
-
-void SetPadVisible(mjModel_& model, bool visible) {
-  const int material = mj_name2id(&model, mjOBJ_MATERIAL, "pad");
-  if (material >= 0) model.mat_rgba[4 * material + 3] = visible ? 1.0f : 0.0f;
+      fmt::arg("floor", 0.5 * scene.config.floor_size_m), fmt::arg("invisible", int{kInvisible}),
+      fmt::arg("things", Things(scene)), fmt::arg("vehicle", vehicle_body));
 }
 
 }  // namespace touchdown::sim

@@ -127,7 +127,6 @@ TextureSize PadTextureSize(const models::LandingPad& pad) {
 std::string ItemName(std::size_t index) { return fmt::format("item_{}", index); }
 
 double PaperLevel(const Scene& scene) { return std::min(255.0, kPaper * scene.config.illumination); }
-double InkLevel(const Scene& scene) { return std::min(255.0, kInk * scene.config.illumination); }
 
 RoomLight::RoomLight(const Scene& scene) {
   models::RandomStream random(scene.floor_seed, "light");

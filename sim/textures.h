@@ -30,9 +30,8 @@ TextureSize PadTextureSize(const models::LandingPad& pad);
 /// The name that an item's geom, material and texture share.
 std::string ItemName(std::size_t index);
 
-/// Grey levels, 0 to 255, of the pad's paper and ink at the pad's centre, at the scene's illumination.
+/// Grey level, 0 to 255, of the pad's paper at the pad's centre, at the scene's illumination.
 double PaperLevel(const Scene& scene);
-double InkLevel(const Scene& scene);
 
 /// Evenness of the room's light over the floor: 1 at the pad's centre, smooth, within [0.75, 1.12] everywhere. It is
 /// drawn from the scene's seed and painted into all that is flat.

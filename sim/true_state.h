@@ -18,7 +18,6 @@ struct TrueState {
   Eigen::Vector3d a_WB = Eigen::Vector3d::Zero();        ///< m/s^2, in W, of B's origin: mean over the last tick.
   Eigen::Vector3d alpha_WB_B = Eigen::Vector3d::Zero();  ///< rad/s^2, in B: mean over the last tick.
   std::array<double, models::kRotorCount> rotor_speed_rad_s{};
-  std::array<double, models::kRotorCount> rotor_angle_rad{};   ///< Phase of each imbalance, from X_B towards Y_B.
   Eigen::Vector3d vibration_m_s2_B = Eigen::Vector3d::Zero();  ///< What the imbalances alone give B's origin, in B.
   bool gear_in_contact = false;                                ///< A foot touches the ground or an object.
   bool body_in_contact = false;                                ///< Anything but a foot touches the ground or an object.

@@ -5,6 +5,8 @@
 #include <limits>
 #include <sstream>
 
+#include "sim/geom_groups.h"
+
 namespace touchdown::sim {
 namespace {
 
@@ -50,7 +52,7 @@ std::string ContactAttributes(Contact contact) {
 std::string Geom(const std::string& name, const std::string& type, const std::string& shape, const std::string& rgba,
                  Contact contact) {
   return "  <geom" + Attribute("name", name) + Attribute("type", type) + shape + Attribute("rgba", rgba) +
-         Attribute("group", std::to_string(kVehicleGeomGroup)) + ContactAttributes(contact) + "/>\n";
+         Attribute("group", std::to_string(kVehicle)) + ContactAttributes(contact) + "/>\n";
 }
 
 std::string At(const Vector3d& position, std::initializer_list<double> size) {

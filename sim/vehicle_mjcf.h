@@ -8,9 +8,6 @@ namespace touchdown::sim {
 
 inline constexpr char kVehicleBodyName[] = "vehicle";
 inline constexpr char kOnboardCameraName[] = "onboard";
-/// Geoms of the vehicle. The onboard renderer hides this group (the camera does not see its own legs), a third-person
-/// view shows it.
-inline constexpr int kVehicleGeomGroup = 2;
 
 /// "foot_0" (front left), "foot_1" (front right), "foot_2" (rear right), "foot_3" (rear left): as the rotors.
 std::string FootName(int foot);

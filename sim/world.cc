@@ -16,21 +16,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr char kPadCoverName[] = "pad_cover";
-
 MujocoModel LoadWorld(const WorldConfig& config, const models::Vehicle& vehicle, const Scene& scene,
                       const models::TimeBase& time) {
   config.Validate();
   vehicle.Validate();
   MujocoModel model = LoadModel(SceneMjcf(scene, VehicleMjcf(vehicle), time.period_s()));
   if (config.paint_textures) PaintTextures(scene, *model);
-  // RK4 keeps free fall and torque-free rotation exact to round-off; elliptic cones keep a resting vehicle in place.
-  model->opt.timestep = time.period_s();
-  model->opt.integrator = mjINT_RK4;
-  model->opt.cone = mjCONE_ELLIPTIC;
-  model->opt.impratio = 10.0;
-  model->opt.gravity[0] = model->opt.gravity[1] = 0.0;
-  model->opt.gravity[2] = -models::kGravity_m_s2;
   return model;
 }
 
@@ -192,7 +183,6 @@ void World::ReadState() {
   state_.v_WB = Vector3d(v[0], v[1], v[2]);
   state_.w_WB_B = Vector3d(v[3], v[4], v[5]);
   state_.rotor_speed_rad_s = rotors_.speeds_rad_s();
-  state_.rotor_angle_rad = rotors_.angles_rad();
   state_.vibration_m_s2_B = rotors_.Imbalance().force_n / vehicle_.mass_kg;
   ReadContacts();
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -16,53 +17,87 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::map<std::string, std::set<std::string>> kMayInclude = {
-    {"models", {"models"}},
-    {"sim", {"sim", "models"}},
-    {"estimator", {"estimator", "models"}},
-    {"controller", {"controller", "models"}},
-    {"scenarios", {"scenarios", "sim", "estimator", "controller", "models"}},
-};
+/// Of the project's folders: whose headers a folder's files may include. Within scenarios/, a command stands on studies
+/// and reports, and these on the flight.
+const std::map<std::string, std::set<std::string>>& MayInclude() {
+  static const std::map<std::string, std::set<std::string>> folders = [] {
+    const std::set<std::string> below_scenarios = {"sim", "estimator", "controller", "models"};
+    const auto with_those_below = [&](std::set<std::string> parts) {
+      parts.insert(below_scenarios.begin(), below_scenarios.end());
+      return parts;
+    };
+    return std::map<std::string, std::set<std::string>>{
+        {"models", {"models"}},
+        {"sim", {"sim", "models"}},
+        {"estimator", {"estimator", "models"}},
+        {"controller", {"controller", "models"}},
+        {"scenarios/flight", with_those_below({"scenarios/flight"})},
+        {"scenarios/report", with_those_below({"scenarios/report", "scenarios/flight"})},
+        {"scenarios/study", with_those_below({"scenarios/study", "scenarios/flight"})},
+        {"scenarios/cli",
+         with_those_below({"scenarios/cli", "scenarios/study", "scenarios/report", "scenarios/flight"})},
+    };
+  }();
+  return folders;
+}
 
+/// Breaks of the rule that are known and wait to be mended.
+const std::set<std::string> kKnown = {
+    "scenarios/flight/flight_folder.cc: scenarios/flight/ must not include scenarios/report/"};
+
+/// What may be included from outside the project, and by which files. A header that fits no line is refused.
 struct LibraryRule {
+  std::regex path;
   std::regex header;
-  std::regex allowed_path;  // Of the file that includes it.
 };
 
 const std::vector<LibraryRule>& LibraryRules() {
   static const std::vector<LibraryRule> rules = {
-      {std::regex("(mujoco|GL|EGL)/.*"), std::regex("sim/.*")},
-      {std::regex("opencv2/.*"), std::regex("(sim/.*)|(scenarios/.*)|(estimator/.*\\.cc)|(estimator/paper/.*)")},
-      {std::regex("(yaml-cpp|CLI|nlohmann|openssl)/.*"), std::regex("scenarios/.*")},
-      {std::regex("(spdlog|fmt)/.*"), std::regex("(scenarios|sim)/.*")},
+      {std::regex(".*"), std::regex("[a-z_0-9]+|Eigen/.*")},
+      {std::regex(".*\\.c"), std::regex("[a-z]+\\.h")},
+      {std::regex("estimator/.*\\.cc"), std::regex("opencv2/.*")},
+      {std::regex("sim/.*"), std::regex("(mujoco|GL|EGL|opencv2|spdlog|fmt)/.*")},
+      {std::regex("scenarios/.*"), std::regex("(opencv2|yaml-cpp|CLI|nlohmann|openssl|spdlog|fmt)/.*")},
+      {std::regex("scenarios/.*"), std::regex("((sys|gnu)/)?[a-z-]+\\.h")},  // The operating system's.
   };
   return rules;
+}
+
+/// "sim" of a path in sim/; of one in scenarios/ the part as well, "scenarios/flight".
+std::string FolderOf(const std::string& path) {
+  const std::size_t end = path.find('/');
+  const std::string folder = path.substr(0, end);
+  return folder == "scenarios" ? path.substr(0, path.find('/', end + 1)) : folder;
+}
+
+bool IsLibraryAllowed(const std::string& path, const std::string& header) {
+  return std::any_of(LibraryRules().begin(), LibraryRules().end(), [&](const LibraryRule& rule) {
+    return std::regex_match(path, rule.path) && std::regex_match(header, rule.header);
+  });
+}
+
+/// The complaint about one include; empty when there is none.
+std::string Complaint(const std::string& path, const std::string& header, bool quoted) {
+  if (!quoted) return IsLibraryAllowed(path, header) ? "" : "<" + header + "> does not belong here";
+  if (header.find("..") != std::string::npos || header.find('/') == std::string::npos) {
+    return "include \"" + header + "\" is not written from the root";
+  }
+  const std::string folder = FolderOf(path), target = FolderOf(header);
+  return MayInclude().at(folder).contains(target) ? "" : folder + "/ must not include " + target + "/";
 }
 
 /// The complaints about one file's text. `path` is relative to the root, with forward slashes.
 std::vector<std::string> Violations(const std::string& path, const std::string& text) {
   static const std::regex include_line(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"])");
-  const std::string folder = path.substr(0, path.find('/'));
   std::vector<std::string> complaints;
   std::istringstream lines(text);
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
     std::smatch match;
     if (!std::regex_search(line, match, include_line)) continue;
-    const bool quoted = match[1] == "\"";
-    const std::string header = match[2];
-    const std::string where = path + ":" + std::to_string(number) + ": ";
-    const std::string target = header.substr(0, header.find('/'));
-    if (quoted && (header.find("..") != std::string::npos || header.find('/') == std::string::npos)) {
-      complaints.push_back(where + "include \"" + header + "\" is not written from the root");
-    } else if ((quoted || kMayInclude.contains(target)) && !kMayInclude.at(folder).contains(target)) {
-      complaints.push_back(where + folder + "/ must not include " + target + "/");
-    }
-    for (const auto& rule : LibraryRules()) {
-      if (std::regex_match(header, rule.header) && !std::regex_match(path, rule.allowed_path)) {
-        complaints.push_back(where + "<" + header + "> does not belong here");
-      }
-    }
+    const std::string complaint = Complaint(path, match[2], match[1] == "\"");
+    if (complaint.empty() || kKnown.contains(path + ": " + complaint)) continue;
+    complaints.push_back(path + ":" + std::to_string(number) + ": " + complaint);
   }
   return complaints;
 }
@@ -75,7 +110,7 @@ bool IsSource(const fs::path& path) {
 TEST(Architecture, NoIncludeClimbsOrGoesSideways) {
   const fs::path root = TOUCHDOWN_SOURCE_DIR;
   int files = 0;
-  for (const auto& [folder, unused] : kMayInclude) {
+  for (const auto& [folder, unused] : MayInclude()) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       if (!entry.is_regular_file() || !IsSource(entry.path())) continue;
       std::ifstream stream(entry.path());
@@ -87,20 +122,63 @@ TEST(Architecture, NoIncludeClimbsOrGoesSideways) {
   EXPECT_GT(files, 50);
 }
 
-TEST(Architecture, ComplainsOfASiblingAnUpperFloorAndALibraryOutOfPlace) {
-  EXPECT_THAT(Violations("estimator/a.cc", "#include \"sim/world.h\"\n"),
-              testing::ElementsAre("estimator/a.cc:1: estimator/ must not include sim/"));
-  EXPECT_THAT(Violations("models/a.h", "\n#include \"scenarios/flight/metrics.h\"\n"),
-              testing::ElementsAre("models/a.h:2: models/ must not include scenarios/"));
-  EXPECT_THAT(Violations("controller/a.cc", "#include <mujoco/mujoco.h>\n"),
-              testing::ElementsAre("controller/a.cc:1: <mujoco/mujoco.h> does not belong here"));
-  EXPECT_THAT(Violations("estimator/estimator.h", "#include <opencv2/core.hpp>\n"), testing::SizeIs(1));
-  EXPECT_THAT(Violations("sim/a.cc", "#include \"../estimator/estimator.h\"\n"), testing::SizeIs(1));
-  EXPECT_THAT(Violations("sim/a.cc", "#include \"world.h\"\n"), testing::SizeIs(1));
-  EXPECT_THAT(Violations("sim/a.cc", "#include \"tests/support/rooms.h\"\n"), testing::SizeIs(1));
-  EXPECT_THAT(Violations("sim/a.cc", "#include <estimator/estimator.h>\n"), testing::SizeIs(1));
-  EXPECT_THAT(Violations("scenarios/flight/a.cc", "#include \"sim/world.h\"\n#include \"models/time.h\"\n"),
-              testing::IsEmpty());
+TEST(Architecture, EveryFolderOfScenariosHasItsPlace) {
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(TOUCHDOWN_SOURCE_DIR) / "scenarios")) {
+    if (!entry.is_regular_file() || !IsSource(entry.path())) continue;
+    const std::string path = fs::relative(entry.path(), TOUCHDOWN_SOURCE_DIR).generic_string();
+    EXPECT_TRUE(MayInclude().contains(FolderOf(path))) << path;
+  }
+}
+
+/// What is wrong with one include line in the file `path`.
+std::string FaultOf(const std::string& path, const std::string& include) {
+  const auto violations = Violations(path, "\n#include " + include + "\n");
+  return violations.empty() ? "" : violations.front();
+}
+
+TEST(Architecture, ComplainsOfASiblingAndAnUpperFloor) {
+  EXPECT_EQ(FaultOf("estimator/a.cc", "\"sim/world.h\""), "estimator/a.cc:2: estimator/ must not include sim/");
+  EXPECT_EQ(FaultOf("models/a.h", "\"scenarios/flight/metrics.h\""),
+            "models/a.h:2: models/ must not include scenarios/flight/");
+  EXPECT_NE(FaultOf("sim/a.cc", "\"../estimator/estimator.h\""), "");
+  EXPECT_NE(FaultOf("sim/a.cc", "\"world.h\""), "");
+  EXPECT_NE(FaultOf("sim/a.cc", "<estimator/estimator.h>"), "");
+  EXPECT_EQ(FaultOf("scenarios/flight/a.cc", "\"sim/world.h\""), "");
+}
+
+TEST(Architecture, KeepsTheTestsOutOfTheProgram) {
+  for (const std::string folder : {"models", "sim", "estimator", "controller", "scenarios/flight", "scenarios/cli"}) {
+    EXPECT_NE(FaultOf(folder + "/a.cc", "\"tests/support/rooms.h\""), "");
+    EXPECT_NE(FaultOf(folder + "/a.cc", "<tests/support/rooms.h>"), "");
+  }
+}
+
+TEST(Architecture, LayersTheScenariosFromTheCommandsDownToTheFlight) {
+  EXPECT_EQ(FaultOf("scenarios/cli/a.cc", "\"scenarios/study/a.h\""), "");
+  EXPECT_EQ(FaultOf("scenarios/cli/a.cc", "\"scenarios/report/a.h\""), "");
+  EXPECT_EQ(FaultOf("scenarios/study/a.cc", "\"scenarios/flight/a.h\""), "");
+  EXPECT_EQ(FaultOf("scenarios/report/a.cc", "\"scenarios/flight/a.h\""), "");
+  EXPECT_NE(FaultOf("scenarios/report/a.cc", "\"scenarios/study/a.h\""), "");
+  EXPECT_NE(FaultOf("scenarios/study/a.cc", "\"scenarios/cli/a.h\""), "");
+  for (const std::string part : {"cli", "report", "study"}) {
+    EXPECT_NE(FaultOf("scenarios/flight/a.cc", "\"scenarios/" + part + "/a.h\""), "");
+  }
+}
+
+TEST(Architecture, AllowsEachLibraryOnlyWhereItBelongs) {
+  for (const std::string folder : {"models", "controller", "estimator", "sim", "scenarios/flight"}) {
+    EXPECT_EQ(FaultOf(folder + "/a.h", "<Eigen/Core>"), "");
+    EXPECT_EQ(FaultOf(folder + "/a.h", "<string_view>"), "");
+    EXPECT_NE(FaultOf(folder + "/a.h", "<boost/optional.hpp>"), "");
+  }
+  EXPECT_EQ(FaultOf("estimator/paper/edges.cc", "<opencv2/imgproc.hpp>"), "");
+  EXPECT_NE(FaultOf("estimator/paper/edges.h", "<opencv2/imgproc.hpp>"), "");
+  EXPECT_NE(FaultOf("controller/a.cc", "<opencv2/core.hpp>"), "");
+  EXPECT_NE(FaultOf("controller/a.cc", "<fmt/format.h>"), "");
+  EXPECT_NE(FaultOf("models/a.cc", "<unistd.h>"), "");
+  EXPECT_EQ(FaultOf("sim/a.cc", "<mujoco/mujoco.h>"), "");
+  EXPECT_EQ(FaultOf("controller/a.cc", "<mujoco/mujoco.h>"),
+            "controller/a.cc:2: <mujoco/mujoco.h> does not belong here");
 }
 
 }  // namespace

@@ -45,10 +45,9 @@ struct Threshold {
 /// Columns [u_begin, u_end), whose windows all lie `left` and `right` of the column.
 void BinarizeInnerColumns(const std::uint8_t* pixels, const std::uint32_t* column_sums, int u_begin, int u_end,
                           int radius, const Threshold& threshold, std::uint8_t* dark) {
-  const std::uint32_t* left = column_sums - radius;
-  const std::uint32_t* right = column_sums + radius + 1;
   for (int u = u_begin; u < u_end; ++u) {
-    const float limit = static_cast<float>(static_cast<std::int32_t>(right[u] - left[u])) * threshold.scale;
+    const std::uint32_t sum = column_sums[u + radius + 1] - column_sums[u - radius];
+    const float limit = static_cast<float>(static_cast<std::int32_t>(sum)) * threshold.scale;
     dark[u] = static_cast<float>(pixels[u]) < limit - threshold.offset ? 255 : 0;
   }
 }

@@ -14,9 +14,9 @@ struct CirclePose {
 
 /// Both poses from which a circle of `radius_m` looks like the ellipse `conic` (Eqs. 3 to 11). `conic` is the symmetric
 /// matrix of Eq. 7 in normalized image coordinates (f = 1), at any scale and sign: X^T Q X = 0. The poses are equal
-/// where the ellipse is a circle about the optical axis seen straight on (lambda_1 = lambda_2). nullopt when the conic
-/// is not finite or no cone (its eigenvalues are not of signs -, +, + or +, -, -), or a centre lies on the plane of the
-/// optical centre.
+/// where the cone is one of revolution (lambda_1 = lambda_2): the optical centre lies on the circle's axis, wherever in
+/// the image the circle is then seen. nullopt when the conic is not finite or no cone (its eigenvalues are not of signs
+/// -, +, + or +, -, -), or a centre lies on the plane of the optical centre.
 std::optional<std::array<CirclePose, 2>> PosesOfCircle(const Eigen::Matrix3d& conic, double radius_m);
 
 }  // namespace touchdown::estimator

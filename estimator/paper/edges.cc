@@ -15,8 +15,11 @@ using Eigen::Vector2d;
 
 constexpr int kPatchMargin_px = 8;
 
-// Half the window across an edge is at most this, which holds the whole transition of an edge that is blurred by 2 px.
+// Half the window across an edge is at most this, which holds the whole transition of an edge that is blurred by 2 px,
 constexpr double kLongestReach_px = 3.0;
+// and at least this: a shorter one sees the interpolation between two pixels, not the edge, and scatters threefold. So
+// where stripes are narrower than two pixels, the window goes beyond their middles.
+constexpr double kShortestReach_px = 1.0;
 constexpr double kProfileStep_px = 0.5;
 constexpr double kFarthestMove_px = 1.5;
 constexpr double kLeastContrast = 20.0;
@@ -48,17 +51,20 @@ struct Patch {
   }
 };
 
-/// The narrowest black or white stripe next to an edge of the pad, m.
+/// The narrowest black or white stripe next to an edge of the pad, m: the ring, the H's strokes and bar, the white
+/// between ring and H, between the H's strokes, beside its bar, and around the ring.
 double NarrowestStripe(const models::LandingPad& pad) {
   const double gap = pad.inner_radius_m() - 0.5 * std::hypot(pad.h_height_m, pad.h_width_m);
   const double margin = 0.5 * std::min(pad.sheet_length_m, pad.sheet_width_m) - pad.outer_radius_m;
-  return std::min({pad.ring_width_m, pad.h_stroke_m, gap, margin});
+  const double between_strokes = pad.h_width_m - 2.0 * pad.h_stroke_m;
+  const double beside_bar = 0.5 * (pad.h_height_m - pad.h_stroke_m);
+  return std::min({pad.ring_width_m, pad.h_stroke_m, gap, between_strokes, beside_bar, margin});
 }
 
 void Paint(const ComponentSet& components, const Component& component, Part part, Patch& patch) {
   for (const Run& run : components.RunsOf(component)) {
-    auto* row = patch.parts.data() + static_cast<std::ptrdiff_t>(run.v - patch.v) * patch.width - patch.u;
-    std::fill(row + run.u_begin, row + run.u_end, part);
+    auto* row = patch.parts.data() + static_cast<std::ptrdiff_t>(run.v - patch.v) * patch.width;
+    std::fill(row + (run.u_begin - patch.u), row + (run.u_end - patch.u), part);
   }
 }
 
@@ -92,10 +98,11 @@ Part PartOnDarkSide(const Patch& patch, const Vector2d& pixel, const Vector2d& t
 
 /// The place along the gradient about which the window's mean is midway between its ends: where a window centred on it
 /// sees as much dark as bright. A blur that is the same on both sides does not move it, even when the window cuts its
-/// tails off. nullopt where the window leaves the patch, the contrast is too weak or the place too far from the pixel.
+/// tails off. The window reaches `reach`, px, to both sides, less what is not a whole step. nullopt where it leaves the
+/// patch, the contrast is too weak or the place too far from the pixel.
 std::optional<Vector2d> SubpixelPlace(const Patch& patch, const Vector2d& pixel, const Vector2d& to_bright,
                                       double reach) {
-  const int half_count = std::max(2, static_cast<int>(reach / kProfileStep_px));
+  const int half_count = static_cast<int>(reach / kProfileStep_px);
   const double half_window = half_count * kProfileStep_px;
   double move = 0.0;
   constexpr int kIterations = 2;
@@ -131,8 +138,8 @@ PadContours FindContours(const models::ImageView& image, const ComponentSet& com
   const Vector2d center(ring.u - patch.u + 0.5 * (ring.width - 1), ring.v - patch.v + 0.5 * (ring.height - 1));
   const double px_per_m = std::min(ring.width, ring.height) / (2.0 * pad.outer_radius_m);
   const double narrowest_px = NarrowestStripe(pad) * px_per_m;
-  // So far from an edge the ring's other edge, the H and the end of the sheet are not met.
-  const double reach = std::min(kLongestReach_px, 0.5 * narrowest_px);
+  // So far from an edge no other edge of the pad is met.
+  const double reach = std::clamp(0.5 * narrowest_px, kShortestReach_px, kLongestReach_px);
 
   PadContours contours;
   for (int y = 1; y < patch.height - 1; ++y) {

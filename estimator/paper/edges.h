@@ -3,9 +3,9 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "estimator/make_estimator.h"
 #include "estimator/paper/components.h"
 #include "estimator/paper/pad_detector.h"
+#include "estimator/paper/paper_options.h"
 #include "models/landing_pad.h"
 #include "models/signals.h"
 

@@ -61,6 +61,16 @@ Eigen::Matrix3d Ellipse::Conic() const {
   return conic;
 }
 
+std::optional<Ellipse> Ellipse::FromShape(const Eigen::Vector2d& center, const Eigen::Matrix2d& shape) {
+  if (!center.allFinite() || !shape.allFinite()) return std::nullopt;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(shape);
+  if (!(eigen.eigenvalues()(0) > 0.0)) return std::nullopt;
+  const Eigen::Vector2d major = eigen.eigenvectors().col(1);
+  return Ellipse{.center = center,
+                 .semi_axes = eigen.eigenvalues().reverse().cwiseSqrt(),
+                 .angle = models::WrapToHalfPi(std::atan2(major.y(), major.x()))};
+}
+
 std::optional<Ellipse> Ellipse::FromConic(const Eigen::Matrix3d& conic) {
   if (!conic.allFinite()) return std::nullopt;
   Eigen::Matrix2d A = conic.topLeftCorner<2, 2>();
@@ -70,17 +80,7 @@ std::optional<Ellipse> Ellipse::FromConic(const Eigen::Matrix3d& conic) {
   const Eigen::Vector2d center = -A.inverse() * (sign * conic.topRightCorner<2, 1>());
   const double level = center.dot(A * center) - sign * conic(2, 2);
   if (!(level > 0.0)) return std::nullopt;
-
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(A);
-  Ellipse ellipse;
-  ellipse.center = center;
-  ellipse.semi_axes = (level * eigen.eigenvalues().cwiseInverse()).cwiseSqrt();
-  const Eigen::Vector2d major = eigen.eigenvectors().col(0);
-  ellipse.angle = models::WrapToHalfPi(std::atan2(major.y(), major.x()));
-  if (!ellipse.center.allFinite() || !ellipse.semi_axes.allFinite() || !(ellipse.semi_axes.y() > 0.0)) {
-    return std::nullopt;
-  }
-  return ellipse;
+  return FromShape(center, level * A.inverse());
 }
 
 std::optional<Ellipse> FitEllipse(std::span<const Eigen::Vector2d> points) {

@@ -161,9 +161,10 @@ std::optional<Eigen::Matrix<double, 6, 6>> PaperEstimator::Covariance(const PadE
   };
   const Eigen::Isometry3d other_X_WB = BodyPoseFrom(ring_poses[1 - chosen], ellipses.stroke_angle);
   const double wrong = WrongBranchProbability(ring_poses, z_C, config_.covariance.gravity_sigma_rad);
-  return PoseCovariance(ellipses.ring_outer, *ring_covariance, ellipses.stroke_angle, stroke_sigma, X_WB, pose_of,
-                        config_.covariance) +
-         WrongBranchCovariance(X_WB, other_X_WB, wrong);
+  auto covariance = PoseCovariance(ellipses.ring_outer, *ring_covariance, ellipses.stroke_angle, stroke_sigma, X_WB,
+                                   pose_of, config_.covariance);
+  if (covariance) *covariance += WrongBranchCovariance(X_WB, other_X_WB, wrong);
+  return covariance;
 }
 
 }  // namespace touchdown::estimator

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "estimator/estimator.h"
-#include "estimator/make_estimator.h"
 #include "estimator/paper/binarize.h"
 #include "estimator/paper/components.h"
 #include "estimator/paper/conic_pose.h"

@@ -14,11 +14,8 @@ using Matrix5d = Eigen::Matrix<double, 5, 5>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-Eigen::Matrix2d ShapeOf(const EllipseParameters& parameters) {
-  Eigen::Matrix2d S;
-  S << parameters(2), parameters(3), parameters(3), parameters(4);
-  return S;
-}
+/// A sigma point is brought no nearer to the mean than this share of its way.
+constexpr double kSmallestShare = 1.0 / 64.0;
 
 /// Derivative of DistanceFrom(ellipse, point) with respect to the ellipse's parameters. With W = S^-1 and d = point -
 /// center, the distance is (d^T W d - 1) / (2 |W d|), and dW = -W dS W.
@@ -55,16 +52,9 @@ EllipseParameters ParametersOf(const Ellipse& ellipse) {
 }
 
 std::optional<Ellipse> EllipseOf(const EllipseParameters& parameters) {
-  const Eigen::Matrix2d S = ShapeOf(parameters);
-  if (!parameters.allFinite() || S.trace() <= 0.0 || S.determinant() <= 0.0) return std::nullopt;
-  const Eigen::Matrix2d W = S.inverse();
-  const Eigen::Vector2d center = parameters.head<2>();
-  Eigen::Matrix3d conic;
-  conic.topLeftCorner<2, 2>() = W;
-  conic.topRightCorner<2, 1>() = -W * center;
-  conic.bottomLeftCorner<1, 2>() = -(W * center).transpose();
-  conic(2, 2) = center.dot(W * center) - 1.0;
-  return Ellipse::FromConic(conic);
+  Eigen::Matrix2d S;
+  S << parameters(2), parameters(3), parameters(3), parameters(4);
+  return Ellipse::FromShape(parameters.head<2>(), S);
 }
 
 std::optional<Matrix5d> EllipseCovariance(const Ellipse& ellipse, std::span<const Eigen::Vector2d> points,
@@ -107,7 +97,7 @@ double StrokeSigma(const Ellipse& letter, std::size_t point_count, double edge_s
   return std::hypot(of_edges, config.letter_sigma_rad, not_rectified);
 }
 
-Matrix6d PoseCovariance(
+std::optional<Matrix6d> PoseCovariance(
     const Ellipse& ring, const Matrix5d& ring_covariance, double stroke_angle, double stroke_sigma,
     const Eigen::Isometry3d& X_WB,
     const std::function<std::optional<Eigen::Isometry3d>(const Ellipse& ring, double stroke_angle)>& pose_of,
@@ -117,21 +107,25 @@ Matrix6d PoseCovariance(
   const Eigen::LLT<Matrix5d> root(ring_covariance);
   const Matrix5d L = root.matrixL();
   const EllipseParameters mean = ParametersOf(ring);
-
-  Matrix6d sum = Matrix6d::Zero();
-  int count = 0;
-  const auto add = [&](const std::optional<Ellipse>& ellipse, double angle) {
-    const auto pose = ellipse ? pose_of(*ellipse, angle) : std::nullopt;
-    if (!pose) return;
-    const Vector6d difference = Difference(*pose, X_WB);
-    sum += difference * difference.transpose();
-    ++count;
+  // What the step to a sigma point does to the pose.
+  const auto effect_of = [&](const EllipseParameters& ring_step, double stroke_step) -> std::optional<Vector6d> {
+    for (double share = 1.0; share >= kSmallestShare; share /= 2.0) {
+      const auto ellipse = EllipseOf(mean + share * ring_step);
+      const auto pose = ellipse ? pose_of(*ellipse, stroke_angle + share * stroke_step) : std::nullopt;
+      if (pose) return Difference(*pose, X_WB) / share;
+    }
+    return std::nullopt;
   };
+
+  Matrix6d covariance = Matrix6d::Zero();
   for (const double side : {-spread, spread}) {
-    for (int i = 0; i < 5; ++i) add(EllipseOf(mean + side * L.col(i)), stroke_angle);
-    add(ring, stroke_angle + side * stroke_sigma);
+    for (int i = 0; i < kInputs; ++i) {
+      const auto effect =
+          i < 5 ? effect_of(side * L.col(i), 0.0) : effect_of(EllipseParameters::Zero(), side * stroke_sigma);
+      if (!effect) return std::nullopt;
+      covariance += *effect * effect->transpose() / (2.0 * kInputs);
+    }
   }
-  Matrix6d covariance = sum / std::max(count, 1);
   const double position = config.smallest_position_sigma_m, angle = config.smallest_angle_sigma_rad;
   covariance.diagonal().head<3>().array() += position * position;
   covariance.diagonal().tail<3>().array() += angle * angle;

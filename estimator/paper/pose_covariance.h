@@ -32,7 +32,7 @@ struct PoseCovarianceConfig {
 /// even where the ellipse is a circle and has no axes.
 using EllipseParameters = Eigen::Matrix<double, 5, 1>;
 EllipseParameters ParametersOf(const Ellipse& ellipse);
-/// nullopt when S is not positive definite.
+/// nullopt when S is not positive definite, or a number not finite.
 std::optional<Ellipse> EllipseOf(const EllipseParameters& parameters);
 
 /// Covariance of the parameters of an ellipse fitted to `points`, each off by a normal error across the ellipse, whose
@@ -51,9 +51,11 @@ double StrokeSigma(const Ellipse& letter, std::size_t point_count, double edge_s
 /// 6x6 covariance of (p_WB in m, rotation vector in W in rad) about `X_WB` when the ring's ellipse has the covariance
 /// `ring_covariance` and the strokes' direction in the image the 1-sigma error `stroke_sigma`. Both are carried through
 /// `pose_of`, the map from them to the pose, by 12 sigma points rather than by derivatives: where the ellipse is nearly
-/// a circle the tilt goes with the square root of its flattening and has no derivative. Sigma points without a pose are
-/// left out.
-Eigen::Matrix<double, 6, 6> PoseCovariance(
+/// a circle the tilt goes with the square root of its flattening and has no derivative. A sigma point without a pose is
+/// brought halfway to the mean until it has one, and what it does to the pose is scaled up by as much: the pose moves
+/// as far as on the way there, and for a map that bends like a square root further, so that the claim does not shrink
+/// where the points that are far off fail. nullopt where there is no pose at 1/64 of the way either.
+std::optional<Eigen::Matrix<double, 6, 6>> PoseCovariance(
     const Ellipse& ring, const Eigen::Matrix<double, 5, 5>& ring_covariance, double stroke_angle, double stroke_sigma,
     const Eigen::Isometry3d& X_WB,
     const std::function<std::optional<Eigen::Isometry3d>(const Ellipse& ring, double stroke_angle)>& pose_of,

@@ -1,13 +1,11 @@
 #include "scenarios/flight/closed_loop.h"
 
 #include "controller/flight_controller.h"
-#include "estimator/attitude_estimator.h"
 #include "estimator/make_estimator.h"
-#include "estimator/pose_filter.h"
+#include "estimator/state_estimator.h"
 #include "scenarios/flight/end_watch.h"
 #include "scenarios/flight/event_player.h"
 #include "scenarios/flight/flight_recorder.h"
-#include "scenarios/flight/pad_view.h"
 #include "scenarios/flight/stopwatch.h"
 #include "sim/camera.h"
 #include "sim/imu.h"
@@ -27,13 +25,14 @@ Eigen::Isometry3d StartPose(const Start& start, const sim::World& world) {
   return X_WB;
 }
 
-models::VehicleEstimate Combine(models::Tick tick, const estimator::AttitudeEstimator& attitude,
-                                const estimator::PoseFilter& filter) {
-  return {.tick = tick,
-          .attitude = attitude.attitude(),
-          .w_WB_B = attitude.w_WB_B(),
-          .motion = filter.At(tick),
-          .pad_seen = filter.newest()};
+/// A vehicle that is in the air at tick 0 has taken off before: at rest on level ground, it has learned the biases of
+/// its IMU.
+void StandBeforeFlight(const models::TimeBase& time, sim::Imu& imu, estimator::StateEstimator& estimator) {
+  constexpr double kStanding_s = 2.0;
+  sim::TrueState standing;
+  for (standing.tick = -time.FromSeconds(kStanding_s); standing.tick < 0; ++standing.tick) {
+    if (const auto sample = imu.Sample(standing)) estimator.TakeImu(*sample, true);
+  }
 }
 
 }  // namespace
@@ -45,9 +44,10 @@ FlightLog FlyClosedLoop(const Scenario& s, const FrameObserver& on_frame, const 
   sim::Imu imu(s.imu, s.vehicle.X_BU(), s.time, s.seed);
   sim::TrackingSystem tracking_system(s.tracking, s.time, s.seed);
 
-  const auto estimator = estimator::MakeEstimator(s.estimator, {s.camera.model, s.pad, s.vehicle.X_BC(), s.time});
-  estimator::AttitudeEstimator attitude(s.attitude_estimator, s.time, s.vehicle.X_BU().linear());
-  estimator::PoseFilter filter(s.pose_filter, s.time);
+  estimator::StateEstimator estimator(
+      estimator::MakeEstimator(s.estimator, {s.camera.model, s.pad, s.vehicle.X_BC(), s.time}),
+      {.attitude = s.attitude_estimator, .filter = s.pose_filter}, s.time, s.vehicle.X_BU().linear());
+  if (s.start.airborne) StandBeforeFlight(s.time, imu, estimator);
   controller::FlightController controller(s.controller, s.vehicle, s.time, s.imu.rate_hz, s.script, s.start.airborne);
   controller::ControlOutput control;
 
@@ -69,22 +69,15 @@ FlightLog FlyClosedLoop(const Scenario& s, const FrameObserver& on_frame, const 
 
       if (const auto frame = camera.Sample(truth); frame && !events.frames_are_lost()) {
         const Stopwatch vision_clock;
-        const estimator::FrameEstimate seen =
-            estimator->Estimate(frame->image.View(), frame->mid_exposure, attitude.GravityAt(frame->mid_exposure));
-        const double vision_ms = vision_clock.milliseconds();
-        if (seen.status == estimator::FrameStatus::kOk) {
-          const Eigen::Isometry3d X_WB = NearerTwin(seen.pose.value().X_WB, attitude.attitude().yaw);
-          filter.Update(frame->mid_exposure, X_WB.translation());
-          attitude.CorrectYaw(frame->mid_exposure, models::TaitBryanFromRotation(X_WB.linear()).yaw);
-        }
-        const FrameRecord& record = recorder.OnFrame(seen, camera.render_ms(), vision_ms);
+        const estimator::FrameEstimate seen = estimator.TakeFrame(frame->image.View(), frame->mid_exposure);
+        const FrameRecord& record = recorder.OnFrame(seen, camera.render_ms(), vision_clock.milliseconds());
         if (on_frame) on_frame(*frame, seen, record);
       }
       if (const auto tracked = tracking_system.Sample(truth)) recorder.OnTracking(*tracked);
 
       if (const auto sample = imu.Sample(truth)) {
-        attitude.Update(*sample, controller.phase() == controller::Phase::kStandby);
-        const models::VehicleEstimate estimate = Combine(truth.tick, attitude, filter);
+        estimator.TakeImu(*sample, controller.phase() == controller::Phase::kStandby);
+        const models::VehicleEstimate estimate = estimator.At(truth.tick);
         control = controller.Update(estimate);
         recorder.OnControl(estimate, control);
         if (stop_requested && stop_requested()) throw Interrupted();

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "models/angles.h"
+#include "models/landing_pad.h"
 #include "scenarios/flight/flight_log.h"
 #include "scenarios/flight/pad_view.h"
 
@@ -124,7 +125,7 @@ void PutErrors(const FlightLog& log, Metrics& metrics) {
   for (const FrameRecord& frame : log.frames) {
     if (frame.status != estimator::FrameStatus::kOk) continue;
     const models::TaitBryan truth = models::TaitBryanFromRotation(frame.X_WB.linear());
-    const Eigen::Isometry3d X_WB = NearerTwin(frame.pose.value().X_WB, truth.yaw);
+    const Eigen::Isometry3d X_WB = models::NearerTwin(frame.pose.value().X_WB, truth.yaw);
     const models::TaitBryan angles = models::TaitBryanFromRotation(X_WB.linear());
     const Eigen::Vector3d error = X_WB.translation() - frame.X_WB.translation();
     xy.Add(error.head<2>().squaredNorm());

@@ -18,11 +18,4 @@ bool WholeRingInView(const models::CameraModel& camera, const models::LandingPad
   return true;
 }
 
-Eigen::Isometry3d NearerTwin(const Eigen::Isometry3d& X_WB, double yaw) {
-  const double difference = models::WrapToPi(models::TaitBryanFromRotation(X_WB.linear()).yaw - yaw);
-  if (std::abs(difference) <= models::kPi / 2.0) return X_WB;
-  const Eigen::Isometry3d half_turn(Eigen::Matrix3d(Eigen::Vector3d(-1.0, -1.0, 1.0).asDiagonal()));
-  return half_turn * X_WB;
-}
-
 }  // namespace touchdown::scenarios

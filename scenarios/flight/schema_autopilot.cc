@@ -1,9 +1,5 @@
 #include "scenarios/flight/scenario_schema.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 namespace touchdown::scenarios {
 namespace {
 
@@ -16,14 +12,8 @@ constexpr Unit kRadianPerSecond2{"rad/s^2"};
 void Describe(ConfigVisitor& v, estimator::EstimatorConfig& c) {
   v.Text({"name", "Which estimator turns frames into poses."}, c.name);
   v.Choice({"contour_points", "Where edge points are taken: on Canny's pixels, or at their sub-pixel places."},
-           c.contour_points, kContourPointNames);
-  v.Check("name", [&c] {
-    const std::vector<std::string> names = estimator::EstimatorNames();
-    if (std::find(names.begin(), names.end(), c.name) != names.end()) return;
-    std::string known;
-    for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
-    throw InputError(fmt::format("unknown estimator '{}', known: {}", c.name, known));
-  });
+           c.paper.contour_points, kContourPointNames);
+  v.Check("name", [&c] { c.Validate(); });
 }
 
 void Describe(ConfigVisitor& v, estimator::AttitudeEstimatorConfig& c) {

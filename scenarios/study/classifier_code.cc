@@ -77,11 +77,14 @@ std::string Matrix(const std::string& declaration, std::span<const double> value
 
 }  // namespace
 
-std::string ClassifierCode(const Perceptron& network) {
+std::string ClassifierCode(const Perceptron& network,
+                           const std::vector<std::pair<std::string, std::string>>& provenance) {
   const Perceptron::Shape& shape = network.shape();
   if (shape.inputs != 196 || shape.outputs != 3)
     throw std::invalid_argument("the classifier has 196 inputs, 3 outputs");
-  std::string code = "/* Written by `touchdown train`: see docs/classifier.md. Do not edit. */\n// clang-format off\n";
+  std::string code = "/* Written by `touchdown train`: see docs/classifier.md. Do not edit.\n";
+  for (const auto& [name, value] : provenance) code += fmt::format(" *   {}: {}\n", name, value);
+  code += " */\n// clang-format off\n";
   code += "#include \"estimator/paper/classifier_weights.h\"\n\n#include <math.h>\n\n";
   code +=
       fmt::format("enum {{ INPUTS = {}, HIDDEN = {}, OUTPUTS = {} }};\n\n", shape.inputs, shape.hidden, shape.outputs);

@@ -1,6 +1,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "scenarios/flight/platform.h"
 #include "scenarios/study/classifier_code.h"
 #include "scenarios/study/classifier_study.h"
 
@@ -28,6 +29,12 @@ cv::Mat3b ContactSheet(const std::vector<cv::Mat3b>& pictures) {
   return sheet;
 }
 
+std::vector<std::pair<std::string, std::string>> Provenance(const ClassifierStudy& study) {
+  std::vector<std::pair<std::string, std::string>> provenance = PlatformFacts();
+  provenance.insert(provenance.begin(), {"seed", std::to_string(study.seed)});
+  return provenance;
+}
+
 cv::Mat1b MistakenSheet(const ClassifierStudy& study) {
   constexpr int kColumns = 24;
   cv::Mat sheet;
@@ -45,7 +52,7 @@ std::vector<StudyFile> ClassifierFiles(const ClassifierStudy& study) {
   std::vector<StudyFile> files{
       {"confusion.json", ToJson(study.test)},
       {"confusion.txt", "Scenes never trained on\n" + ToText(study.test) + "\nTraining set\n" + ToText(study.training)},
-      {"classifier_weights.c", ClassifierCode(study.network)},
+      {"classifier_weights.c", ClassifierCode(study.network, Provenance(study))},
       {"mistaken.png", Png(MistakenSheet(study))},
   };
   for (const auto label : {FrameTrace::Label::kCircle, FrameTrace::Label::kH, FrameTrace::Label::kOther}) {

@@ -71,10 +71,12 @@ Perceptron::Activations Perceptron::Forward(std::span<const float> input) const 
 
 std::vector<double> Perceptron::Posteriors(std::span<const float> input) const { return Forward(input).output; }
 
-double Perceptron::Backpropagate(std::span<const float> input, int target, std::span<double> gradient) const {
+double Perceptron::Backpropagate(std::span<const float> input, int target, double weight,
+                                 std::span<double> gradient) const {
   const Activations units = Forward(input);
   std::vector<double> output_delta = units.output;
   output_delta[Size(target)] -= 1.0;
+  for (double& delta : output_delta) delta *= weight;
 
   double* output_gradient = gradient.data() + Size((shape_.inputs + 1) * shape_.hidden);
   std::vector<double> hidden_delta(Size(shape_.hidden), 0.0);
@@ -92,7 +94,7 @@ double Perceptron::Backpropagate(std::span<const float> input, int target, std::
     AddScaled(input[Size(i)], hidden_delta.data(), shape_.hidden, gradient.data() + i * shape_.hidden);
   }
   AddScaled(1.0, hidden_delta.data(), shape_.hidden, gradient.data() + shape_.inputs * shape_.hidden);
-  return -std::log(std::max(units.output[Size(target)], 1e-300));
+  return -weight * std::log(std::max(units.output[Size(target)], 1e-300));
 }
 
 Perceptron Perceptron::Rounded() const {

@@ -41,8 +41,9 @@ class Perceptron {
   /// Posterior probability of each class; sums to 1. `input` has shape().inputs values.
   std::vector<double> Posteriors(std::span<const float> input) const;
 
-  /// Cross-entropy -ln(posterior of `target`), in nats. Adds its gradient with respect to parameters() to `gradient`.
-  double Backpropagate(std::span<const float> input, int target, std::span<double> gradient) const;
+  /// Cross-entropy -ln(posterior of `target`), in nats, times `weight`. Adds its gradient with respect to parameters()
+  /// to `gradient`.
+  double Backpropagate(std::span<const float> input, int target, double weight, std::span<double> gradient) const;
 
   /// The same network with every parameter rounded to single precision, as the C code has it.
   Perceptron Rounded() const;

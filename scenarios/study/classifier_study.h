@@ -17,7 +17,7 @@ struct ClassifierStudyConfig {
   SceneSamplesConfig scene;
   int training_scenes = 60;
   int validation_scenes = 10;
-  int test_scenes = 24;
+  int test_scenes = 40;
   int circles = 3000;  ///< Of the training set, at most, as for the other two.
   int letters = 3000;
   int clutter = 7000;
@@ -33,6 +33,7 @@ struct ClassifierStudyConfig {
 using StudyProgress = std::function<void(const std::string& text, double share)>;
 
 struct ClassifierStudy {
+  std::uint64_t seed = 0;
   Perceptron network;
   ConfusionMatrix training;
   ConfusionMatrix test;
@@ -46,9 +47,6 @@ struct ClassifierStudy {
 /// `progress` may throw to stop.
 ClassifierStudy StudyClassifier(const ClassifierStudyConfig& config, std::uint64_t seed,
                                 const StudyProgress& progress = {});
-
-/// The patterns of the study's test scenes alone.
-std::vector<LabelledPattern> ClassifierTestPatterns(const ClassifierStudyConfig& config, std::uint64_t seed);
 
 /// A file to write.
 struct StudyFile {

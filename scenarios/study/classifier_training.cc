@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "models/error.h"
 #include "models/random_stream.h"
@@ -35,11 +36,23 @@ void Shuffle(std::vector<std::size_t>& order, models::RandomStream& random) {
   }
 }
 
+/// What a sample of each class counts for, so that all classes count alike: 1 on average.
+std::vector<double> ClassWeights(std::span<const TrainingSample> samples, int classes) {
+  std::vector<double> weights(static_cast<std::size_t>(classes), 0.0);
+  for (const TrainingSample& sample : samples) weights[static_cast<std::size_t>(sample.target)] += 1.0;
+  for (double& weight : weights) {
+    if (weight > 0.0) weight = static_cast<double>(samples.size()) / (classes * weight);
+  }
+  return weights;
+}
+
 /// Gradient descent with momentum over one network.
 class Descent {
  public:
-  Descent(Perceptron& network, const TrainingConfig& config, const TrainingHooks& hooks, std::uint64_t seed)
+  Descent(Perceptron& network, std::vector<double> class_weights, const TrainingConfig& config,
+          const TrainingHooks& hooks, std::uint64_t seed)
       : network_(network),
+        class_weights_(std::move(class_weights)),
         config_(config),
         hooks_(hooks),
         random_(seed, "classifier.variation"),
@@ -63,8 +76,9 @@ class Descent {
 
  private:
   double AddGradient(const TrainingSample& sample) {
-    if (!hooks_.vary) return network_.Backpropagate(sample.input, sample.target, gradient_);
-    return network_.Backpropagate(hooks_.vary(sample.input, random_), sample.target, gradient_);
+    const double weight = class_weights_[static_cast<std::size_t>(sample.target)];
+    if (!hooks_.vary) return network_.Backpropagate(sample.input, sample.target, weight, gradient_);
+    return network_.Backpropagate(hooks_.vary(sample.input, random_), sample.target, weight, gradient_);
   }
 
   void AddWeightDecay(double batch_size) {
@@ -78,6 +92,7 @@ class Descent {
   }
 
   Perceptron& network_;
+  std::vector<double> class_weights_;
   const TrainingConfig& config_;
   const TrainingHooks& hooks_;
   models::RandomStream random_;
@@ -119,7 +134,7 @@ TrainingResult Train(std::span<const TrainingSample> training, std::span<const T
                      const TrainingConfig& config, std::uint64_t seed, const TrainingHooks& hooks) {
   config.Validate();
   Perceptron network = Perceptron::Random(ShapeOf(training, validation, config.hidden_units), seed);
-  Descent descent(network, config, hooks, seed);
+  Descent descent(network, ClassWeights(training, network.shape().outputs), config, hooks, seed);
   models::RandomStream random(seed, "classifier.order");
   std::vector<std::size_t> order(training.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -48,8 +48,8 @@ Eigen::Isometry3d DrawPose(const ViewConfig& config, const sim::Scene& scene, co
   while (true) {
     const double distance = LogUniform(config.nearest_m, config.farthest_m, random);
     const double tilt = models::DegToRad(config.largest_tilt_deg) * random.Uniform();
-    const Eigen::Matrix3d R_WC =
-        LookDown(random.Uniform(-models::kPi, models::kPi), tilt, random.Uniform(-models::kPi, models::kPi));
+    const double yaw = random.Uniform(-models::kPi, models::kPi), direction = random.Uniform(-models::kPi, models::kPi);
+    const Eigen::Matrix3d R_WC = LookDown(yaw, tilt, direction);
     const Eigen::Vector2d pixel = DrawPixel(camera, camera.fx_px * target.radius_m / distance, random);
     const std::optional<Eigen::Vector3d> ray_C = camera.Ray(pixel);
     if (!ray_C) continue;

@@ -107,7 +107,7 @@ TEST(PositionController, HoldsTheStanceInWhichItStood) {
   PositionController controller = Fresh();
   const TaitBryan stance{.roll = 0.02, .pitch = -0.03, .yaw = 0.4};
   controller.SetTrimFromStance(stance);
-  const auto demand = controller.Trimmed(0.0, {.yaw = stance.yaw});
+  const auto demand = controller.Trimmed({.yaw = stance.yaw});
   EXPECT_NEAR(demand.roll, stance.roll, 1e-4);
   EXPECT_NEAR(demand.pitch, stance.pitch, 1e-4);
 }

@@ -61,6 +61,25 @@ double TiltError(const AttitudeEstimator& estimator, const Body& body) {
   return std::acos(std::min(1.0, estimator.GravityAt(body.tick).dot(body.gravity_B())));
 }
 
+TEST(AttitudeEstimator, StartsWithTheFirstSampleThatShowsWhereDownIs) {
+  const TaitBryan truth{.roll = 0.3, .pitch = -0.2};
+  Body body(truth);
+  body.a_WB.z() = -0.95 * models::kGravity_m_s2;
+  AttitudeEstimator estimator = Fresh();
+  estimator.Update(body.Step(), false);
+  EXPECT_EQ(estimator.GravityAt(body.tick), Vector3d(0.0, 0.0, -1.0));
+  body.a_WB.setZero();
+  estimator.Update(body.Step(), false);
+  EXPECT_NEAR(estimator.attitude().roll, truth.roll, 1e-9);
+  EXPECT_NEAR(estimator.attitude().pitch, truth.pitch, 1e-9);
+}
+
+TEST(AttitudeEstimator, GivesTheRateOfASampleBeforeItHasStarted) {
+  AttitudeEstimator estimator = Fresh();
+  estimator.Update({.tick = 6, .specific_force_U = Vector3d::Zero(), .w_WU_U = {0.1, 0.2, 0.3}}, false);
+  EXPECT_EQ(estimator.w_WB_B(), Vector3d(0.1, 0.2, 0.3));
+}
+
 TEST(AttitudeEstimator, TakesTheTiltFromTheFirstSample) {
   const TaitBryan truth{.roll = 0.3, .pitch = -0.2};
   Body body(truth);

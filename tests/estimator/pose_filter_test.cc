@@ -105,15 +105,6 @@ TEST(PoseFilter, IgnoresAFrameThatIsNotNewer) {
   EXPECT_EQ(filter.newest(), 40);
 }
 
-TEST(PoseFilter, ForgetsOnReset) {
-  PoseFilter filter = Fresh();
-  filter.Update(0, {0.0, 0.0, 1.0});
-  filter.Reset();
-  EXPECT_FALSE(filter.At(0).has_value());
-  filter.Update(20, {1.0, 0.0, 1.0});
-  EXPECT_EQ(filter.At(20)->p_WB.x(), 1.0);
-}
-
 TEST(PoseFilterConfig, RefusesNumbersThatMakeNoFilter) {
   EXPECT_NO_THROW(PoseFilterConfig{}.Validate());
   PoseFilterConfig config;

@@ -1,25 +1,39 @@
-// What a vehicle's own program would do with the flight libraries, as far as it goes without a camera: estimate from an
-// image, and let the controller answer.
+// What a vehicle's own program does with the flight libraries: samples of the IMU and frames of the camera go into the
+// state estimator, its estimate into the controller, and the controller's commands to the motors. Here it stands on the
+// ground, sees a blank image, and is about to take off.
 #include <cstdio>
+#include <string>
 
 #include "controller/flight_controller.h"
 #include "estimator/make_estimator.h"
+#include "estimator/state_estimator.h"
 #include "models/vehicle.h"
+
+using touchdown::controller::Phase;
 
 int main() {
   const touchdown::models::Vehicle vehicle;
   const touchdown::models::TimeBase time;
+  constexpr int kImu_hz = 200, kCamera_hz = 50;
+  const touchdown::models::Tick imu_period = time.PeriodOf(kImu_hz), camera_period = time.PeriodOf(kCamera_hz);
 
   touchdown::estimator::EstimatorSetup setup;
   setup.X_BC = vehicle.X_BC();
-  const auto estimator = touchdown::estimator::MakeEstimator({}, setup);
-  const touchdown::models::Image blank(setup.camera.width_px, setup.camera.height_px, 200);
-  const auto estimate = estimator->Estimate(blank.View(), 0, -Eigen::Vector3d::UnitZ());
-  if (estimate.status == touchdown::estimator::FrameStatus::kOk) return 1;
-
-  touchdown::controller::FlightController controller({}, vehicle, time, 200,
+  touchdown::estimator::StateEstimator estimator(touchdown::estimator::MakeEstimator({}, setup), {}, time,
+                                                 vehicle.X_BU().linear());
+  touchdown::controller::FlightController controller({}, vehicle, time, kImu_hz,
                                                      {{.kind = touchdown::controller::ManoeuvreKind::kTakeoff}}, false);
-  const auto output = controller.Update({});
-  std::printf("%s, %s\n", std::string(Name(estimate.status)).c_str(), std::string(Name(output.phase)).c_str());
-  return output.rotors.speed_rad_s[0] == 0.0 ? 0 : 1;
+
+  const touchdown::models::Image blank(setup.camera.width_px, setup.camera.height_px, 200);
+  const Eigen::Vector3d at_rest(0.0, 0.0, touchdown::models::kGravity_m_s2);
+  touchdown::estimator::FrameStatus status = touchdown::estimator::FrameStatus::kOk;
+  touchdown::controller::ControlOutput control;
+  for (touchdown::models::Tick tick = 0; tick < time.FromSeconds(0.5); tick += imu_period) {
+    if (tick % camera_period == 0) status = estimator.TakeFrame(blank.View(), tick).status;
+    estimator.TakeImu({tick, at_rest, Eigen::Vector3d::Zero()}, controller.phase() == Phase::kStandby);
+    control = controller.Update(estimator.At(tick));
+  }
+  std::printf("%s, %s\n", std::string(Name(status)).c_str(), std::string(Name(control.phase)).c_str());
+  const bool stands = control.phase == Phase::kStandby && control.rotors.speed_rad_s[0] == 0.0;
+  return stands && status == touchdown::estimator::FrameStatus::kNoComponent ? 0 : 1;
 }

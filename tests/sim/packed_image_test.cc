@@ -44,6 +44,30 @@ TEST(PackedImage, LooksUpAsBilinearInterpolationDoes) {
   }
 }
 
+/// In plain integers, a lookup at a time: what every CPU's copy of the code must give to the last bit.
+std::uint32_t ExactLookup(const models::ImageView& image, std::int32_t x, std::int32_t y) {
+  const std::int32_t u = x >> 16, v = y >> 16;
+  const auto right = static_cast<std::uint32_t>(x >> 8 & 255), low = static_cast<std::uint32_t>(y >> 8 & 255);
+  const std::uint32_t upper = image.At(u, v) * (256u - right) + image.At(u + 1, v) * right;
+  const std::uint32_t lower = image.At(u, v + 1) * (256u - right) + image.At(u + 1, v + 1) * right;
+  return upper * (256u - low) + lower * low;
+}
+
+TEST(PackedImage, GivesTheSameIntegersOnEveryCpu) {
+  const models::Image image = RandomImage(61, 47);
+  models::RandomStream random(3, "test");
+  for (const int count : {1, 7, 8, 64, 333}) {
+    std::vector<std::int32_t> x, y;
+    std::vector<std::uint32_t> sums(static_cast<std::size_t>(count), 11);
+    for (int i = 0; i < count; ++i) {
+      x.push_back(static_cast<std::int32_t>(kOne * random.Uniform(0.0, 59.9)));
+      y.push_back(static_cast<std::int32_t>(kOne * random.Uniform(0.0, 45.9)));
+    }
+    PackedImage(image).AddLookups({.x = x.data(), .y = y.data(), .count = count}, sums.data());
+    for (std::size_t i = 0; i < sums.size(); ++i) EXPECT_EQ(sums[i], 11 + ExactLookup(image.View(), x[i], y[i]));
+  }
+}
+
 TEST(PackedImage, GivesItsOwnPixelsAtWholePositions) {
   const models::Image image = RandomImage(16, 8);
   std::vector<std::int32_t> x(15), y(15, 3 << 16);

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "models/camera_model.h"
+#include "sim/geom_groups.h"
+#include "sim/prints.h"
 #include "sim/textures.h"
 #include "tests/support/rooms.h"
 
@@ -135,27 +137,22 @@ TEST(Renderer, ShowsInkAndPaperAsBrightAsTheSceneSays) {
     const Eigen::Isometry3d X_WC = CameraAt({0.0, 0.0, 0.3});
     const models::Image& image = renderer.Render(*room.data, X_WC);
     EXPECT_NEAR(LevelAt(image, PixelOf({0.03, 0.0, 0.0}, X_WC)), PaperLevel(room.scene), 2.5);
-    EXPECT_NEAR(LevelAt(image, PixelOf({0.0, 0.0, 0.0}, X_WC)), InkLevel(room.scene), 2.5);
+    EXPECT_NEAR(LevelAt(image, PixelOf({0.0, 0.0, 0.0}, X_WC)), kInk * illumination, 2.5);
     EXPECT_NEAR(PaperLevel(room.scene), 225.0 * illumination, 0.1);
   }
 }
 
-TEST(Renderer, SeesThePadComeAndGo) {
+TEST(Renderer, SeesThePadCoveredAndBare) {
   const Room room(OnlyThePad());
   Renderer renderer(*room.model, {});
   const Eigen::Isometry3d X_WC = CameraAt({0.0, 0.0, 0.3});
   const models::Image shown = renderer.Render(*room.data, X_WC);
-  SetPadVisible(*room.model, false);
-  const models::Image hidden = renderer.Render(*room.data, X_WC);
-  SetPadVisible(*room.model, true);
-  const models::Image shown_again = renderer.Render(*room.data, X_WC);
-  EXPECT_NE(shown.pixels, hidden.pixels);
-  EXPECT_EQ(shown.pixels, shown_again.pixels);
-
-  const int cover = mj_name2id(room.model.get(), mjOBJ_GEOM, "pad_cover");
+  const int cover = mj_name2id(room.model.get(), mjOBJ_GEOM, kPadCoverName);
   ASSERT_GE(cover, 0);
   room.model->geom_rgba[4 * cover + 3] = 1.0f;
   const models::Image covered = renderer.Render(*room.data, X_WC);
+  room.model->geom_rgba[4 * cover + 3] = 0.0f;
+  EXPECT_EQ(renderer.Render(*room.data, X_WC).pixels, shown.pixels);
   for (const double x : {-0.08, 0.0, 0.03, 0.08}) {
     EXPECT_NEAR(LevelAt(covered, PixelOf({x, 0.0, 0.0}, X_WC)), PaperLevel(room.scene), 2.5);
   }
@@ -165,10 +162,28 @@ TEST(Renderer, HasNoPadInASceneWithoutOne) {
   SceneConfig config = OnlyThePad();
   config.pad = false;
   const Room without(config), with(OnlyThePad());
-  SetPadVisible(*with.model, false);
+  EXPECT_EQ(mj_name2id(without.model.get(), mjOBJ_GEOM, "pad"), -1);
+  with.model->mat_rgba[4 * mj_name2id(with.model.get(), mjOBJ_MATERIAL, "pad") + 3] = 0.0f;
   const Eigen::Isometry3d X_WC = CameraAt({0.0, 0.0, 0.5});
   EXPECT_EQ(Renderer(*without.model, {}).Render(*without.data, X_WC).pixels,
             Renderer(*with.model, {}).Render(*with.data, X_WC).pixels);
+}
+
+TEST(Renderer, LeavesOutOnlyWhatTheFloorsCentreHides) {
+  const Room room({}, 7);
+  Room everything({}, 7);
+  for (int geom = 0; geom < everything.model->ngeom; ++geom) {
+    int& group = everything.model->geom_group[geom];
+    if (group == kSurroundings) group = kScenery;
+  }
+  Renderer renderer(*room.model, {}), thorough(*everything.model, {});
+  for (const double height : {0.15, 0.5, 1.0, 1.45, 1.55, 2.5}) {
+    for (const double tilt : {0.0, 0.2, 0.5, 1.2}) {
+      const Eigen::Isometry3d X_WC = CameraAt({0.1, -0.2, height}, {.roll = tilt, .pitch = -0.5 * tilt, .yaw = 0.4});
+      EXPECT_EQ(renderer.Render(*room.data, X_WC).pixels, thorough.Render(*everything.data, X_WC).pixels)
+          << height << " m, " << tilt << " rad";
+    }
+  }
 }
 
 TEST(Renderer, DoesNotShowTheVehicle) {

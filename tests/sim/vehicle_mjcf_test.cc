@@ -7,6 +7,7 @@
 #include <string>
 
 #include "models/camera_model.h"
+#include "sim/geom_groups.h"
 #include "sim/mujoco_model.h"
 
 namespace touchdown::sim {
@@ -102,7 +103,7 @@ TEST_P(VehicleMjcfTest, HasADiscAtEveryRotor) {
 }
 
 TEST_P(VehicleMjcfTest, KeepsToOneGeomGroup) {
-  for (int geom = 0; geom < model_->ngeom; ++geom) EXPECT_EQ(model_->geom_group[geom], kVehicleGeomGroup);
+  for (int geom = 0; geom < model_->ngeom; ++geom) EXPECT_EQ(model_->geom_group[geom], int{kVehicle});
 }
 
 INSTANTIATE_TEST_SUITE_P(Vehicles, VehicleMjcfTest,

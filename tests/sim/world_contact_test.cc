@@ -182,7 +182,7 @@ TEST(WorldContact, LandsOnEverySolidObject) {
 
 TEST(WorldContact, CoveringThePadIsSeenButNotFelt) {
   World world = QuietWorld({});
-  const int cover = mj_name2id(&world.model(), mjOBJ_GEOM, "pad_cover");
+  const int cover = mj_name2id(&world.model(), mjOBJ_GEOM, kPadCoverName);
   ASSERT_GE(cover, 0);
   EXPECT_EQ(world.model().geom_rgba[4 * cover + 3], 0.0F);
   world.CoverPad(true);

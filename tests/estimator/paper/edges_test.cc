@@ -37,8 +37,9 @@ struct Scene {
   }
 };
 
-Scene SceneFrom(const Eigen::Isometry3d& X_WC, const test_support::PadPicture& picture = {}) {
-  Scene scene{.camera = {}, .pad = {}, .X_WC = X_WC, .image = {}, .components = {}, .detected = {}};
+Scene SceneFrom(const Eigen::Isometry3d& X_WC, const test_support::PadPicture& picture = {},
+                const models::LandingPad& pad = {}) {
+  Scene scene{.camera = {}, .pad = pad, .X_WC = X_WC, .image = {}, .components = {}, .detected = {}};
   models::RandomStream random(1, "tests.edges");
   scene.image = test_support::RenderPad(scene.camera, scene.pad, X_WC, picture, &random);
   scene.components = ExtractComponents(Binarize(scene.image.View()).View());
@@ -103,6 +104,35 @@ TEST(Edges, LieAtTheirSubpixelPlaceAndNotOnTheGrid) {
     EXPECT_GT(integer, 0.2);
     EXPECT_LT(integer, 0.5);
     EXPECT_LT(subpixel, 0.1);
+  }
+}
+
+TEST(Edges, LieNearTheirSubpixelPlaceFromAfarWhereTheRingIsTwoPixelsWide) {
+  for (const double height : {2.5, 2.8, 3.1}) {
+    const Scene scene = SceneFrom(test_support::CameraAbovePad({0.05, 0.03, height}, 0.2),
+                                  {.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5});
+    const double radius = scene.pad.outer_radius_m;
+    const double integer = RmsFromCircle_px(scene, Contours(scene, ContourPoints::kInteger).ring_outer, radius);
+    const double subpixel = RmsFromCircle_px(scene, Contours(scene, ContourPoints::kSubpixel).ring_outer, radius);
+    EXPECT_LT(subpixel, 0.4 * integer) << height;
+    EXPECT_LT(subpixel, 0.13) << height;
+  }
+}
+
+TEST(Edges, AreNotMovedByTheOtherStrokeOfANarrowH) {
+  models::LandingPad pad;
+  pad.h_stroke_m = 0.024;  // 8 mm of white are left between the strokes.
+  for (const double height : {0.4, 0.7, 1.0}) {
+    const Scene scene = SceneFrom(test_support::CameraAbovePad({0.0, 0.0, height}, 0.2), {}, pad);
+    const double px_per_m = scene.camera.fx_px / height;
+    int between_strokes = 0;
+    for (const Vector2d& point : Contours(scene, ContourPoints::kSubpixel).letter) {
+      const Vector2d p = scene.OnPad(point).cwiseAbs();
+      if (p.x() < 0.018 || p.x() > 0.044 || p.y() > 0.012) continue;
+      ++between_strokes;
+      EXPECT_NEAR(p.y() * px_per_m, 0.004 * px_per_m, 0.1) << height;
+    }
+    EXPECT_GT(between_strokes, 0.8 * 4 * 0.026 * px_per_m) << height;
   }
 }
 

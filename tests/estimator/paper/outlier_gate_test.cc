@@ -30,6 +30,11 @@ class OutlierGateTest : public testing::Test {
 
 TEST_F(OutlierGateTest, AcceptsAFirstPoseNearThePapersInitialOne) { EXPECT_TRUE(Next(PoseAt(0.05, -0.05, 0.4))); }
 
+TEST_F(OutlierGateTest, RejectsAFirstPoseThatIsTiltedTooFar) {
+  EXPECT_FALSE(Next(PoseAt(0.0, 0.0, 0.3, 1.02 * OutlierGateConfig().start_room_rad)));
+  EXPECT_TRUE(Next(PoseAt(0.0, 0.0, 0.3, 0.98 * OutlierGateConfig().start_room_rad)));
+}
+
 TEST_F(OutlierGateTest, AcceptsAFirstPoseFarFromItOnceItsNeighboursAgree) {
   EXPECT_FALSE(Next(PoseAt(0.3, 0.0, 1.5)));
   EXPECT_FALSE(Next(PoseAt(0.31, 0.0, 1.5)));

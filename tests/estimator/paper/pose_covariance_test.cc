@@ -88,11 +88,43 @@ TEST(PoseCovariance, CarriesALinearMapExactly) {
     return X;
   };
   const auto carried = PoseCovariance(ring, covariance, 0.0, 0.03, Eigen::Isometry3d::Identity(), pose_of, config);
-  EXPECT_NEAR(carried(0, 0), 1e-4 * 0.04, 1e-9);
-  EXPECT_NEAR(carried(0, 1), 1e-4 * 0.02, 1e-9);
-  EXPECT_NEAR(carried(1, 1), 1e-4 * 0.09, 1e-9);
-  EXPECT_NEAR(carried(5, 5), 0.03 * 0.03, 1e-9);
-  EXPECT_NEAR(carried(2, 2), 0.0, 1e-9);
+  ASSERT_TRUE(carried);
+  EXPECT_NEAR((*carried)(0, 0), 1e-4 * 0.04, 1e-9);
+  EXPECT_NEAR((*carried)(0, 1), 1e-4 * 0.02, 1e-9);
+  EXPECT_NEAR((*carried)(1, 1), 1e-4 * 0.09, 1e-9);
+  EXPECT_NEAR((*carried)(5, 5), 0.03 * 0.03, 1e-9);
+  EXPECT_NEAR((*carried)(2, 2), 0.0, 1e-9);
+}
+
+/// The claimed variance of x, a centimetre per pixel of the ellipse's place along u (1-sigma 1 px), when ellipses more
+/// than `limit_px` to the right of the mean have no pose.
+std::optional<double> VarianceWithPosesUpTo(double limit_px) {
+  const Ellipse ring{{320.0, 240.0}, {30.0, 25.0}, 0.0};
+  Eigen::Matrix<double, 5, 5> covariance = 1e-6 * Eigen::Matrix<double, 5, 5>::Identity();
+  covariance(0, 0) = 1.0;
+  const auto pose_of = [&](const Ellipse& ellipse, double) -> std::optional<Eigen::Isometry3d> {
+    const double u = ellipse.center.x() - ring.center.x();
+    if (u > limit_px) return std::nullopt;
+    Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+    X.translation() << 0.01 * u, 0.0, 0.0;
+    return X;
+  };
+  const auto carried = PoseCovariance(ring, covariance, 0.0, 0.03, Eigen::Isometry3d::Identity(), pose_of,
+                                      {.smallest_position_sigma_m = 1e-9, .smallest_angle_sigma_rad = 1e-9});
+  if (!carried) return std::nullopt;
+  return (*carried)(0, 0);
+}
+
+TEST(PoseCovariance, DoesNotShrinkWhereFarSigmaPointsHaveNoPose) {
+  for (const double limit_px : {100.0, 2.0, 1.0, 0.1}) {
+    const auto variance = VarianceWithPosesUpTo(limit_px);
+    ASSERT_TRUE(variance) << limit_px;
+    EXPECT_NEAR(*variance, 1e-4, 1e-9) << limit_px;
+  }
+}
+
+TEST(PoseCovariance, IsNotClaimedWhereEvenTheNearestSigmaPointsHaveNoPose) {
+  EXPECT_FALSE(VarianceWithPosesUpTo(0.01));
 }
 
 TEST(WrongBranchCovariance, IsTheSquareOfTheDifferenceTimesItsChance) {

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "models/angles.h"
 #include "models/vehicle.h"
 
 namespace touchdown::scenarios {
@@ -40,19 +39,6 @@ TEST(WholeRingInView, FollowsTheDistortion) {
 
 TEST(WholeRingInView, IsFalseForAPadBehindTheCamera) {
   EXPECT_FALSE(WholeRingInView(models::CameraModel(), models::LandingPad(), CameraAt(0, 0, -1)));
-}
-
-TEST(NearerTwin, TurnsThePoseAboutThePadWhenItsYawIsHalfATurnAway) {
-  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  X_WB.translation() << 0.3, -0.2, 1.0;
-  X_WB.linear() = models::RotationFromTaitBryan({0.1, -0.05, models::DegToRad(80)});
-  EXPECT_TRUE(NearerTwin(X_WB, models::DegToRad(20)).isApprox(X_WB));
-  const Eigen::Isometry3d twin = NearerTwin(X_WB, models::DegToRad(-95));
-  EXPECT_TRUE(twin.translation().isApprox(Eigen::Vector3d(-0.3, 0.2, 1.0)));
-  const models::TaitBryan angles = models::TaitBryanFromRotation(twin.linear());
-  EXPECT_NEAR(angles.roll, 0.1, 1e-12);
-  EXPECT_NEAR(angles.pitch, -0.05, 1e-12);
-  EXPECT_NEAR(models::RadToDeg(angles.yaw), -100.0, 1e-9);
 }
 
 }  // namespace

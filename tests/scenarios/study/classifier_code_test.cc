@@ -15,6 +15,8 @@
 namespace touchdown::scenarios {
 namespace {
 
+const std::vector<std::pair<std::string, std::string>> kProvenance{{"seed", "7"}, {"machine", "abacus"}};
+
 Perceptron RandomClassifier(std::uint64_t seed) {
   Perceptron network = Perceptron::Random({}, seed);
   models::RandomStream random(seed, "code test");
@@ -39,13 +41,18 @@ TEST(ClassifierCode, HoldsEveryParameterSoThatItReadsBackAsItself) {
   network.parameters()[1] = static_cast<float>(-1.25e-12);
   network.parameters()[2] = 0.0;
   network.parameters()[3] = static_cast<float>(3.0e9);
-  const std::vector<float> numbers = Numbers(ClassifierCode(network));
+  const std::vector<float> numbers = Numbers(ClassifierCode(network, kProvenance));
   ASSERT_EQ(numbers.size(), network.parameters().size());
   for (std::size_t i = 0; i < numbers.size(); ++i) EXPECT_EQ(numbers[i], static_cast<float>(network.parameters()[i]));
 }
 
+TEST(ClassifierCode, SaysAtItsHeadHowItWasMade) {
+  const std::string code = ClassifierCode(RandomClassifier(2), kProvenance);
+  EXPECT_NE(code.substr(0, code.find("*/")).find("seed: 7\n *   machine: abacus\n"), std::string::npos);
+}
+
 TEST(ClassifierCode, KeepsToTheHousesLineLength) {
-  const std::string code = ClassifierCode(RandomClassifier(2));
+  const std::string code = ClassifierCode(RandomClassifier(2), kProvenance);
   std::istringstream lines(code);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 120U) << line;
 }
@@ -55,7 +62,7 @@ TEST(ClassifierCode, CompilesToTheSameNetwork) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "classifier_code_test";
   std::filesystem::create_directories(folder);
   const std::filesystem::path source = folder / "weights.c", library = folder / "weights.so";
-  std::ofstream(source) << ClassifierCode(network);
+  std::ofstream(source) << ClassifierCode(network, kProvenance);
   const std::string command = "cc -std=c99 -O2 -Wall -Wextra -Wpedantic -Werror -shared -fPIC -I" TOUCHDOWN_SOURCE_DIR
                               " -o '" +
                               library.string() + "' '" + source.string() + "' -lm";
@@ -78,8 +85,8 @@ TEST(ClassifierCode, CompilesToTheSameNetwork) {
 }
 
 TEST(ClassifierCode, RefusesANetworkOfAnotherShape) {
-  EXPECT_THROW(ClassifierCode(Perceptron(Perceptron::Shape{10, 20, 3})), std::invalid_argument);
-  EXPECT_THROW(ClassifierCode(Perceptron(Perceptron::Shape{196, 20, 4})), std::invalid_argument);
+  EXPECT_THROW(ClassifierCode(Perceptron(Perceptron::Shape{10, 20, 3}), {}), std::invalid_argument);
+  EXPECT_THROW(ClassifierCode(Perceptron(Perceptron::Shape{196, 20, 4}), {}), std::invalid_argument);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ TEST(Perceptron, StaysFiniteForHugeActivations) {
   const std::vector<double> posterior = network.Posteriors(std::vector<float>{1.0F});
   EXPECT_NEAR(posterior[0] + posterior[1], 1.0, 1e-12);
   std::vector<double> gradient(network.parameters().size(), 0.0);
-  EXPECT_TRUE(std::isfinite(network.Backpropagate(std::vector<float>{1.0F}, 0, gradient)));
+  EXPECT_TRUE(std::isfinite(network.Backpropagate(std::vector<float>{1.0F}, 0, 1.0, gradient)));
 }
 
 TEST(Perceptron, BackpropagatesTheDerivativeOfItsLoss) {
@@ -55,18 +55,28 @@ TEST(Perceptron, BackpropagatesTheDerivativeOfItsLoss) {
     const std::vector<float> input = RandomInput(12, random);
     const int target = trial % 3;
     std::vector<double> gradient(network.parameters().size(), 0.0), unused(gradient.size(), 0.0);
-    const double loss = network.Backpropagate(input, target, gradient);
+    const double loss = network.Backpropagate(input, target, 1.0, gradient);
     EXPECT_NEAR(loss, -std::log(network.Posteriors(input)[static_cast<std::size_t>(target)]), 1e-12);
     for (std::size_t i = 0; i < gradient.size(); ++i) {
       const double step = 1e-5, value = network.parameters()[i];
       network.parameters()[i] = value + step;
-      const double above = network.Backpropagate(input, target, unused);
+      const double above = network.Backpropagate(input, target, 1.0, unused);
       network.parameters()[i] = value - step;
-      const double below = network.Backpropagate(input, target, unused);
+      const double below = network.Backpropagate(input, target, 1.0, unused);
       network.parameters()[i] = value;
       EXPECT_NEAR(gradient[i], (above - below) / (2.0 * step), 1e-8) << "parameter " << i;
     }
   }
+}
+
+TEST(Perceptron, WeighsASamplesLossAndGradient) {
+  models::RandomStream random(5, "perceptron test");
+  const Perceptron network = Perceptron::Random({6, 4, 3}, 1);
+  const std::vector<float> input = RandomInput(6, random);
+  std::vector<double> once(network.parameters().size(), 0.0), thrice = once;
+  const double loss = network.Backpropagate(input, 1, 1.0, once);
+  EXPECT_NEAR(network.Backpropagate(input, 1, 3.0, thrice), 3.0 * loss, 1e-12);
+  for (std::size_t i = 0; i < once.size(); ++i) EXPECT_NEAR(thrice[i], 3.0 * once[i], 1e-12);
 }
 
 TEST(Perceptron, AddsGradientsOfSeveralSamples) {
@@ -74,10 +84,10 @@ TEST(Perceptron, AddsGradientsOfSeveralSamples) {
   const Perceptron network = Perceptron::Random({6, 4, 3}, 1);
   const std::vector<float> first = RandomInput(6, random), second = RandomInput(6, random);
   std::vector<double> both(network.parameters().size(), 0.0), one = both, other = both;
-  network.Backpropagate(first, 0, both);
-  network.Backpropagate(second, 2, both);
-  network.Backpropagate(first, 0, one);
-  network.Backpropagate(second, 2, other);
+  network.Backpropagate(first, 0, 1.0, both);
+  network.Backpropagate(second, 2, 1.0, both);
+  network.Backpropagate(first, 0, 1.0, one);
+  network.Backpropagate(second, 2, 1.0, other);
   for (std::size_t i = 0; i < both.size(); ++i) EXPECT_NEAR(both[i], one[i] + other[i], 1e-15);
 }
 

@@ -51,6 +51,14 @@ TEST(Training, GeneralisesToSamplesThatItNeverSaw) {
   EXPECT_GT(ShareRight(result.network, Rings(2000, 3)), 0.95);
 }
 
+TEST(Training, CountsAllClassesAlikeHoweverManySamplesTheyHave) {
+  std::vector<TrainingSample> samples(900, {{1.0F}, 0});
+  samples.resize(1000, {{1.0F}, 1});
+  const TrainingConfig config{.max_epochs = 60, .patience_epochs = 60, .learning_rate = 0.05};
+  const Perceptron network = Train(samples, samples, config, 1).network;
+  EXPECT_NEAR(network.Posteriors(std::vector<float>{1.0F})[0], 0.5, 0.02);
+}
+
 TEST(Training, KeepsTheNetworkOfTheBestValidationLoss) {
   std::vector<TrainingSample> noise = Rings(60, 1);
   models::RandomStream random(5, "labels at random");

@@ -1,0 +1,43 @@
+#include "scenarios/flight/closed_loop.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/angles.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+using Eigen::Vector3d;
+
+/// The largest angle between the true vertical and the estimated one, rad.
+double LargestLevelError(const FlightLog& log) {
+  double largest = 0.0;
+  for (const TickRecord& tick : log.ticks) {
+    const Vector3d truth = tick.truth.X_WB.linear().row(2);
+    const Vector3d estimate = models::RotationFromTaitBryan(tick.estimate.attitude).row(2);
+    largest = std::max(largest, std::atan2(truth.cross(estimate).norm(), truth.dot(estimate)));
+  }
+  return largest;
+}
+
+TEST(ClosedLoop, StartsInTheAirKnowingTheBiasesOfItsImu) {
+  for (const std::uint64_t seed : {1u, 2u}) {
+    Scenario scenario;
+    scenario.seed = seed;
+    scenario.start = {.airborne = true, .position_m = {0.2, -0.1, 1.0}, .yaw = 0.3};
+    scenario.script = {{.kind = controller::ManoeuvreKind::kHover, .position_m = {0.0, 0.0, 1.0}, .duration_s = 60.0}};
+    scenario.time_limit_s = 0.25;
+    scenario.world.paint_textures = false;  // The pad is not needed: level is the IMU's.
+    scenario.vehicle.imu.misalignment = {.roll = 0.03, .pitch = -0.02, .yaw = 0.04};
+    const FlightLog log = FlyClosedLoop(scenario, nullptr, nullptr);
+    ASSERT_GT(log.ticks.size(), 45u);
+    EXPECT_EQ(log.ticks.front().estimate.tick, 0);
+    EXPECT_LT(LargestLevelError(log), models::DegToRad(0.3)) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace touchdown::scenarios
