@@ -13,8 +13,8 @@
 #include "scenarios/cli/interrupt.h"
 #include "scenarios/cli/progress_line.h"
 #include "scenarios/flight/config_writer.h"
-#include "scenarios/flight/flight_folder.h"
 #include "scenarios/flight/scenario.h"
+#include "scenarios/report/flight_folder.h"
 
 namespace touchdown::scenarios {
 namespace {

@@ -12,9 +12,9 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 
-#include "scenarios/flight/flight_folder.h"
 #include "scenarios/flight/fly.h"
 #include "scenarios/flight/scenario.h"
+#include "scenarios/report/flight_folder.h"
 
 namespace touchdown::scenarios {
 namespace {

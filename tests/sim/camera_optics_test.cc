@@ -15,11 +15,11 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using testing::CameraAt;
-using testing::CameraTowards;
-using testing::EdgeOffset;
-using testing::OnlyThePad;
-using testing::Room;
+using tests::CameraAt;
+using tests::CameraTowards;
+using tests::EdgeOffset;
+using tests::OnlyThePad;
+using tests::Room;
 
 models::Image Rounded(const FineImage& fine) {
   models::Image image(fine.width, fine.height);

@@ -73,8 +73,8 @@ TEST(Imu, FeelsCentripetalAndTangentialAccelerationOffTheCentre) {
 TEST(Imu, IntegratesToTheTrueVelocityAndAttitude) {
   models::Vehicle vehicle;
   vehicle.imu = {.position_m = {0.03, -0.02, 0.04}, .misalignment = {0.05, -0.03, 0.4}};
-  World world = testing::QuietWorld(vehicle);
-  world.Reset(testing::LevelAt(0.0, 0.0, 20.0), true);
+  World world = tests::QuietWorld(vehicle);
+  world.Reset(tests::LevelAt(0.0, 0.0, 20.0), true);
   const Eigen::Isometry3d X_BU = vehicle.X_BU();
   Imu imu(PerfectImu(), X_BU, kTime, 1);
   imu.Sample(world.state());
@@ -84,7 +84,7 @@ TEST(Imu, IntegratesToTheTrueVelocityAndAttitude) {
   for (int tick = 1; tick <= 1200; ++tick) {
     const double phase = 2.0 * models::kPi * kTime.ToSeconds(tick);
     world.SetPush({4.0 * std::sin(phase), 3.0, 0.0}, {0.15 * std::cos(2.0 * phase), 0.1 * std::cos(phase), 0.04});
-    world.Step(testing::HoverCommand(vehicle));
+    world.Step(tests::HoverCommand(vehicle));
     if (const auto sample = imu.Sample(world.state())) {
       constexpr double kPeriod_s = 1.0 / 200.0;
       const Eigen::Matrix3d R_WU_middle = R_WU * models::RotationExp(0.5 * kPeriod_s * sample->w_WU_U);
@@ -101,13 +101,13 @@ TEST(Imu, IntegratesToTheTrueVelocityAndAttitude) {
 }
 
 TEST(Imu, DampsTheVibrationOfTheRotorsInsteadOfAliasingIt) {
-  World world(testing::Unpainted(), models::Vehicle{}, testing::EmptyRoom(), kTime, 2);
-  world.Reset(testing::LevelAt(0.0, 0.0, 2.0), true);
+  World world(tests::Unpainted(), models::Vehicle{}, tests::EmptyRoom(), kTime, 2);
+  world.Reset(tests::LevelAt(0.0, 0.0, 2.0), true);
   Imu imu(PerfectImu(), Eigen::Isometry3d::Identity(), kTime, 1);
   double raw = 0.0, sampled = 0.0;
   int samples = 0;
   for (int tick = 0; tick < 600; ++tick) {
-    world.Step(testing::HoverCommand({}));
+    world.Step(tests::HoverCommand({}));
     raw += world.state().vibration_m_s2_B.squaredNorm() / 600.0;
     if (const auto sample = imu.Sample(world.state())) {
       sampled += sample->specific_force_U.head<2>().squaredNorm();

@@ -18,12 +18,12 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using testing::CameraAt;
-using testing::CameraTowards;
-using testing::EdgeOffset;
-using testing::LevelAt;
-using testing::OnlyThePad;
-using testing::Room;
+using tests::CameraAt;
+using tests::CameraTowards;
+using tests::EdgeOffset;
+using tests::LevelAt;
+using tests::OnlyThePad;
+using tests::Room;
 
 const models::CameraModel kPinhole{.k1 = 0.0, .k2 = 0.0};
 

@@ -12,9 +12,9 @@ namespace touchdown::sim {
 namespace {
 
 using Eigen::Vector3d;
-using testing::LevelAt;
-using testing::QuietWorld;
-using testing::StepFor;
+using tests::LevelAt;
+using tests::QuietWorld;
+using tests::StepFor;
 
 double AngleBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   return models::RotationLog(a.linear().transpose() * b.linear()).norm();
@@ -70,7 +70,7 @@ TEST(WorldContact, VehiclesOfAnySizeRestAndLandOnTheirFeet) {
     EXPECT_TRUE(world.state().gear_in_contact);
     EXPECT_FALSE(world.state().body_in_contact);
     world.Reset(LevelAt(0.0, 0.0, 2.0), true);
-    StepFor(world, testing::HoverCommand(vehicle), 1.0);
+    StepFor(world, tests::HoverCommand(vehicle), 1.0);
     EXPECT_NEAR(world.state().X_WB.translation().z(), 2.0, 1e-6);
   }
 }
@@ -106,7 +106,7 @@ TEST(WorldContact, ADropComesToRestWithHardlyABounce) {
 }
 
 TEST(WorldContact, FirstContactComesWhenFreeFallSaysSo) {
-  World world = QuietWorld(testing::VehicleWithoutDrag());
+  World world = QuietWorld(tests::VehicleWithoutDrag());
   for (const double drop_m : {0.10, 0.5, 2.0}) {
     world.Reset(LevelAt(0.0, 0.0, models::Vehicle{}.gear.height_m + drop_m), false);
     while (!world.state().gear_in_contact) world.Step({});
@@ -154,7 +154,7 @@ TEST(WorldContact, ACrashAtFullSpeedRaisesNoWarning) {
     Eigen::Isometry3d start(Eigen::AngleAxisd(roll, Vector3d(1.0, 0.3, 0.0).normalized()));
     start.translation().z() = 3.0;
     world.Reset(start, false);
-    models::RotorCommand command = testing::SameSpeed(660.0);
+    models::RotorCommand command = tests::SameSpeed(660.0);
     command.speed_rad_s[1] = 300.0;
     bool crashed = false;
     for (int i = 0; i < 2400; ++i) {
@@ -170,7 +170,7 @@ TEST(WorldContact, LandsOnEverySolidObject) {
   const SceneConfig config{.posters = 0, .lone_circles = 0, .lone_letters = 0, .objects = 8};
   const Scene scene = MakeScene(config, models::LandingPad{}, 4);
   ASSERT_EQ(scene.items.size(), 8U);
-  World world(testing::StillAndBalanced(), models::Vehicle{}, scene, models::TimeBase{}, 1);
+  World world(tests::StillAndBalanced(), models::Vehicle{}, scene, models::TimeBase{}, 1);
   for (const SceneItem& object : scene.items) {
     world.Reset(LevelAt(object.position_m.x(), object.position_m.y(), 1.5), false);
     while (!world.state().gear_in_contact && !world.state().body_in_contact) world.Step({});

@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector3d;
 using ::testing::HasSubstr;
-using testing::QuietWorld;
+using tests::QuietWorld;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
@@ -51,8 +51,8 @@ class WorldErrors : public ::testing::Test {
 };
 
 TEST_F(WorldErrors, ACommandThatIsNotFinite) {
-  EXPECT_THAT(ErrorOfAStep(world_, testing::SameSpeed(kNan)), HasSubstr("command"));
-  EXPECT_THAT(ErrorOfAStep(world_, testing::SameSpeed(std::numeric_limits<double>::infinity())), HasSubstr("command"));
+  EXPECT_THAT(ErrorOfAStep(world_, tests::SameSpeed(kNan)), HasSubstr("command"));
+  EXPECT_THAT(ErrorOfAStep(world_, tests::SameSpeed(std::numeric_limits<double>::infinity())), HasSubstr("command"));
   EXPECT_EQ(world_.state().tick, 0);
 }
 

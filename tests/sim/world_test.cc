@@ -16,14 +16,14 @@ namespace touchdown::sim {
 namespace {
 
 using Eigen::Vector3d;
-using testing::EmptyRoom;
-using testing::HoverCommand;
-using testing::LevelAt;
-using testing::QuietWorld;
-using testing::SameSpeed;
-using testing::StepFor;
-using testing::StillAndBalanced;
-using testing::VehicleWithoutDrag;
+using tests::EmptyRoom;
+using tests::HoverCommand;
+using tests::LevelAt;
+using tests::QuietWorld;
+using tests::SameSpeed;
+using tests::StepFor;
+using tests::StillAndBalanced;
+using tests::VehicleWithoutDrag;
 
 constexpr models::TimeBase kTime;
 constexpr double kG = models::kGravity_m_s2;
@@ -190,7 +190,7 @@ TEST(World, TakesTheMeanWindOfItsConfig) {
 
 TEST(World, ShakesAsItsImbalancesSay) {
   const models::Vehicle vehicle = VehicleWithoutDrag();
-  World world(testing::Unpainted(), vehicle, EmptyRoom(), kTime, 3);
+  World world(tests::Unpainted(), vehicle, EmptyRoom(), kTime, 3);
   world.Reset(LevelAt(0.0, 0.0, 2.0), true);
   const double amplitude = world.state().vibration_m_s2_B.norm();
   for (int i = 0; i < 120; ++i) {
@@ -219,9 +219,9 @@ bool SameBits(const TrueState& a, const TrueState& b) {
 }
 
 TEST(World, RepeatsAFlightBitForBit) {
-  World first(testing::Unpainted(), models::Vehicle{}, EmptyRoom(), kTime, 11);
-  World second(testing::Unpainted(), models::Vehicle{}, EmptyRoom(), kTime, 11);
-  World other_seed(testing::Unpainted(), models::Vehicle{}, EmptyRoom(), kTime, 12);
+  World first(tests::Unpainted(), models::Vehicle{}, EmptyRoom(), kTime, 11);
+  World second(tests::Unpainted(), models::Vehicle{}, EmptyRoom(), kTime, 11);
+  World other_seed(tests::Unpainted(), models::Vehicle{}, EmptyRoom(), kTime, 12);
   std::vector<TrueState> a, b, again, c;
   constexpr int kTicks = 2400;
   FlyRandomly(first, kTicks, a);

@@ -10,7 +10,7 @@
 #include "sim/mujoco_model.h"
 #include "sim/scene.h"
 
-namespace touchdown::testing {
+namespace touchdown::tests {
 
 /// A scene with a vehicle parked out of the way, ready to be rendered.
 struct Room {
@@ -71,4 +71,4 @@ inline double EdgeOffset(const models::Image& image, const Eigen::Vector2d& edge
   return kReach - area / (ahead - behind);
 }
 
-}  // namespace touchdown::testing
+}  // namespace touchdown::tests

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace touchdown::testing {
+namespace touchdown::tests {
 namespace {
 
 std::string TakeFile(const std::filesystem::path& file) {
@@ -62,4 +62,4 @@ ProgramRun RunProgram(const std::string& program, const std::vector<std::string>
   return run;
 }
 
-}  // namespace touchdown::testing
+}  // namespace touchdown::tests

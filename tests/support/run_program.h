@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace touchdown::testing {
+namespace touchdown::tests {
 
 /// What a program did.
 struct ProgramRun {
@@ -24,4 +24,4 @@ struct Interruption {
 ProgramRun RunProgram(const std::string& program, const std::vector<std::string>& arguments,
                       const std::filesystem::path& folder, const Interruption& interruption = {});
 
-}  // namespace touchdown::testing
+}  // namespace touchdown::tests

@@ -4,7 +4,7 @@
 #include "sim/scene.h"
 #include "sim/world.h"
 
-namespace touchdown::testing {
+namespace touchdown::tests {
 
 /// A bare floor with the pad on it.
 inline sim::Scene EmptyRoom() {
@@ -56,4 +56,4 @@ inline void StepFor(sim::World& world, const models::RotorCommand& command, doub
   for (models::Tick i = 0; i < ticks; ++i) world.Step(command);
 }
 
-}  // namespace touchdown::testing
+}  // namespace touchdown::tests

@@ -20,8 +20,8 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using ::testing::UnorderedElementsAre;
-using touchdown::testing::Interruption;
-using touchdown::testing::ProgramRun;
+using touchdown::tests::Interruption;
+using touchdown::tests::ProgramRun;
 
 constexpr const char* kGoodScript = "script:\n  - {do: takeoff, height_m: 1}\n  - {do: land}\n";
 
@@ -37,7 +37,7 @@ class Program : public ::testing::Test {
     std::ofstream(folder_ / name, std::ios::binary) << content;
   }
   ProgramRun Run(const std::vector<std::string>& arguments, const Interruption& interruption = {}) const {
-    return touchdown::testing::RunProgram(TOUCHDOWN_PROGRAM, arguments, folder_, interruption);
+    return touchdown::tests::RunProgram(TOUCHDOWN_PROGRAM, arguments, folder_, interruption);
   }
   std::vector<std::string> Names() const {
     std::vector<std::string> names;
@@ -142,7 +142,7 @@ TEST_F(Program, RefusesAFolderForAScenario) {
 
 TEST_F(Program, RefusesAnUnknownEstimator) {
   EXPECT_THAT(ErrorOfText(std::string(kGoodScript) + "estimator: {name: magic}\n"),
-              HasSubstr("bad.yaml:4: estimator.name: unknown estimator 'magic'; there is: paper"));
+              HasSubstr("bad.yaml:4: estimator.name: unknown estimator 'magic', known: paper"));
 }
 
 TEST_F(Program, NamesTheOptionThatIsWrong) {
@@ -199,7 +199,7 @@ TEST_F(Program, LeavesNothingWhenInterrupted) {
 
 TEST_F(Program, ExitsWithThreeWhenItsOutputCannotBeWritten) {
   Put("short.yaml", std::string(kGoodScript) + "time_limit_s: 0.01\n");
-  const ProgramRun run = touchdown::testing::RunProgram(
+  const ProgramRun run = touchdown::tests::RunProgram(
       "/bin/sh", {"-c", "exec \"$0\" fly short.yaml --out result > /dev/full", TOUCHDOWN_PROGRAM}, folder_);
   EXPECT_EQ(run.status, 3);
   EXPECT_EQ(run.err, "error: internal error: the standard output cannot be written\n");

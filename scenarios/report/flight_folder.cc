@@ -1,4 +1,4 @@
-#include "scenarios/flight/flight_folder.h"
+#include "scenarios/report/flight_folder.h"
 
 #include "scenarios/flight/output_folder.h"
 #include "scenarios/report/contact_sheet.h"
