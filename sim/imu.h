@@ -35,8 +35,8 @@ class Imu {
   /// Draws the bias from the stream "imu.bias"; noise comes from "imu.noise". `X_BU` is the true mounting.
   Imu(const ImuConfig& config, const Eigen::Isometry3d& X_BU, const models::TimeBase& time, std::uint64_t seed);
 
-  /// Call once a tick, in order, from tick 0; returns a sample on the ticks of its rate. The sample at tick 0 is of
-  /// that instant, taken as unaccelerated.
+  /// Call once a tick, in order; returns a sample on the ticks of its rate. The first call's tick may be before 0. The
+  /// sample at tick 0 is of that instant, taken as unaccelerated.
   std::optional<models::ImuSample> Sample(const TrueState& truth);
 
  private:

@@ -41,6 +41,7 @@ cv::Matx33d Normalized(int side) {
 std::vector<cv::Point2d> InkUnder(const cv::Matx33d& homography, const cv::Mat1f& pattern) {
   std::vector<cv::Point> cells;
   cv::findNonZero(pattern > 0.0f, cells);
+  if (cells.empty()) return {};
   std::vector<cv::Point2d> corners, moved;
   for (const cv::Point& cell : cells) {
     for (const double dx : {-0.5, 0.5}) {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-namespace touchdown::test_support {
+namespace touchdown::tests {
 namespace {
 
 using Eigen::Vector2d;
@@ -210,4 +210,4 @@ std::function<std::optional<double>(const Vector2d&)> Clutter(const models::Land
   };
 }
 
-}  // namespace touchdown::test_support
+}  // namespace touchdown::tests

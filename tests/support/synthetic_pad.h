@@ -11,7 +11,7 @@
 #include "models/random_stream.h"
 #include "models/signals.h"
 
-namespace touchdown::test_support {
+namespace touchdown::tests {
 
 /// How a synthetic picture of the pad looks. Grey values are of 255.
 struct PadPicture {
@@ -48,4 +48,4 @@ std::function<std::optional<double>(const Eigen::Vector2d&)> Clutter(const model
 /// Unit vector pointing down, in the body frame.
 inline Eigen::Vector3d GravityIn(const Eigen::Isometry3d& X_WB) { return -X_WB.linear().row(2).transpose(); }
 
-}  // namespace touchdown::test_support
+}  // namespace touchdown::tests

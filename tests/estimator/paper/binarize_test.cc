@@ -68,8 +68,8 @@ TEST(Binarize, FindsNothingDarkInNoiseOnAnEvenWall) {
 TEST(Binarize, KeepsThePadsStrokesWholeAtTheLowestHeight) {
   const models::CameraModel camera;
   const models::LandingPad pad;
-  const auto X_WC = test_support::CameraAbovePad({0.0, 0.0, 0.15});
-  const models::Image dark = Binarize(test_support::RenderPad(camera, pad, X_WC).View());
+  const auto X_WC = tests::CameraAbovePad({0.0, 0.0, 0.15});
+  const models::Image dark = Binarize(tests::RenderPad(camera, pad, X_WC).View());
   int black = 0, missed = 0, false_dark = 0;
   for (int v = 0; v < camera.height_px; v += 3) {
     for (int u = 0; u < camera.width_px; u += 3) {

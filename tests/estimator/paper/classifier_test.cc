@@ -160,13 +160,13 @@ struct Looked {
   }
 };
 
-Looked LookFrom(const View& view, const test_support::PadPicture& picture) {
+Looked LookFrom(const View& view, const tests::PadPicture& picture) {
   Looked looked;
-  looked.X_WC = test_support::CameraAbovePad(Vector3d::Zero(), models::DegToRad(view.yaw_deg),
-                                             models::DegToRad(view.tilt_deg), 0.8);
+  looked.X_WC =
+      tests::CameraAbovePad(Vector3d::Zero(), models::DegToRad(view.yaw_deg), models::DegToRad(view.tilt_deg), 0.8);
   looked.X_WC.translation() = -view.distance_m * looked.X_WC.linear().col(2);
   models::RandomStream random(1, "tests.classifier.noise");
-  const models::Image image = test_support::RenderPad(kCamera, models::LandingPad(), looked.X_WC, picture, &random);
+  const models::Image image = tests::RenderPad(kCamera, models::LandingPad(), looked.X_WC, picture, &random);
   looked.components = ExtractComponents(Binarize(image.View()).View());
   return looked;
 }
@@ -189,7 +189,7 @@ TEST(Classify, TellsTheRingAndTheHFromNearAndFarTiltedAndTurned) {
 
 /// Labels of all that is seen of a dark shape about the origin, its size 90 mm, on white ground.
 std::vector<Label> LabelsOf(bool (*is_dark)(const Vector2d& q), const View& view) {
-  test_support::PadPicture picture{.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5};
+  tests::PadPicture picture{.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5};
   picture.paint = [&](const Vector2d& p) -> std::optional<double> { return is_dark(p / 0.09) ? 25.0 : 215.0; };
   const Looked looked = LookFrom(view, picture);
   std::vector<Label> labels;

@@ -37,11 +37,11 @@ struct Scene {
   }
 };
 
-Scene SceneFrom(const Eigen::Isometry3d& X_WC, const test_support::PadPicture& picture = {},
+Scene SceneFrom(const Eigen::Isometry3d& X_WC, const tests::PadPicture& picture = {},
                 const models::LandingPad& pad = {}) {
   Scene scene{.camera = {}, .pad = pad, .X_WC = X_WC, .image = {}, .components = {}, .detected = {}};
   models::RandomStream random(1, "tests.edges");
-  scene.image = test_support::RenderPad(scene.camera, scene.pad, X_WC, picture, &random);
+  scene.image = tests::RenderPad(scene.camera, scene.pad, X_WC, picture, &random);
   scene.components = ExtractComponents(Binarize(scene.image.View()).View());
   const Vector2d center = *scene.camera.Project(X_WC.inverse() * Vector3d::Zero());
   const double radius_px = scene.camera.fx_px * scene.pad.outer_radius_m / X_WC.translation().norm();
@@ -68,14 +68,14 @@ double RmsFromCircle_px(const Scene& scene, const std::vector<Vector2d>& points,
 }
 
 const Eigen::Isometry3d kOblique = [] {
-  Eigen::Isometry3d X_WC = test_support::CameraAbovePad(Vector3d::Zero(), 0.4, models::DegToRad(25.0), 1.0);
+  Eigen::Isometry3d X_WC = tests::CameraAbovePad(Vector3d::Zero(), 0.4, models::DegToRad(25.0), 1.0);
   X_WC.translation() = -X_WC.linear().col(2) * 0.7 + Vector3d(0.03, 0.02, 0.0);
   return X_WC;
 }();
 
 TEST(Edges, TellTheThreeContoursApart) {
-  for (const auto& X_WC : {test_support::CameraAbovePad({0.0, 0.0, 0.3}), test_support::CameraAbovePad({0.1, 0.0, 1.0}),
-                           test_support::CameraAbovePad({0.0, 0.1, 1.8}), kOblique}) {
+  for (const auto& X_WC : {tests::CameraAbovePad({0.0, 0.0, 0.3}), tests::CameraAbovePad({0.1, 0.0, 1.0}),
+                           tests::CameraAbovePad({0.0, 0.1, 1.8}), kOblique}) {
     const Scene scene = SceneFrom(X_WC, {.noise_sigma = 3.0});
     for (const ContourPoints kind : {ContourPoints::kInteger, ContourPoints::kSubpixel}) {
       const PadContours contours = Contours(scene, kind);
@@ -97,7 +97,7 @@ TEST(Edges, TellTheThreeContoursApart) {
 
 TEST(Edges, LieAtTheirSubpixelPlaceAndNotOnTheGrid) {
   for (const double height : {0.5, 1.0, 1.5}) {
-    const Scene scene = SceneFrom(test_support::CameraAbovePad({0.05, 0.03, height}, 0.2), {.noise_sigma = 3.0});
+    const Scene scene = SceneFrom(tests::CameraAbovePad({0.05, 0.03, height}, 0.2), {.noise_sigma = 3.0});
     const double radius = scene.pad.outer_radius_m;
     const double integer = RmsFromCircle_px(scene, Contours(scene, ContourPoints::kInteger).ring_outer, radius);
     const double subpixel = RmsFromCircle_px(scene, Contours(scene, ContourPoints::kSubpixel).ring_outer, radius);
@@ -109,8 +109,8 @@ TEST(Edges, LieAtTheirSubpixelPlaceAndNotOnTheGrid) {
 
 TEST(Edges, LieNearTheirSubpixelPlaceFromAfarWhereTheRingIsTwoPixelsWide) {
   for (const double height : {2.5, 2.8, 3.1}) {
-    const Scene scene = SceneFrom(test_support::CameraAbovePad({0.05, 0.03, height}, 0.2),
-                                  {.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5});
+    const Scene scene =
+        SceneFrom(tests::CameraAbovePad({0.05, 0.03, height}, 0.2), {.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5});
     const double radius = scene.pad.outer_radius_m;
     const double integer = RmsFromCircle_px(scene, Contours(scene, ContourPoints::kInteger).ring_outer, radius);
     const double subpixel = RmsFromCircle_px(scene, Contours(scene, ContourPoints::kSubpixel).ring_outer, radius);
@@ -123,7 +123,7 @@ TEST(Edges, AreNotMovedByTheOtherStrokeOfANarrowH) {
   models::LandingPad pad;
   pad.h_stroke_m = 0.024;  // 8 mm of white are left between the strokes.
   for (const double height : {0.4, 0.7, 1.0}) {
-    const Scene scene = SceneFrom(test_support::CameraAbovePad({0.0, 0.0, height}, 0.2), {}, pad);
+    const Scene scene = SceneFrom(tests::CameraAbovePad({0.0, 0.0, height}, 0.2), {}, pad);
     const double px_per_m = scene.camera.fx_px / height;
     int between_strokes = 0;
     for (const Vector2d& point : Contours(scene, ContourPoints::kSubpixel).letter) {
@@ -138,7 +138,7 @@ TEST(Edges, AreNotMovedByTheOtherStrokeOfANarrowH) {
 
 TEST(Edges, AreNotMovedByBlur) {
   for (const double blur : {0.5, 1.0}) {
-    const Scene scene = SceneFrom(test_support::CameraAbovePad({0.05, 0.03, 0.7}, 0.2), {.lens_blur_sigma_px = blur});
+    const Scene scene = SceneFrom(tests::CameraAbovePad({0.05, 0.03, 0.7}, 0.2), {.lens_blur_sigma_px = blur});
     double mean = 0.0;
     const auto points = Contours(scene, ContourPoints::kSubpixel).ring_outer;
     for (const Vector2d& point : points) mean += scene.DistanceFromCircle_px(point, scene.pad.outer_radius_m);
@@ -148,7 +148,7 @@ TEST(Edges, AreNotMovedByBlur) {
 
 TEST(Edges, StayWithinAnImageThatCutsTheRing) {
   const Scene scene = [] {
-    Scene cut = SceneFrom(test_support::CameraAbovePad({0.0, 0.0, 0.14}));
+    Scene cut = SceneFrom(tests::CameraAbovePad({0.0, 0.0, 0.14}));
     return cut;
   }();
   for (const ContourPoints kind : {ContourPoints::kInteger, ContourPoints::kSubpixel}) {

@@ -29,7 +29,7 @@ TEST(LetterEllipse, SeesTheStrokesStraightFromAbove) {
   const LetterEllipse letter{models::LandingPad()};
   for (const double yaw : {-1.2, -0.3, 0.0, 0.8}) {
     for (const double x : {0.0, 0.4}) {
-      const auto angle = letter.StrokeAngleSeenFrom(test_support::CameraAbovePad({x, 0.2, 1.0}, yaw).inverse());
+      const auto angle = letter.StrokeAngleSeenFrom(tests::CameraAbovePad({x, 0.2, 1.0}, yaw).inverse());
       ASSERT_TRUE(angle);
       // Turning left by yaw turns the strokes to the image's right, from straight up.
       EXPECT_NEAR(models::WrapToHalfPi(*angle - (yaw - models::kPi / 2.0)), 0.0, 1e-6);
@@ -42,7 +42,7 @@ TEST(LetterEllipse, IsTurnedByPerspectiveWhenSeenFromAside) {
   // Tilted about the image's up, which lies at 45 degrees to the strokes.
   const double yaw = models::DegToRad(45.0);
   const auto turned_at = [&](double tilt) {
-    auto X_WC = test_support::CameraAbovePad(Eigen::Vector3d::Zero(), yaw, tilt, yaw);
+    auto X_WC = tests::CameraAbovePad(Eigen::Vector3d::Zero(), yaw, tilt, yaw);
     X_WC.translation() = -X_WC.linear().col(2);
     return models::WrapToHalfPi(*letter.StrokeAngleSeenFrom(X_WC.inverse()) - (yaw - models::kPi / 2.0));
   };

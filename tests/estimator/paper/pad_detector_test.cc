@@ -133,8 +133,8 @@ TEST(PadDetector, KeepsThePadFromAnyHeightYawAndTiltUpTo50Degrees) {
   int seen = 0;
   for (int i = 0; i < 3000; ++i) {
     Eigen::Isometry3d X_WC =
-        test_support::CameraAbovePad(Eigen::Vector3d::Zero(), random.Uniform(-3.1, 3.1),
-                                     models::DegToRad(random.Uniform(0.0, 50.0)), random.Uniform(-3.1, 3.1));
+        tests::CameraAbovePad(Eigen::Vector3d::Zero(), random.Uniform(-3.1, 3.1),
+                              models::DegToRad(random.Uniform(0.0, 50.0)), random.Uniform(-3.1, 3.1));
     const Eigen::Vector2d pixel(random.Uniform(150.0, 490.0), random.Uniform(120.0, 360.0));
     X_WC.translation() = -(X_WC.linear() * *camera.Ray(pixel)) * random.Uniform(0.25, 3.0);
     const Component ring = BoxOf(camera, X_WC.inverse(), circle), letter = BoxOf(camera, X_WC.inverse(), corners);

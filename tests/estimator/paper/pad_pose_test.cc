@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 double StrokeAngleFor(double psi_C) { return models::WrapToHalfPi(psi_C - models::kPi / 2.0); }
 
 TEST(ReferenceNormal, IsUpInTheCameraForAnyRollAndPitch) {
-  const Matrix3d R_BC = test_support::NominalR_BC();
+  const Matrix3d R_BC = tests::NominalR_BC();
   for (const double roll : {-0.4, 0.0, 0.3}) {
     for (const double pitch : {-0.3, 0.0, 0.5}) {
       // Eq. 12 sets yaw to 0; the reference does not depend on it.
@@ -61,7 +61,7 @@ TEST(WrongBranchProbability, IsTheShareOfWrongChoicesAmongSimulatedOnes) {
 TEST(CameraRotation, IsTheRotationOfACameraTiltedFromLookingStraightDown) {
   for (const double tilt : {0.0, 1e-9, 1e-3, 0.2, 0.8}) {
     for (const double yaw : {-1.2, 0.0, 0.7}) {
-      const Matrix3d R_WL = Eigen::AngleAxisd(yaw, Vector3d::UnitZ()) * test_support::NominalR_BC();
+      const Matrix3d R_WL = Eigen::AngleAxisd(yaw, Vector3d::UnitZ()) * tests::NominalR_BC();
       // A tilt about a horizontal axis is the shortest rotation to the level camera.
       const Matrix3d R_LC = models::RotationExp(tilt * Vector3d(0.6, 0.8, 0.0));
       const Matrix3d R_WC = R_WL * R_LC;
@@ -82,7 +82,7 @@ TEST(CameraRotation, IsWellConditionedAtTheLevelPose) {
 }
 
 TEST(CameraYaw, IsTheHeadingAgainstTheStrokesWithin90Degrees) {
-  const Matrix3d R_BC = test_support::NominalR_BC();
+  const Matrix3d R_BC = tests::NominalR_BC();
   for (int deg = -89; deg <= 89; ++deg) {
     const double yaw = models::DegToRad(deg);
     EXPECT_NEAR(CameraYaw(StrokeAngleFor(yaw), R_BC), yaw, 1e-12);
@@ -93,7 +93,7 @@ TEST(CameraYaw, IsTheHeadingAgainstTheStrokesWithin90Degrees) {
 TEST(CameraYaw, TurnsLeftWhenTheImageOfTheStrokesTurnsRight) {
   // Strokes leaning to the image's right, as a clock's hand at one: the vehicle has turned left.
   const double angle = std::atan2(-1.0, 0.5);
-  EXPECT_GT(CameraYaw(angle, test_support::NominalR_BC()), 0.1);
+  EXPECT_GT(CameraYaw(angle, tests::NominalR_BC()), 0.1);
 }
 
 TEST(PadPose, PutsTheBodyWhereItIsForAnyPoseAndMounting) {
@@ -108,10 +108,10 @@ TEST(PadPose, PutsTheBodyWhereItIsForAnyPoseAndMounting) {
     const double camera_yaw = random.Uniform(-3.0, 3.0);
     const Matrix3d R_LC = models::RotationExp({random.Uniform(-0.5, 0.5), random.Uniform(-0.5, 0.5), 0.0});
     Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();
-    X_WC.linear() = Eigen::AngleAxisd(camera_yaw, Vector3d::UnitZ()) * test_support::NominalR_BC() * R_LC;
+    X_WC.linear() = Eigen::AngleAxisd(camera_yaw, Vector3d::UnitZ()) * tests::NominalR_BC() * R_LC;
     X_WC.translation() = Vector3d(random.Uniform(-0.5, 0.5), random.Uniform(-0.5, 0.5), random.Uniform(0.3, 2.0));
     Eigen::Isometry3d X_WB = X_WC * X_BC.inverse();
-    const Vector3d forward_of_level = test_support::NominalR_BC() * X_BC.linear().transpose().col(0);
+    const Vector3d forward_of_level = tests::NominalR_BC() * X_BC.linear().transpose().col(0);
     const double heading = camera_yaw + std::atan2(forward_of_level.y(), forward_of_level.x());
     if (std::abs(models::WrapToPi(heading)) > models::DegToRad(89.0)) {
       // Turned by 180 degrees the pad looks the same: the answer is the one within +-90 degrees.

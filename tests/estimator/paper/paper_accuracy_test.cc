@@ -37,15 +37,15 @@ Accuracy AccuracyIn(const Conditions& conditions) {
   Accuracy sum;
   for (int i = 0; i < kPoses; ++i) {
     const double tilt = models::DegToRad(conditions.tilt_deg + conditions.tilt_sigma_deg * random.Normal());
-    Eigen::Isometry3d X_WC = test_support::CameraAbovePad(Vector3d::Zero(), models::DegToRad(5.0) * random.Normal(),
-                                                          tilt, random.Uniform(-models::kPi, models::kPi));
+    Eigen::Isometry3d X_WC = tests::CameraAbovePad(Vector3d::Zero(), models::DegToRad(5.0) * random.Normal(), tilt,
+                                                   random.Uniform(-models::kPi, models::kPi));
     X_WC.translation() = -conditions.distance_m * X_WC.linear().col(2) +
                          Vector3d(random.Uniform(-0.05, 0.05), random.Uniform(-0.05, 0.05), 0.0);
     const Eigen::Isometry3d X_WB = X_WC * setup.X_BC.inverse();
-    const auto image = test_support::RenderPad(setup.camera, setup.pad, X_WC,
-                                               {.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5}, &random);
+    const auto image =
+        tests::RenderPad(setup.camera, setup.pad, X_WC, {.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5}, &random);
     const Vector3d gravity_B =
-        models::RotationExp(models::DegToRad(0.5) * random.NormalVector3()) * test_support::GravityIn(X_WB);
+        models::RotationExp(models::DegToRad(0.5) * random.NormalVector3()) * tests::GravityIn(X_WB);
     const FrameEstimate seen = estimator.Estimate(image.View(), i, gravity_B);
     if (!seen.pose) continue;
     ++sum.seen;

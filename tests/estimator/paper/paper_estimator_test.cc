@@ -17,8 +17,8 @@ namespace touchdown::estimator {
 namespace {
 
 using Eigen::Vector3d;
-using test_support::GravityIn;
-using test_support::PadPicture;
+using tests::GravityIn;
+using tests::PadPicture;
 
 constexpr models::Tick kFrame = 20;
 
@@ -27,11 +27,11 @@ class PaperEstimatorTest : public testing::Test {
   /// The body's pose whose camera looks straight down from `p_WC`, tilted as CameraAbovePad tells.
   Eigen::Isometry3d BodyWithCameraAt(const Vector3d& p_WC, double yaw = 0.0, double tilt = 0.0,
                                      double direction = 0.0) const {
-    return test_support::CameraAbovePad(p_WC, yaw, tilt, direction) * setup_.X_BC.inverse();
+    return tests::CameraAbovePad(p_WC, yaw, tilt, direction) * setup_.X_BC.inverse();
   }
 
   models::Image Picture(const Eigen::Isometry3d& X_WB, PadPicture picture = {.noise_sigma = 3.0}) {
-    return test_support::RenderPad(setup_.camera, setup_.pad, X_WB * setup_.X_BC, picture, &random_);
+    return tests::RenderPad(setup_.camera, setup_.pad, X_WB * setup_.X_BC, picture, &random_);
   }
 
   FrameEstimate See(const Eigen::Isometry3d& X_WB, PadPicture picture = {.noise_sigma = 3.0}) {
@@ -86,7 +86,7 @@ TEST_F(PaperEstimatorTest, TracesWhatItSaw) {
 TEST_F(PaperEstimatorTest, LetsGravityChooseTheBranch) {
   for (const double side : {-1.0, 1.0}) {
     const double tilt = side * models::DegToRad(15.0);
-    Eigen::Isometry3d X_WC = test_support::CameraAbovePad(Vector3d::Zero(), 0.0, tilt, 0.0);
+    Eigen::Isometry3d X_WC = tests::CameraAbovePad(Vector3d::Zero(), 0.0, tilt, 0.0);
     X_WC.translation() = -X_WC.linear().col(2) * 0.6;
     const Eigen::Isometry3d X_WB = X_WC * setup_.X_BC.inverse();
     const models::Image image = Picture(X_WB);
@@ -95,7 +95,7 @@ TEST_F(PaperEstimatorTest, LetsGravityChooseTheBranch) {
     ASSERT_TRUE(right.pose);
     EXPECT_LT(AngleBetween(right.pose->X_WB, X_WB), models::DegToRad(2.0));
     // Told that it is tilted to the other side, it takes the other solution: 30 degrees and 0.3 m away.
-    const Eigen::Isometry3d other = test_support::CameraAbovePad({0, 0, 1}, 0.0, -tilt, 0.0) * setup_.X_BC.inverse();
+    const Eigen::Isometry3d other = tests::CameraAbovePad({0, 0, 1}, 0.0, -tilt, 0.0) * setup_.X_BC.inverse();
     const auto wrong = estimator.Estimate(image.View(), kFrame, GravityIn(other));
     ASSERT_TRUE(wrong.pose);
     EXPECT_NEAR(models::RadToDeg(AngleBetween(wrong.pose->X_WB, X_WB)), 30.0, 3.0);
@@ -190,7 +190,7 @@ TEST_F(PaperEstimatorTest, CallsAJumpAnOutlierAndTellsItsPose) {
 
 TEST_F(PaperEstimatorTest, IsNotFooledByClutter) {
   for (const std::uint64_t seed : {1, 2, 3}) {
-    const auto clutter = test_support::Clutter(setup_.pad, seed);
+    const auto clutter = tests::Clutter(setup_.pad, seed);
     const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.1, 0.05, 0.9}, 0.1);
     PaperEstimator estimator(setup_);
     FrameEstimate seen;
