@@ -104,9 +104,7 @@ ContactSheet::ContactSheet(const models::CameraModel& camera, const models::Time
 void ContactSheet::Add(const models::CameraFrame& frame, const estimator::FrameEstimate& estimate,
                        const FrameRecord& record) {
   if (count_++ % stride_ != 0) return;
-  const cv::Mat picture =
-      AnnotateFrame(frame.image.View(), camera_, estimate.trace, record, time_.ToSeconds(record.mid_exposure));
-  cv::resize(picture, kept_.emplace_back(), tile_, 0.0, 0.0, cv::INTER_AREA);
+  kept_.push_back({frame.image, estimate.trace, record});
   if (kept_.size() < kMostKept) return;
   // Every other one: the stride doubles, and what is kept stays evenly spread.
   for (std::size_t i = 1; 2 * i < kept_.size(); ++i) kept_[i] = std::move(kept_[2 * i]);
@@ -123,6 +121,14 @@ std::vector<std::size_t> ContactSheet::Selection() const {
   return selection;
 }
 
+cv::Mat ContactSheet::Tile(const Kept& kept) const {
+  const double time_s = time_.ToSeconds(kept.record.mid_exposure);
+  cv::Mat tile;
+  cv::resize(AnnotateFrame(kept.image.View(), camera_, kept.trace, kept.record, time_s), tile, tile_, 0.0, 0.0,
+             cv::INTER_AREA);
+  return tile;
+}
+
 std::optional<std::string> ContactSheet::Png() const {
   if (kept_.empty()) return std::nullopt;
   const std::vector<std::size_t> selection = Selection();
@@ -130,7 +136,7 @@ std::optional<std::string> ContactSheet::Png() const {
   cv::Mat sheet(rows * tile_.height, static_cast<int>(kColumns) * tile_.width, CV_8UC3, cv::Scalar(40, 40, 40));
   for (std::size_t i = 0; i < selection.size(); ++i) {
     const cv::Point corner(static_cast<int>(i % kColumns) * tile_.width, static_cast<int>(i / kColumns) * tile_.height);
-    kept_[selection[i]].copyTo(sheet(cv::Rect(corner, tile_)));
+    Tile(kept_[selection[i]]).copyTo(sheet(cv::Rect(corner, tile_)));
   }
   std::vector<unsigned char> png;
   if (!cv::imencode(".png", sheet, png)) throw std::runtime_error("OpenCV cannot encode the contact sheet");

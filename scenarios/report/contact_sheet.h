@@ -19,8 +19,8 @@ namespace touchdown::scenarios {
 cv::Mat AnnotateFrame(const models::ImageView& image, const models::CameraModel& camera,
                       const estimator::FrameTrace& trace, const FrameRecord& record, double time_s);
 
-/// Some annotated frames, evenly spread over a flight of unknown length, on one picture. What it keeps is bounded,
-/// however long the flight and large the frames.
+/// Some annotated frames, evenly spread over a flight of unknown length, on one picture. It keeps fewer than 48 frames,
+/// however long the flight, and draws them when asked for the picture: during a flight it costs a copy of a frame.
 class ContactSheet {
  public:
   ContactSheet(const models::CameraModel& camera, const models::TimeBase& time);
@@ -33,12 +33,19 @@ class ContactSheet {
   std::optional<std::string> Png() const;
 
  private:
+  struct Kept {
+    models::Image image;
+    estimator::FrameTrace trace;
+    FrameRecord record;
+  };
+
   std::vector<std::size_t> Selection() const;
+  cv::Mat Tile(const Kept& kept) const;
 
   models::CameraModel camera_;
   models::TimeBase time_;
   cv::Size tile_;
-  std::vector<cv::Mat> kept_;  ///< Annotated, in the size of a tile.
+  std::vector<Kept> kept_;
   std::size_t stride_ = 1;
   std::size_t count_ = 0;
 };
