@@ -6,59 +6,21 @@
 #include <functional>
 
 #include "models/error.h"
+#include "tests/support/guided_flight.h"
 
 namespace touchdown::controller {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kPeriod_s = 0.005, kStanding_m = 0.14;
-const GuidanceConfig kConfig;
-const models::TimeBase kTime;
-const double kBlindHeight_m = kStanding_m + kConfig.blind_clearance_m;
-
-const Manoeuvre kTakeoff{.kind = ManoeuvreKind::kTakeoff, .position_m = {0.0, 0.0, 1.0}};
-const Manoeuvre kHover{.kind = ManoeuvreKind::kHover, .position_m = {0.1, 0.2, 1.0}, .duration_s = 2.0};
-const Manoeuvre kLand{.kind = ManoeuvreKind::kLand};
-
-/// Guidance with a vehicle that does what the test says, period by period.
-class Flight {
- public:
-  Flight(std::vector<Manoeuvre> script, bool airborne)
-      : guidance_(kConfig, kTime, kPeriod_s, kStanding_m, std::move(script), airborne) {
-    p = {0.0, 0.0, airborne ? 1.5 : kStanding_m};
-  }
-
-  Vector3d p, v = Vector3d::Zero();
-  bool pad_lost = false, pad_found = true;
-  bool follows = false;  ///< The vehicle is always at the set-point.
-  Guidance::Output output;
-  double time_s = 0.0;
-
-  const Guidance::Output& Step() {
-    output = guidance_.Update(
-        {.tick = tick_, .motion = {.p_WB = p, .v_WB = v}, .pad_lost = pad_lost, .pad_found = pad_found});
-    if (follows) p = output.p_m;
-    tick_ += kTime.FromSeconds(kPeriod_s);
-    time_s = kTime.ToSeconds(tick_);
-    return output;
-  }
-  void Run(double duration_s) {
-    for (int i = 0; i < std::lround(duration_s / kPeriod_s); ++i) Step();
-  }
-  bool RunUntil(Phase phase, double limit_s) {
-    for (int i = 0; i * kPeriod_s < limit_s; ++i) {
-      if (Step().phase == phase) return true;
-    }
-    return false;
-  }
-  void LosePad() { pad_lost = true, pad_found = false; }
-  void FindPad() { pad_lost = false, pad_found = true; }
-
- private:
-  Guidance guidance_;
-  models::Tick tick_ = 0;
-};
+using tests::kBlindHeight_m;
+using tests::kConfig;
+using tests::kHover;
+using tests::kLand;
+using tests::kPeriod_s;
+using tests::kStanding_m;
+using tests::kTakeoff;
+using tests::kTime;
+using Flight = tests::GuidedFlight;
 
 TEST(Guidance, FliesAScriptFromStandbyToTouchdown) {
   Flight flight({kTakeoff, kHover, kLand}, false);
@@ -245,140 +207,6 @@ TEST(Guidance, DescendsBlindAtAConstantRateWithOrWithoutThePad) {
     ASSERT_TRUE(flight.RunUntil(Phase::kTouchdown, 5.0));
     EXPECT_NEAR(flight.time_s - begin_s, way_m / kConfig.blind_descent_rate_m_s, 0.03);
   }
-}
-
-TEST(Guidance, StopsTheMotorsOfABlindDescentThatTakesTooLong) {
-  Flight flight({kLand}, true);
-  flight.follows = true;
-  ASSERT_TRUE(flight.RunUntil(Phase::kBlindDescent, 15.0));
-  flight.follows = false;
-  EXPECT_TRUE(flight.RunUntil(Phase::kTouchdown, 2.0));
-}
-
-TEST(Guidance, HoldsThenClimbsThenGivesUpWithoutThePad) {
-  Flight flight({kHover}, true);
-  flight.p.z() = 1.0;
-  flight.Run(0.5);
-  flight.LosePad();
-  EXPECT_EQ(flight.Step().phase, Phase::kHold);
-  ASSERT_TRUE(flight.RunUntil(Phase::kSearchClimb, kConfig.hold_limit_s + 0.1));
-  flight.Run(1.0);
-  EXPECT_NEAR(flight.output.p_m.z(), 1.0 + kConfig.search_climb_rate_m_s, 0.01);
-  EXPECT_EQ(flight.output.p_m.head<2>(), kHover.position_m.head<2>());
-  ASSERT_TRUE(flight.RunUntil(Phase::kGaveUp, kConfig.search_climb_limit_s));
-  flight.FindPad();
-  flight.Run(1.0);
-  EXPECT_EQ(flight.output.phase, Phase::kGaveUp);
-}
-
-TEST(Guidance, GivesUpWhenItHasClimbedFarEnoughFromAnyHeight) {
-  for (const double height_m : {0.5, 1.0, 4.0}) {
-    Flight flight({kHover}, true);
-    flight.p.z() = height_m;
-    flight.Run(0.5);
-    flight.LosePad();
-    ASSERT_TRUE(flight.RunUntil(Phase::kSearchClimb, 2.0));
-    flight.p.z() = height_m + kConfig.search_climb_m - 0.01;
-    EXPECT_EQ(flight.Step().phase, Phase::kSearchClimb) << height_m;
-    flight.p.z() = height_m + kConfig.search_climb_m + 0.01;
-    EXPECT_EQ(flight.Step().phase, Phase::kGaveUp) << height_m;
-  }
-}
-
-TEST(Guidance, GivesUpALandingThatTakesTooLong) {
-  Flight flight({kLand}, true);
-  flight.p = {1.0, 0.0, 1.0};  // Outside the cone, for good.
-  ASSERT_TRUE(flight.RunUntil(Phase::kLanding, 1.0));
-  flight.Run(kConfig.landing_limit_s - 1.0);
-  EXPECT_EQ(flight.output.phase, Phase::kLanding);
-  EXPECT_TRUE(flight.RunUntil(Phase::kGaveUp, 1.5));
-}
-
-TEST(Guidance, RestartsALandingFromTheHeightWhereThePadIsFoundAgain) {
-  Flight flight({kLand}, true);
-  flight.follows = true;
-  flight.Run(2.0);
-  flight.follows = false;
-  ASSERT_EQ(flight.output.phase, Phase::kLanding);
-  flight.LosePad();
-  ASSERT_TRUE(flight.RunUntil(Phase::kSearchClimb, 2.0));
-  flight.p = {0.2, 0.1, 1.3};
-  flight.FindPad();
-  EXPECT_EQ(flight.Step().phase, Phase::kLanding);
-  EXPECT_EQ(flight.output.p_m, Vector3d(0.0, 0.0, 1.3));
-}
-
-/// A takeoff that has reached the ramp, the vehicle at 0.35 m.
-Flight OnTheRamp() {
-  Flight flight({kTakeoff, kLand}, false);
-  flight.LosePad();
-  EXPECT_TRUE(flight.RunUntil(Phase::kBlindClimb, 2.0));
-  flight.p.z() = 0.35;
-  flight.FindPad();
-  EXPECT_EQ(flight.Step().phase, Phase::kRamp);
-  return flight;
-}
-
-TEST(Guidance, HoldsWhenABlindClimbThatStaysLowTakesTooLong) {
-  Flight flight({kTakeoff}, false);
-  flight.LosePad();
-  ASSERT_TRUE(flight.RunUntil(Phase::kBlindClimb, 2.0));
-  flight.Run(kConfig.blind_climb_limit_s - 0.05);
-  EXPECT_EQ(flight.output.phase, Phase::kBlindClimb);
-  EXPECT_TRUE(flight.RunUntil(Phase::kHold, 0.1));
-}
-
-TEST(Guidance, GivesUpARampThatNeverArrives) {
-  Flight flight = OnTheRamp();
-  flight.Run(kConfig.ramp_limit_s - 0.05);
-  EXPECT_EQ(flight.output.phase, Phase::kRamp);
-  EXPECT_TRUE(flight.RunUntil(Phase::kGaveUp, 0.1));
-}
-
-TEST(Guidance, HoldsTheRampsSetPointWhileThePadIsLostAndGoesOnFromTheVehiclesHeight) {
-  Flight flight = OnTheRamp();
-  flight.Run(1.0);
-  const Vector3d set_point = flight.output.p_m;
-  flight.LosePad();
-  EXPECT_EQ(flight.Step().phase, Phase::kHold);
-  flight.Run(0.3);
-  EXPECT_EQ(flight.output.p_m, set_point);
-  EXPECT_EQ(flight.output.v_m_s, Vector3d::Zero());
-  flight.p = {0.1, 0.0, 0.55};
-  flight.FindPad();
-  EXPECT_EQ(flight.Step().phase, Phase::kRamp);
-  EXPECT_EQ(flight.output.p_m.head<2>(), Eigen::Vector2d::Zero());
-  EXPECT_NEAR(flight.output.p_m.z(), 0.55, kConfig.climb_rate_m_s * kPeriod_s + 1e-12);
-}
-
-TEST(Guidance, GoesFromTheSearchBackToTheRampOfAnUnfinishedTakeoff) {
-  Flight flight = OnTheRamp();
-  flight.LosePad();
-  ASSERT_TRUE(flight.RunUntil(Phase::kSearchClimb, kConfig.hold_limit_s + 0.1));
-  flight.p = {0.0, 0.2, 0.8};
-  flight.FindPad();
-  EXPECT_EQ(flight.Step().phase, Phase::kRamp);
-  flight.follows = true;
-  ASSERT_TRUE(flight.RunUntil(Phase::kHover, 2.0));
-  EXPECT_DOUBLE_EQ(flight.output.p_m.z(), kTakeoff.position_m.z());
-  EXPECT_EQ(flight.Step().phase, Phase::kLanding);
-}
-
-TEST(Guidance, GoesFromTheSearchBackToTheHoversSetPoint) {
-  Flight flight({kHover, kLand}, true);
-  flight.p = kHover.position_m;
-  flight.Run(0.5);
-  flight.LosePad();
-  ASSERT_TRUE(flight.RunUntil(Phase::kSearchClimb, 2.0));
-  flight.Run(1.0);
-  EXPECT_GT(flight.output.p_m.z(), kHover.position_m.z());
-  flight.FindPad();
-  EXPECT_EQ(flight.Step().phase, Phase::kHover);
-  EXPECT_EQ(flight.output.p_m, kHover.position_m);
-  flight.Run(1.45);
-  EXPECT_EQ(flight.output.phase, Phase::kHover);
-  flight.Run(0.1);
-  EXPECT_EQ(flight.output.phase, Phase::kLanding);
 }
 
 TEST(Guidance, RefusesAScriptThatCannotBeFlown) {
