@@ -14,7 +14,7 @@ constexpr int kCell_px = 64;
 constexpr int kMargin_px = 4;
 constexpr int kMaxView_px = 4096;
 constexpr double kStill_px = 0.25;
-constexpr double kTapSpacing_px = 0.75;
+constexpr double kTapSpacing_px = 1.0;
 
 std::int32_t ToFixed(double value) { return static_cast<std::int32_t>(std::lround(value * kOne)); }
 

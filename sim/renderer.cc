@@ -7,11 +7,14 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "sim/floor_footprint.h"
 #include "sim/geom_groups.h"
+#include "sim/texture_filter.h"
 #include "sim/textures.h"
 
 namespace touchdown::sim {
@@ -40,44 +43,29 @@ mjvGLCamera CameraFor(const PinholeView& view, const Eigen::Isometry3d& X_WC) {
   return camera;
 }
 
-/// Whether every ray of the view meets the floor within its centre, above or on which all that it sees then lies.
-bool SeesOnlyTheFloorsCentre(const PinholeView& view, const Eigen::Isometry3d& X_WC) {
-  constexpr double kMargin_m = 0.01;
-  const double height = X_WC.translation().z() + kMargin_m;
-  for (const double u : {-0.5, view.width_px - 0.5}) {
-    for (const double v : {-0.5, view.height_px - 0.5}) {
-      const Eigen::Vector3d ray_C((u - view.cx_px) / view.focal_px, (v - view.cy_px) / view.focal_px, 1.0);
-      const Eigen::Vector3d ray_W = X_WC.linear() * ray_C;
-      if (ray_W.z() >= 0.0) return false;
-      const Eigen::Vector3d p_W = X_WC.translation() - height / ray_W.z() * ray_W;
-      if (p_W.head<2>().cwiseAbs().maxCoeff() > 0.5 * kFloorCentreSize_m - kMargin_m) return false;
-    }
-  }
-  return height > 0.0;
+/// Whether all that the view shows lies above or on the floor's centre.
+bool LiesOnTheFloorsCentre(const FloorFootprint& footprint) {
+  constexpr double kMargin_m = 0.02;
+  return footprint.reach_m < 0.5 * kFloorCentreSize_m - kMargin_m;
 }
 
-/// Gives the off-screen buffer that is bound now a single channel, the red one: all that the camera reads, at a quarter
-/// of the bandwidth.
-void KeepOnlyRed(const PinholeView& view) {
+void AttachBuffer(GLenum attachment, GLenum format, const PinholeView& view) {
   GLuint buffer = 0;
   glGenRenderbuffers(1, &buffer);
   glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_R8, view.width_px, view.height_px);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer);
-  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw std::runtime_error("OpenGL cannot render into a buffer of one channel");
-  }
+  glRenderbufferStorage(GL_RENDERBUFFER, format, view.width_px, view.height_px);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
 }
 
-/// Takes the nearest level of every texture but the pad's instead of blending two: a quarter of a frame's time.
-void SimplifyFiltering(const mjModel& model, const mjrContext& context) {
-  const int pad = mj_name2id(&model, mjOBJ_TEXTURE, "pad");
-  for (int i = 0; i < context.ntexture; ++i) {
-    if (i == pad) continue;
-    const GLenum target = context.textureType[i] == mjTEXTURE_2D ? GL_TEXTURE_2D : GL_TEXTURE_CUBE_MAP;
-    glBindTexture(target, context.texture[i]);
-    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
-    glBindTexture(target, 0);
+/// Gives the off-screen buffer that is bound now what the camera reads and no more: the red channel, at a quarter of
+/// the bandwidth, and depth without a stencil interleaved, which is slow to clear around.
+void KeepOnlyRedAndDepth(const PinholeView& view) {
+  constexpr GLuint kNone = 0;
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, kNone);
+  AttachBuffer(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, view);
+  AttachBuffer(GL_COLOR_ATTACHMENT0, GL_R8, view);
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    throw std::runtime_error("OpenGL cannot render into a buffer of one channel and depth");
   }
 }
 
@@ -114,12 +102,15 @@ class GlResources : public mjrContext {
 
 struct Renderer::Impl {
   Impl(const mjModel& model_in, const PinholeView& view, std::unique_ptr<GlContext> gl_in)
-      : model(model_in), gl((gl_in->MakeCurrent(), std::move(gl_in))), geoms(model), resources(model, view) {
+      : model(model_in),
+        gl((gl_in->MakeCurrent(), std::move(gl_in))),
+        geoms(model),
+        resources(model, view),
+        filter(model, resources) {
     if (resources.currentBuffer != mjFB_OFFSCREEN || resources.offWidth < view.width_px) {
       throw std::runtime_error("MuJoCo's renderer cannot make an off-screen buffer for the camera's view");
     }
-    KeepOnlyRed(view);
-    SimplifyFiltering(model, resources);
+    KeepOnlyRedAndDepth(view);
     mjv_defaultOption(&options);
     options.geomgroup[kVehicle] = options.geomgroup[kInvisible] = 0;
     mjv_defaultCamera(&free_camera);
@@ -130,6 +121,7 @@ struct Renderer::Impl {
   std::unique_ptr<GlContext> gl;
   GeomList geoms;
   GlResources resources;
+  TextureFilter filter;
   mjvOption options;
   mjvCamera free_camera;
   std::vector<std::uint8_t> bottom_up;
@@ -145,7 +137,9 @@ Renderer::~Renderer() { impl_->gl->MakeCurrent(); }
 const models::Image& Renderer::Render(mjData_& data, const Eigen::Isometry3d& X_WC) {
   Impl& impl = *impl_;
   impl.gl->MakeCurrent();
-  impl.options.geomgroup[kSurroundings] = SeesOnlyTheFloorsCentre(view_, X_WC) ? 0 : 1;
+  const std::optional<FloorFootprint> footprint = FootprintOf(view_, X_WC);
+  impl.options.geomgroup[kSurroundings] = footprint && LiesOnTheFloorsCentre(*footprint) ? 0 : 1;
+  impl.filter.SuitTo(footprint, view_.focal_px);
   mjv_updateScene(&impl.model, &data, &impl.options, nullptr, &impl.free_camera, mjCAT_ALL, &impl.geoms);
   impl.geoms.camera[0] = impl.geoms.camera[1] = CameraFor(view_, X_WC);
   const mjrRect viewport{0, 0, view_.width_px, view_.height_px};

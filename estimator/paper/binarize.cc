@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "models/error.h"
@@ -18,39 +19,34 @@ class IntegralImage {
  public:
   explicit IntegralImage(const models::ImageView& image)
       : stride_(static_cast<std::size_t>(image.width) + 1),
-        sums_(stride_ * (static_cast<std::size_t>(image.height) + 1)) {
+        sums_(std::make_unique_for_overwrite<std::uint32_t[]>(stride_ * (static_cast<std::size_t>(image.height) + 1))) {
+    std::fill_n(sums_.get(), stride_, 0u);
     for (int v = 0; v < image.height; ++v) {
       const std::uint8_t* pixels = image.Row(v);
-      const std::uint32_t* above = Row(v) + 1;
-      std::uint32_t* here = sums_.data() + stride_ * (static_cast<std::size_t>(v) + 1) + 1;
-      std::uint32_t row_sum = 0;
+      const std::uint32_t* above = Row(v);
+      std::uint32_t* here = sums_.get() + stride_ * (static_cast<std::size_t>(v) + 1);
+      std::uint32_t row_sum = here[0] = 0;
       for (int u = 0; u < image.width; ++u) {
         row_sum += pixels[u];
-        here[u] = above[u] + row_sum;
+        here[u + 1] = above[u + 1] + row_sum;
       }
     }
   }
 
-  const std::uint32_t* Row(int v) const { return sums_.data() + stride_ * static_cast<std::size_t>(v); }
+  const std::uint32_t* Row(int v) const { return sums_.get() + stride_ * static_cast<std::size_t>(v); }
 
  private:
   std::size_t stride_;
-  std::vector<std::uint32_t> sums_;
+  std::unique_ptr<std::uint32_t[]> sums_;
 };
 
-struct Threshold {
-  float scale, offset;
+/// Along one axis, the part of the window around a pixel that lies inside the image: [begin, end).
+struct WindowSpan {
+  WindowSpan(int centre, int radius, int size)
+      : begin(std::max(0, centre - radius)), end(std::min(size, centre + radius + 1)) {}
+  int length() const { return end - begin; }
+  int begin, end;
 };
-
-/// Columns [u_begin, u_end), whose windows all lie `left` and `right` of the column.
-void BinarizeInnerColumns(const std::uint8_t* pixels, const std::uint32_t* column_sums, int u_begin, int u_end,
-                          int radius, const Threshold& threshold, std::uint8_t* dark) {
-  for (int u = u_begin; u < u_end; ++u) {
-    const std::uint32_t sum = column_sums[u + radius + 1] - column_sums[u - radius];
-    const float limit = static_cast<float>(static_cast<std::int32_t>(sum)) * threshold.scale;
-    dark[u] = static_cast<float>(pixels[u]) < limit - threshold.offset ? 255 : 0;
-  }
-}
 
 }  // namespace
 
@@ -71,31 +67,38 @@ models::Image Binarize(const models::ImageView& image, const BinarizeConfig& con
   const int radius = config.window_px / 2;
   const int width = image.width, height = image.height;
   const int inner_begin = std::min(radius, width), inner_end = std::max(inner_begin, width - radius);
+  const auto absolute_margin = static_cast<float>(config.absolute_margin);
   models::Image dark(width, height);
-  std::vector<std::uint32_t> column_sums(static_cast<std::size_t>(width) + 1);
+  std::vector<std::uint32_t> window_sums(static_cast<std::size_t>(width));
+  std::vector<float> scales(static_cast<std::size_t>(width));
 
-  for (int v = 0; v < height; ++v) {
-    const int top = std::max(0, v - radius), bottom = std::min(height, v + radius + 1);
-    const std::uint32_t* above = integral.Row(top);
-    const std::uint32_t* below = integral.Row(bottom);
-    for (int u = 0; u <= width; ++u) column_sums[static_cast<std::size_t>(u)] = below[u] - above[u];
+  for (int v = 0, rows = 0; v < height; ++v) {
+    const WindowSpan vertical(v, radius, height);
+    if (rows != vertical.length()) {
+      rows = vertical.length();
+      for (int u = 0; u < width; ++u) {
+        scales[u] = static_cast<float>((1.0 - config.relative_margin) / (WindowSpan(u, radius, width).length() * rows));
+      }
+    }
+    const std::uint32_t* above = integral.Row(vertical.begin);
+    const std::uint32_t* below = integral.Row(vertical.end);
+    const auto window_sum = [above, below](int left, int right) {
+      return below[right] - below[left] - (above[right] - above[left]);
+    };
+    const auto border_sum = [&](int u) {
+      const WindowSpan horizontal(u, radius, width);
+      window_sums[u] = window_sum(horizontal.begin, horizontal.end);
+    };
+    for (int u = 0; u < inner_begin; ++u) border_sum(u);
+    for (int u = inner_begin; u < inner_end; ++u) window_sums[u] = window_sum(u - radius, u + radius + 1);
+    for (int u = inner_end; u < width; ++u) border_sum(u);
 
-    const auto offset = static_cast<float>(config.absolute_margin);
-    const auto threshold_over = [&](int columns) {
-      return Threshold{static_cast<float>((1.0 - config.relative_margin) / (columns * (bottom - top))), offset};
-    };
-    const auto border_column = [&](int u) {
-      const int left = std::max(0, u - radius), right = std::min(width, u + radius + 1);
-      const auto sum = static_cast<std::int32_t>(column_sums[static_cast<std::size_t>(right)] -
-                                                 column_sums[static_cast<std::size_t>(left)]);
-      const Threshold threshold = threshold_over(right - left);
-      const float limit = static_cast<float>(sum) * threshold.scale - threshold.offset;
-      dark.Row(v)[u] = static_cast<float>(image.At(u, v)) < limit ? 255 : 0;
-    };
-    for (int u = 0; u < inner_begin; ++u) border_column(u);
-    BinarizeInnerColumns(image.Row(v), column_sums.data(), inner_begin, inner_end, radius,
-                         threshold_over(config.window_px), dark.Row(v));
-    for (int u = inner_end; u < width; ++u) border_column(u);
+    const std::uint8_t* pixels = image.Row(v);
+    std::uint8_t* row = dark.Row(v);
+    for (int u = 0; u < width; ++u) {
+      const float limit = static_cast<float>(static_cast<std::int32_t>(window_sums[u])) * scales[u];
+      row[u] = static_cast<float>(pixels[u]) < limit - absolute_margin ? 255 : 0;
+    }
   }
   return dark;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "models/camera_model.h"
+#include "sim/floor_footprint.h"
 #include "sim/geom_groups.h"
 #include "sim/prints.h"
 #include "sim/textures.h"
@@ -183,6 +184,44 @@ TEST(Renderer, LeavesOutOnlyWhatTheFloorsCentreHides) {
       EXPECT_EQ(renderer.Render(*room.data, X_WC).pixels, thorough.Render(*everything.data, X_WC).pixels)
           << height << " m, " << tilt << " rad";
     }
+  }
+}
+
+TEST(Renderer, ShowsAViewTheSameWhateverItShowedBefore) {
+  const Room room({}, 6);
+  Renderer renderer(*room.model, {});
+  for (const Eigen::Isometry3d& X_WC :
+       {CameraAt({0.0, 0.0, 1.0}), CameraAt({0.0, 0.0, 0.15}), CameraAt({0.1, 0.0, 1.0}, {.roll = 0.6})}) {
+    const models::Image first = Renderer(*room.model, {}).Render(*room.data, X_WC);
+    EXPECT_EQ(renderer.Render(*room.data, X_WC).pixels, first.pixels);
+    for (const double height : {0.12, 0.5, 2.8}) renderer.Render(*room.data, CameraAt({0.0, 0.0, height}));
+    EXPECT_EQ(renderer.Render(*room.data, X_WC).pixels, first.pixels);
+  }
+}
+
+/// The wide view shows depths that differ too much for one mip level, its middle by itself does not.
+TEST(Renderer, IsAsSharpWithOneMipLevelAsWithOneForEveryPixel) {
+  const Room room({}, 6);
+  constexpr int kWidth = 160, kHeight = 120;
+  const PinholeView wide, middle{.width_px = kWidth, .height_px = kHeight, .cx_px = 79.5, .cy_px = 59.5};
+  Renderer by_pixel(*room.model, wide), by_frame(*room.model, middle);
+  for (const double height : {0.5, 1.0, 1.4}) {
+    const Eigen::Isometry3d X_WC = CameraAt({0.2, -0.1, height}, {.roll = 0.25, .pitch = -0.2, .yaw = 0.4});
+    ASSERT_GT(FootprintOf(wide, X_WC)->farthest_m, 2.0 * FootprintOf(wide, X_WC)->nearest_m);
+    ASSERT_LT(FootprintOf(middle, X_WC)->farthest_m, 2.0 * FootprintOf(middle, X_WC)->nearest_m);
+    const models::Image& expected = by_pixel.Render(*room.data, X_WC);
+    const models::Image& image = by_frame.Render(*room.data, X_WC);
+    double contrast_expected = 0.0, contrast = 0.0;
+    for (int v = 0; v < kHeight; ++v) {
+      for (int u = 1; u < kWidth; ++u) {
+        const auto step_at = [&](const models::Image& in, int du, int dv) {
+          return std::abs(in.View().At(u + du, v + dv) - in.View().At(u + du - 1, v + dv));
+        };
+        contrast_expected += step_at(expected, (640 - kWidth) / 2, (480 - kHeight) / 2);
+        contrast += step_at(image, 0, 0);
+      }
+    }
+    EXPECT_NEAR(contrast / contrast_expected, 1.0, 0.2) << height;
   }
 }
 
