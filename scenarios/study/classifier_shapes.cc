@@ -49,6 +49,7 @@ GroundShape ShapeOf(FrameTrace::Label label, const Sheet& sheet) {
   cv::convexHull(texels, hull);
   GroundShape shape;
   shape.label = label;
+  shape.yaw = sheet.yaw;
   shape.ink_share = static_cast<double>(texels.size()) / std::max(1.0, cv::contourArea(hull));
   shape.gap_m = GapOf(sheet.ink, hull);
   const cv::Rect box = cv::boundingRect(hull);

@@ -16,6 +16,7 @@ namespace touchdown::scenarios {
 struct GroundShape {
   estimator::FrameTrace::Label label = estimator::FrameTrace::Label::kOther;
   Eigen::Vector2d position_m = Eigen::Vector2d::Zero();  ///< Centre of its ink's bounding box, in W.
+  double yaw = 0.0;                                      ///< Of its axes, from W's.
   double radius_m = 0.0;                                 ///< From there to the farthest ink.
   std::vector<Eigen::Vector2d> hull_m;                   ///< Convex hull of its ink, in W.
   double ink_share = 0.0;                                ///< Ink's area over the hull's.

@@ -43,13 +43,27 @@ Eigen::Vector2d DrawPixel(const models::CameraModel& camera, double radius_px, R
   return {u - 0.5, v - 0.5};
 }
 
-Eigen::Isometry3d DrawPose(const ViewConfig& config, const sim::Scene& scene, const GroundShape& target,
+/// R_WC of a camera that hovers over the target, along one of its axes.
+Eigen::Matrix3d DrawHover(const GroundShape& target, RandomStream& random) {
+  constexpr double kAlong_deg = 1.5, kLevel_deg = 3.0;
+  const double yaw =
+      target.yaw + random.UniformInt(0, 3) * models::kPi / 2.0 + models::DegToRad(kAlong_deg) * random.Normal();
+  const double tilt = models::DegToRad(kLevel_deg) * random.Uniform();
+  return LookDown(yaw, tilt, random.Uniform(-models::kPi, models::kPi));
+}
+
+/// R_WC of a camera that looks down at any heading and tilt.
+Eigen::Matrix3d DrawTilt(double largest_tilt_deg, RandomStream& random) {
+  const double tilt = models::DegToRad(largest_tilt_deg) * random.Uniform();
+  const double yaw = random.Uniform(-models::kPi, models::kPi), direction = random.Uniform(-models::kPi, models::kPi);
+  return LookDown(yaw, tilt, direction);
+}
+
+Eigen::Isometry3d DrawPose(const ViewConfig& config, bool hovering, const sim::Scene& scene, const GroundShape& target,
                            const models::CameraModel& camera, RandomStream& random) {
   while (true) {
     const double distance = LogUniform(config.nearest_m, config.farthest_m, random);
-    const double tilt = models::DegToRad(config.largest_tilt_deg) * random.Uniform();
-    const double yaw = random.Uniform(-models::kPi, models::kPi), direction = random.Uniform(-models::kPi, models::kPi);
-    const Eigen::Matrix3d R_WC = LookDown(yaw, tilt, direction);
+    const Eigen::Matrix3d R_WC = hovering ? DrawHover(target, random) : DrawTilt(config.largest_tilt_deg, random);
     const Eigen::Vector2d pixel = DrawPixel(camera, camera.fx_px * target.radius_m / distance, random);
     const std::optional<Eigen::Vector3d> ray_C = camera.Ray(pixel);
     if (!ray_C) continue;
@@ -69,8 +83,9 @@ void ViewConfig::Validate() const {
   const bool ranges = nearest_m > 0.0 && farthest_m >= nearest_m && std::isfinite(farthest_m) &&
                       largest_tilt_deg >= 0.0 && largest_tilt_deg < 80.0 && shortest_exposure_s > 0.0 &&
                       longest_exposure_s >= shortest_exposure_s && std::isfinite(longest_exposure_s);
-  const bool effects = fastest_m_s >= 0.0 && fastest_rad_s >= 0.0 && largest_defocus_px >= 0.0 &&
-                       !noise_sigmas.empty() && weakest_contrast > 0.0 && weakest_contrast <= 1.0;
+  const bool effects = hovering_share >= 0.0 && hovering_share <= 1.0 && fastest_m_s >= 0.0 && fastest_rad_s >= 0.0 &&
+                       largest_defocus_px >= 0.0 && !noise_sigmas.empty() && weakest_contrast > 0.0 &&
+                       weakest_contrast <= 1.0;
   if (!ranges || !effects) throw InputError("the training set's views have an empty range");
 }
 
@@ -83,11 +98,14 @@ Eigen::Isometry3d View::PoseAt(double offset_s) const {
 
 View DrawView(const ViewConfig& config, const sim::Scene& scene, const GroundShape& target,
               const models::CameraModel& camera, RandomStream& random) {
-  View view{.X_WC = DrawPose(config, scene, target, camera, random)};
-  view.v_WC = random.Uniform() * config.fastest_m_s * random.NormalVector3() / std::sqrt(3.0);
-  view.w_WC_C = random.Uniform() * config.fastest_rad_s * random.NormalVector3() / std::sqrt(3.0);
+  const bool hovering = random.Chance(config.hovering_share);
+  View view{.X_WC = DrawPose(config, hovering, scene, target, camera, random)};
   view.exposure_s = LogUniform(config.shortest_exposure_s, config.longest_exposure_s, random);
-  view.defocus_px = random.Chance(0.5) ? config.largest_defocus_px * random.Uniform() : 0.0;
+  if (!hovering) {
+    view.v_WC = random.Uniform() * config.fastest_m_s * random.NormalVector3() / std::sqrt(3.0);
+    view.w_WC_C = random.Uniform() * config.fastest_rad_s * random.NormalVector3() / std::sqrt(3.0);
+    view.defocus_px = random.Chance(0.5) ? config.largest_defocus_px * random.Uniform() : 0.0;
+  }
   view.contrast = random.Chance(0.5) ? random.Uniform(config.weakest_contrast, 1.0) : 1.0;
   const int levels = static_cast<int>(config.noise_sigmas.size());
   view.noise_level = random.UniformInt(0, view.contrast < kWeakContrast && levels > 1 ? levels - 2 : levels - 1);

@@ -244,8 +244,7 @@ TEST_F(PaperEstimatorTest, ClaimsAPositiveDefiniteCovarianceThatGrowsWithHeight)
   ASSERT_TRUE(near.pose) << Name(near.status);
   PaperEstimator estimator(setup_);
   const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.02, 0.0, 1.6}, 0.0, 0.05);
-  const models::Image picture = Picture(X_WB, {.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5});
-  const auto far = estimator.Estimate(picture.View(), 0, GravityIn(X_WB));
+  const auto far = estimator.Estimate(Picture(X_WB).View(), 0, GravityIn(X_WB));
   ASSERT_TRUE(far.pose) << Name(far.status);
   for (const auto* frame : {&near, &far}) {
     EXPECT_EQ(frame->pose->covariance.llt().info(), Eigen::Success);
