@@ -18,7 +18,7 @@ struct ViewConfig {
   double farthest_m = 3.0;  ///< ... drawn evenly on a logarithmic scale.
   double largest_tilt_deg = 55.0;
   double hovering_share = 0.35;  ///< Of views: level, at rest, in focus and along the shape's axes, as in a calm hover.
-  double fastest_m_s = 1.5;     ///< Of the camera during the exposure, when it moves.
+  double fastest_m_s = 1.5;      ///< Of the camera during the exposure, when it moves.
   double fastest_rad_s = 1.0;
   double shortest_exposure_s = 0.001;
   double longest_exposure_s = 0.012;
