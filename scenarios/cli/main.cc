@@ -12,6 +12,7 @@
 #include "scenarios/cli/command.h"
 #include "scenarios/cli/fly.h"
 #include "scenarios/cli/interrupt.h"
+#include "scenarios/cli/pad.h"
 #include "scenarios/cli/train.h"
 #include "scenarios/flight/interrupted.h"
 
@@ -21,7 +22,8 @@ using touchdown::scenarios::AddCommand;
 using touchdown::scenarios::ExitStatus;
 using touchdown::scenarios::Run;
 
-AddCommand* const kCommands[] = {touchdown::scenarios::AddFly, touchdown::scenarios::AddTrain};
+AddCommand* const kCommands[] = {touchdown::scenarios::AddFly, touchdown::scenarios::AddPad,
+                                 touchdown::scenarios::AddTrain};
 
 int RunAndExplain(const Run& run) {
   try {

@@ -7,6 +7,7 @@
 #include "scenarios/flight/flight_tables.h"
 #include "scenarios/flight/platform.h"
 #include "scenarios/flight/sha256.h"
+#include "scenarios/flight/tum_trajectory.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -68,7 +69,8 @@ FlightResult JudgeFlight(const Scenario& scenario, const FlightLog& log) {
   const bool passed = std::all_of(result.checks.begin(), result.checks.end(), [](const Check& c) { return c.pass; });
   result.verdict = log.outcome == Outcome::kError ? Verdict::kError : passed ? Verdict::kPass : Verdict::kFail;
   result.timing = ComputeTiming(log);
-  result.tables = {FlightCsv(log), FramesCsv(log), TrackingCsv(log), FrameTimingCsv(log)};
+  result.tables = {FlightCsv(log), FramesCsv(log),   TrackingCsv(log), FrameTimingCsv(log),
+                   TruthTum(log),  EstimateTum(log), TrackingTum(log)};
   result.log_sha256 = Sha256({&result.tables.flight_csv, &result.tables.frames_csv});
   return result;
 }

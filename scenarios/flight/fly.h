@@ -34,6 +34,9 @@ struct FlightTables {
   std::string frames_csv;
   std::string tracking_csv;
   std::string frame_timing_csv;
+  std::string truth_tum;
+  std::string estimate_tum;
+  std::string tracking_tum;
 };
 
 struct FlightResult {

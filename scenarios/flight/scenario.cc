@@ -64,4 +64,11 @@ models::LandingPad LoadPad(const std::filesystem::path& file) {
   return ReadAlone<models::LandingPad>(ReadConfigFile(file));
 }
 
+std::string PadYaml(const models::LandingPad& pad) {
+  models::LandingPad copy = pad;
+  ConfigWriter writer;
+  Describe(writer, copy);
+  return writer.yaml();
+}
+
 }  // namespace touchdown::scenarios

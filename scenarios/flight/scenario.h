@@ -143,4 +143,7 @@ models::CameraModel LoadCameraModel(const std::filesystem::path& file);
 /// A pad's description from a file with the keys of `pad`. Throws InputError.
 models::LandingPad LoadPad(const std::filesystem::path& file);
 
+/// A pad as YAML with every key, which LoadPad reads back to the last bit.
+std::string PadYaml(const models::LandingPad& pad);
+
 }  // namespace touchdown::scenarios

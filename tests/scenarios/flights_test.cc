@@ -105,8 +105,8 @@ TEST(Flights, LeaveTheirFolderWhole) {
   fs::remove_all(place);
   const FlightResult result = FlyIntoFolder(Flight("landing", Short()), place);
   EXPECT_EQ(result.verdict, Verdict::kFail);
-  for (const char* name : {"scenario.yaml", "result.json", "flight.csv", "frames.csv", "tracking.csv",
-                           "frame_timing.csv", "timing.json", "frames.png"}) {
+  for (const char* name : {"scenario.yaml", "result.json", "flight.csv", "frames.csv", "tracking.csv", "truth.tum",
+                           "estimate.tum", "tracking.tum", "frame_timing.csv", "timing.json", "frames.png"}) {
     EXPECT_GT(fs::file_size(place / name), 0u) << name;
   }
   std::ifstream stream(place / "result.json");

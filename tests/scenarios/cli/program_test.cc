@@ -75,6 +75,37 @@ TEST_F(Program, TellsItsVersionAndItsHelp) {
   EXPECT_THAT(help.out, AllOf(HasSubstr("--set"), HasSubstr("--seed"), HasSubstr("--estimator"), HasSubstr("--out")));
 }
 
+TEST_F(Program, DrawsThePadToPrintAndDescribesIt) {
+  const ProgramRun run = Run({"pad", "--out", "print/pad.pdf"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(fs::exists(folder_ / "print" / "pad.pdf"));
+  // Its own description makes the same pad, and stays as it is.
+  const auto changed = fs::last_write_time(folder_ / "print" / "pad.yaml");
+  EXPECT_EQ(Run({"pad", "--out", "print/pad.svg", "--pad", "print/pad.yaml"}).status, 0);
+  EXPECT_EQ(fs::last_write_time(folder_ / "print" / "pad.yaml"), changed);
+  // A flight takes it.
+  Put("fly.yaml", std::string(kGoodScript) + "pad: print/pad.yaml\ntime_limit_s: 0.1\n");
+  EXPECT_EQ(Run({"fly", "fly.yaml", "--out", "result"}).status, 1);
+}
+
+TEST_F(Program, LeavesAUsersFilesAndDrawsNoPadThatIsNone) {
+  Put("mine.pdf", "a user's");
+  Put("described.yaml", "a user's");
+  Put("bad.yaml", "outer_radius_m: -1\n");
+  const std::vector<std::string> before = Names();
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"pad", "--out", "mine.pdf"},
+                                             {"pad", "--out", "described.pdf"},
+                                             {"pad", "--out", "pad.png"},
+                                             {"pad", "--out", "pad.pdf", "--pad", "bad.yaml"},
+                                             {"pad", "--out", "pad.pdf", "--pad", "none.yaml"}}) {
+    const ProgramRun run = Run(arguments);
+    EXPECT_EQ(run.status, 2) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  }
+  EXPECT_THAT(Names(), testing::UnorderedElementsAreArray(before));
+}
+
 TEST_F(Program, ExitsWithTwoOnBadUsage) {
   for (const std::vector<std::string>& arguments :
        std::vector<std::vector<std::string>>{{},

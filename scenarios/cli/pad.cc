@@ -1,0 +1,62 @@
+#include "scenarios/cli/pad.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "models/error.h"
+#include "scenarios/flight/output_file.h"
+#include "scenarios/flight/scenario.h"
+#include "scenarios/report/pad_sheet.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string out;
+  std::optional<std::string> pad;
+};
+
+SheetFormat FormatOf(const fs::path& out) {
+  if (out.extension() == ".pdf") return SheetFormat::kPdf;
+  if (out.extension() == ".svg") return SheetFormat::kSvg;
+  throw InputError(fmt::format("--out {}: must end in .pdf or .svg", out.string()));
+}
+
+int MakePad(const Options& options) {
+  const fs::path sheet = options.out;
+  const fs::path description = fs::path(sheet).replace_extension(".yaml");
+  const SheetFormat format = FormatOf(sheet);
+  const models::LandingPad pad = options.pad ? LoadPad(*options.pad) : models::LandingPad();
+  const bool is_described =
+      options.pad && fs::weakly_canonical(*options.pad) == fs::weakly_canonical(fs::absolute(description));
+  const std::string content = PadSheet(pad, format);
+  if (!is_described) CheckOutputFile(description, kPadSheetMark);
+  WriteOutputFile(sheet, content, kPadSheetMark);
+  if (!is_described) {
+    const std::string head = fmt::format("# {}: what {} shows.\n", kPadSheetMark, sheet.filename().string());
+    WriteOutputFile(description, head + PadYaml(pad), kPadSheetMark);
+  }
+  fmt::print("{}: print it at 100 %, and check its ruler; {} describes it\n", sheet.string(), description.string());
+  return kPassed;
+}
+
+}  // namespace
+
+void AddPad(CLI::App& app, Run& run) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("pad", "Draw the landing pad to print, to scale, and describe it in YAML");
+  command.add_option("--out", options->out, "File for the pad, .pdf or .svg; its description goes beside it, as .yaml")
+      ->required()
+      ->type_name("FILE");
+  command.add_option("--pad", options->pad, "The pad's description (default: the built-in pad, 90 mm on A4)")
+      ->type_name("PAD.yaml");
+  command.callback([options, &run] { run = [options] { return MakePad(*options); }; });
+}
+
+}  // namespace touchdown::scenarios

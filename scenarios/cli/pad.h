@@ -1,0 +1,10 @@
+#pragma once
+
+#include "scenarios/cli/command.h"
+
+namespace touchdown::scenarios {
+
+/// `touchdown pad --out FILE.pdf|FILE.svg [--pad PAD.yaml]`: the landing pad to print, and its description beside it.
+AddCommand AddPad;
+
+}  // namespace touchdown::scenarios

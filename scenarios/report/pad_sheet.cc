@@ -1,0 +1,170 @@
+#include "scenarios/report/pad_sheet.h"
+
+#include <cairo/cairo-pdf.h>
+#include <cairo/cairo-svg.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "models/angles.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+using models::LandingPad;
+
+// The page's lengths are in mm, x to the right and y down.
+constexpr double kPointsPerMm = 72.0 / 25.4;
+constexpr double kMmPerMetre = 1000.0;
+constexpr double kRuler_mm = 100.0;
+constexpr double kMargin_mm = 6.0;
+constexpr double kLegendHeight_mm = 24.0;
+constexpr double kTextSize_mm = 3.2;
+constexpr double kHairline_mm = 0.15;
+constexpr double kLegendGrey = 0.35;
+/// How far a curve may deviate.
+constexpr double kTolerance_mm = 0.001;
+
+struct Page {
+  double width_mm = 0.0;
+  double height_mm = 0.0;
+  double legend_top_mm = 0.0;
+  bool larger_than_sheet = false;
+};
+
+Page PageFor(const LandingPad& pad) {
+  const double sheet_width_mm = kMmPerMetre * pad.sheet_width_m, sheet_height_mm = kMmPerMetre * pad.sheet_length_m;
+  const double free_below_mm = 0.5 * sheet_height_mm - kMmPerMetre * pad.outer_radius_m;
+  const bool high_enough = free_below_mm >= kLegendHeight_mm + 2.0 * kMargin_mm;
+  const bool wide_enough = sheet_width_mm >= kRuler_mm + 2.0 * kMargin_mm;
+  if (high_enough && wide_enough) {
+    return {sheet_width_mm, sheet_height_mm, sheet_height_mm - kLegendHeight_mm - kMargin_mm, false};
+  }
+  return {std::max(sheet_width_mm, kRuler_mm + 2.0 * kMargin_mm), sheet_height_mm + kLegendHeight_mm + 2.0 * kMargin_mm,
+          sheet_height_mm + kMargin_mm, true};
+}
+
+/// One drawing for both formats.
+class Drawing {
+ public:
+  Drawing(const LandingPad& pad, const Page& page, cairo_surface_t* surface)
+      : pad_(pad), page_(page), cairo_(cairo_create(surface), cairo_destroy) {
+    cairo_scale(cairo(), kPointsPerMm, kPointsPerMm);
+    cairo_set_tolerance(cairo(), kTolerance_mm * kPointsPerMm);
+  }
+
+  void Draw() {
+    DrawPad();
+    if (page_.larger_than_sheet) DrawCutLine();
+    DrawLegend();
+    cairo_show_page(cairo());
+    if (cairo_status(cairo()) != CAIRO_STATUS_SUCCESS) {
+      throw std::runtime_error(std::string("the pad cannot be drawn: ") +
+                               cairo_status_to_string(cairo_status(cairo())));
+    }
+  }
+
+ private:
+  cairo_t* cairo() { return cairo_.get(); }
+  double Mm(double length_m) const { return kMmPerMetre * length_m; }
+
+  void DrawPad() {
+    cairo_save(cairo());
+    cairo_translate(cairo(), 0.5 * page_.width_mm, 0.5 * Mm(pad_.sheet_length_m));
+    cairo_set_source_rgb(cairo(), 0.0, 0.0, 0.0);
+    cairo_arc(cairo(), 0.0, 0.0, Mm(pad_.outer_radius_m), 0.0, 2.0 * models::kPi);
+    cairo_close_path(cairo());
+    cairo_new_sub_path(cairo());
+    cairo_arc_negative(cairo(), 0.0, 0.0, Mm(pad_.inner_radius_m()), 2.0 * models::kPi, 0.0);
+    cairo_close_path(cairo());
+    const double height = Mm(pad_.h_height_m), width = Mm(pad_.h_width_m), stroke = Mm(pad_.h_stroke_m);
+    cairo_rectangle(cairo(), -0.5 * width, -0.5 * height, stroke, height);
+    cairo_rectangle(cairo(), 0.5 * width - stroke, -0.5 * height, stroke, height);
+    cairo_rectangle(cairo(), stroke - 0.5 * width, -0.5 * stroke, width - 2.0 * stroke, stroke);
+    cairo_fill(cairo());
+    cairo_restore(cairo());
+  }
+
+  void DrawCutLine() {
+    cairo_save(cairo());
+    const double dash_mm = 2.0;
+    cairo_set_dash(cairo(), &dash_mm, 1, 0.0);
+    SetPen();
+    const double width = Mm(pad_.sheet_width_m);
+    cairo_rectangle(cairo(), 0.5 * (page_.width_mm - width), 0.0, width, Mm(pad_.sheet_length_m));
+    cairo_stroke(cairo());
+    cairo_restore(cairo());
+  }
+
+  void DrawLegend() {
+    SetPen();
+    DrawRuler(page_.legend_top_mm + 4.0);
+    Write(fmt::format("Print at 100 %: this ruler measures {:g} mm.", kRuler_mm), page_.legend_top_mm + 14.0);
+    Write(fmt::format(
+              "Ring: outer radius {:g} mm, width {:g} mm. H: {:g} x {:g} mm, stroke {:g} mm. Sheet: {:g} x {:g} mm.",
+              Mm(pad_.outer_radius_m), Mm(pad_.ring_width_m), Mm(pad_.h_height_m), Mm(pad_.h_width_m),
+              Mm(pad_.h_stroke_m), Mm(pad_.sheet_length_m), Mm(pad_.sheet_width_m)),
+          page_.legend_top_mm + 20.0);
+  }
+
+  void SetPen() {
+    cairo_set_source_rgb(cairo(), kLegendGrey, kLegendGrey, kLegendGrey);
+    cairo_set_line_width(cairo(), kHairline_mm);
+  }
+
+  void DrawRuler(double y) {
+    const double left = 0.5 * (page_.width_mm - kRuler_mm);
+    cairo_move_to(cairo(), left, y);
+    cairo_rel_line_to(cairo(), kRuler_mm, 0.0);
+    for (int mm = 0; mm <= static_cast<int>(kRuler_mm); ++mm) {
+      cairo_move_to(cairo(), left + mm, y);
+      cairo_rel_line_to(cairo(), 0.0, mm % 10 == 0 ? -3.5 : mm % 5 == 0 ? -2.5 : -1.5);
+    }
+    cairo_stroke(cairo());
+  }
+
+  /// Centred, and smaller where the page is too narrow.
+  void Write(const std::string& text, double baseline) {
+    cairo_select_font_face(cairo(), "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(cairo(), kTextSize_mm);
+    cairo_text_extents_t extents;
+    cairo_text_extents(cairo(), text.c_str(), &extents);
+    const double shrink = std::min(1.0, (page_.width_mm - 2.0 * kMargin_mm) / extents.x_advance);
+    cairo_set_font_size(cairo(), shrink * kTextSize_mm);
+    cairo_move_to(cairo(), 0.5 * (page_.width_mm - shrink * extents.x_advance), baseline);
+    cairo_show_text(cairo(), text.c_str());
+  }
+
+  const LandingPad& pad_;
+  const Page& page_;
+  std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cairo_;
+};
+
+cairo_status_t Append(void* bytes, const unsigned char* data, unsigned length) {
+  static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+}  // namespace
+
+std::string PadSheet(const LandingPad& pad, SheetFormat format) {
+  pad.Validate();
+  const Page page = PageFor(pad);
+  const auto create =
+      format == SheetFormat::kPdf ? cairo_pdf_surface_create_for_stream : cairo_svg_surface_create_for_stream;
+  std::string bytes;
+  const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
+      create(Append, &bytes, kPointsPerMm * page.width_mm, kPointsPerMm * page.height_mm), cairo_surface_destroy);
+  if (format == SheetFormat::kPdf) {
+    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, kPadSheetMark);
+  }
+  Drawing(pad, page, surface.get()).Draw();
+  cairo_surface_finish(surface.get());
+  if (format == SheetFormat::kSvg) bytes += fmt::format("<!-- {} -->\n", kPadSheetMark);
+  return bytes;
+}
+
+}  // namespace touchdown::scenarios
