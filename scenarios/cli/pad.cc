@@ -36,12 +36,11 @@ int MakePad(const Options& options) {
   const bool is_described =
       options.pad && fs::weakly_canonical(*options.pad) == fs::weakly_canonical(fs::absolute(description));
   const std::string content = PadSheet(pad, format);
-  if (!is_described) CheckOutputFile(description, kPadSheetMark);
+  // A description may have been edited since: only one that says the same is an earlier one.
+  const std::string yaml = PadYaml(pad);
+  if (!is_described) CheckOutputFile(description, yaml);
   WriteOutputFile(sheet, content, kPadSheetMark);
-  if (!is_described) {
-    const std::string head = fmt::format("# {}: what {} shows.\n", kPadSheetMark, sheet.filename().string());
-    WriteOutputFile(description, head + PadYaml(pad), kPadSheetMark);
-  }
+  if (!is_described) WriteOutputFile(description, yaml, yaml);
   fmt::print("{}: print it at 100 %, and check its ruler; {} describes it\n", sheet.string(), description.string());
   return kPassed;
 }

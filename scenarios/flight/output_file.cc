@@ -34,7 +34,7 @@ void CheckOutputFile(const fs::path& place, std::string_view mark) {
   if (!place.has_filename()) throw Unusable(place, "is no place for a file");
   if (!fs::exists(status)) return;
   if (!fs::is_regular_file(status)) throw Unusable(place, "is something else than a file");
-  if (!Holds(place, mark)) throw Unusable(place, "is there already, and not of an earlier run; nothing was written");
+  if (!Holds(place, mark)) throw Unusable(place, "is there already, and something else; nothing was written");
 }
 
 void WriteOutputFile(const fs::path& place, std::string_view content, std::string_view mark) {

@@ -83,9 +83,22 @@ TEST_F(Program, DrawsThePadToPrintAndDescribesIt) {
   const auto changed = fs::last_write_time(folder_ / "print" / "pad.yaml");
   EXPECT_EQ(Run({"pad", "--out", "print/pad.svg", "--pad", "print/pad.yaml"}).status, 0);
   EXPECT_EQ(fs::last_write_time(folder_ / "print" / "pad.yaml"), changed);
+  EXPECT_EQ(Run({"pad", "--out", "print/pad.pdf"}).status, 0);
   // A flight takes it.
   Put("fly.yaml", std::string(kGoodScript) + "pad: print/pad.yaml\ntime_limit_s: 0.1\n");
   EXPECT_EQ(Run({"fly", "fly.yaml", "--out", "result"}).status, 1);
+}
+
+TEST_F(Program, LeavesAPadsDescriptionThatWasEdited) {
+  ASSERT_EQ(Run({"pad", "--out", "pad.pdf"}).status, 0);
+  Put("pad.yaml", "ring_width_m: 0.012\n");
+  const auto drawn = fs::last_write_time(folder_ / "pad.pdf");
+  const ProgramRun run = Run({"pad", "--out", "pad.pdf"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.err, HasSubstr("pad.yaml: is there already"));
+  EXPECT_EQ(fs::file_size(folder_ / "pad.yaml"), std::string("ring_width_m: 0.012\n").size());
+  EXPECT_EQ(fs::last_write_time(folder_ / "pad.pdf"), drawn);
+  EXPECT_EQ(Run({"pad", "--out", "pad.pdf", "--pad", "pad.yaml"}).status, 0);
 }
 
 TEST_F(Program, LeavesAUsersFilesAndDrawsNoPadThatIsNone) {
