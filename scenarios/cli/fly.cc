@@ -36,14 +36,26 @@ void PrintVerdict(const FlightResult& result) {
   fmt::print("{} ({}): {}\n", Name(result.outcome), result.reason, Name(result.verdict));
 }
 
+/// Tells how far the flight is.
+class FlightProgress final : public FlightObserver {
+ public:
+  explicit FlightProgress(const models::TimeBase& time) : time_(time) {}
+
+  void OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate&, const FrameRecord& record) override {
+    if (!line_.IsDue()) return;
+    line_.Show(fmt::format("{:.1f} s flown, {}, {:.2f} m high", time_.ToSeconds(frame.mid_exposure), Name(record.phase),
+                           record.X_WB.translation().z()));
+  }
+
+ private:
+  models::TimeBase time_;
+  ProgressLine line_;
+};
+
 FlightResult FlyWithProgress(const Scenario& scenario, const std::string& out) {
-  ProgressLine progress;
-  const auto show = [&](const models::CameraFrame& frame, const estimator::FrameEstimate&, const FrameRecord& record) {
-    if (!progress.IsDue()) return;
-    progress.Show(fmt::format("{:.1f} s flown, {}, {:.2f} m high", scenario.time.ToSeconds(frame.mid_exposure),
-                              Name(record.phase), record.X_WB.translation().z()));
-  };
-  return FlyIntoFolder(scenario, out, show, InterruptRequested);
+  FlightProgress progress(scenario.time);
+  FlightObserver* const observers[] = {&progress};
+  return FlyIntoFolder(scenario, out, observers, InterruptRequested);
 }
 
 std::vector<Override> OverridesOf(const Options& options) {

@@ -27,17 +27,21 @@ Eigen::Isometry3d StartPose(const Start& start, const sim::World& world) {
 
 /// A vehicle that is in the air at tick 0 has taken off before: at rest on level ground, it has learned the biases of
 /// its IMU.
-void StandBeforeFlight(const models::TimeBase& time, sim::Imu& imu, estimator::StateEstimator& estimator) {
+void StandBeforeFlight(const models::TimeBase& time, sim::Imu& imu, estimator::StateEstimator& estimator,
+                       FlightObservers observers) {
   constexpr double kStanding_s = 2.0;
   sim::TrueState standing;
   for (standing.tick = -time.FromSeconds(kStanding_s); standing.tick < 0; ++standing.tick) {
-    if (const auto sample = imu.Sample(standing)) estimator.TakeImu(*sample, true);
+    const auto sample = imu.Sample(standing);
+    if (!sample) continue;
+    estimator.TakeImu(*sample, true);
+    for (FlightObserver* const observer : observers) observer->OnImu(*sample, true);
   }
 }
 
 }  // namespace
 
-FlightLog FlyClosedLoop(const Scenario& s, const FrameObserver& on_frame, const StopRequested& stop_requested) {
+FlightLog FlyClosedLoop(const Scenario& s, FlightObservers observers, const StopRequested& stop_requested) {
   sim::World world(s.world, s.vehicle, sim::MakeScene(s.scene, s.pad, s.seed), s.time, s.seed);
   world.Reset(StartPose(s.start, world), s.start.airborne);
   sim::Camera camera(s.camera, s.vehicle.X_BC(), world, s.time, s.seed);
@@ -47,7 +51,7 @@ FlightLog FlyClosedLoop(const Scenario& s, const FrameObserver& on_frame, const 
   estimator::StateEstimator estimator(
       estimator::MakeEstimator(s.estimator, {s.camera.model, s.pad, s.vehicle.X_BC(), s.time}),
       {.attitude = s.attitude_estimator, .filter = s.pose_filter}, s.time, s.vehicle.X_BU().linear());
-  if (s.start.airborne) StandBeforeFlight(s.time, imu, estimator);
+  if (s.start.airborne) StandBeforeFlight(s.time, imu, estimator, observers);
   controller::FlightController controller(s.controller, s.vehicle, s.time, s.imu.rate_hz, s.script, s.start.airborne);
   controller::ControlOutput control;
 
@@ -71,12 +75,14 @@ FlightLog FlyClosedLoop(const Scenario& s, const FrameObserver& on_frame, const 
         const Stopwatch vision_clock;
         const estimator::FrameEstimate seen = estimator.TakeFrame(frame->image.View(), frame->mid_exposure);
         const FrameRecord& record = recorder.OnFrame(seen, camera.render_ms(), vision_clock.milliseconds());
-        if (on_frame) on_frame(*frame, seen, record);
+        for (FlightObserver* const observer : observers) observer->OnFrame(*frame, seen, record);
       }
       if (const auto tracked = tracking_system.Sample(truth)) recorder.OnTracking(*tracked);
 
       if (const auto sample = imu.Sample(truth)) {
-        estimator.TakeImu(*sample, controller.phase() == controller::Phase::kStandby);
+        const bool at_rest = controller.phase() == controller::Phase::kStandby;
+        estimator.TakeImu(*sample, at_rest);
+        for (FlightObserver* const observer : observers) observer->OnImu(*sample, at_rest);
         const models::VehicleEstimate estimate = estimator.At(truth.tick);
         control = controller.Update(estimate);
         recorder.OnControl(estimate, control);

@@ -75,8 +75,8 @@ FlightResult JudgeFlight(const Scenario& scenario, const FlightLog& log) {
   return result;
 }
 
-FlightResult Fly(const Scenario& scenario, const FrameObserver& on_frame, const StopRequested& stop_requested) {
-  return JudgeFlight(scenario, FlyClosedLoop(scenario, on_frame, stop_requested));
+FlightResult Fly(const Scenario& scenario, FlightObservers observers, const StopRequested& stop_requested) {
+  return JudgeFlight(scenario, FlyClosedLoop(scenario, observers, stop_requested));
 }
 
 std::string ResultJson(const Scenario& scenario, const FlightResult& result) {

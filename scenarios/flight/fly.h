@@ -51,7 +51,7 @@ struct FlightResult {
 };
 
 /// Flies a scenario and judges the flight. Touches no file. Throws as FlyClosedLoop does.
-FlightResult Fly(const Scenario& scenario, const FrameObserver& on_frame = nullptr,
+FlightResult Fly(const Scenario& scenario, FlightObservers observers = {},
                  const StopRequested& stop_requested = nullptr);
 
 /// Judges a flight that has been flown.

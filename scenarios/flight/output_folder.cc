@@ -84,7 +84,7 @@ OutputFolder::~OutputFolder() {
 }
 
 void OutputFolder::Write(std::string_view name, std::string_view content) {
-  std::ofstream file(temporary_ / name, std::ios::binary);
+  std::ofstream file(PathOf(name), std::ios::binary);
   file.write(content.data(), static_cast<std::streamsize>(content.size()));
   file.close();
   if (!file) throw Unusable(place_, fmt::format("{} cannot be written", name));

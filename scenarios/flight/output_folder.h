@@ -29,6 +29,9 @@ class OutputFolder {
   /// Throws InputError when the disk is full or the like.
   void Write(std::string_view name, std::string_view content);
 
+  /// Where a file lies until Commit, for what writes it by itself.
+  std::filesystem::path PathOf(std::string_view name) const { return temporary_ / name; }
+
   /// Moves the files to their place. Throws InputError when it cannot. In an earlier folder of the same kind, whose
   /// first file is removed before the others change and comes back last, a failure halfway leaves no first file.
   void Commit();

@@ -101,8 +101,8 @@ cv::Mat AnnotateFrame(const models::ImageView& image, const models::CameraModel&
 ContactSheet::ContactSheet(const models::CameraModel& camera, const models::TimeBase& time)
     : camera_(camera), time_(time), tile_(TileSize(camera)) {}
 
-void ContactSheet::Add(const models::CameraFrame& frame, const estimator::FrameEstimate& estimate,
-                       const FrameRecord& record) {
+void ContactSheet::OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate& estimate,
+                           const FrameRecord& record) {
   if (count_++ % stride_ != 0) return;
   kept_.push_back({frame.image, estimate.trace, record});
   if (kept_.size() < kMostKept) return;

@@ -10,6 +10,7 @@
 #include "models/camera_model.h"
 #include "models/signals.h"
 #include "scenarios/flight/flight_log.h"
+#include "scenarios/flight/flight_observer.h"
 
 namespace touchdown::scenarios {
 
@@ -21,12 +22,12 @@ cv::Mat AnnotateFrame(const models::ImageView& image, const models::CameraModel&
 
 /// Some annotated frames, evenly spread over a flight of unknown length, on one picture. It keeps fewer than 48 frames,
 /// however long the flight, and draws them when asked for the picture: during a flight it costs a copy of a frame.
-class ContactSheet {
+class ContactSheet final : public FlightObserver {
  public:
   ContactSheet(const models::CameraModel& camera, const models::TimeBase& time);
 
-  /// Takes note of the next frame.
-  void Add(const models::CameraFrame& frame, const estimator::FrameEstimate& estimate, const FrameRecord& record);
+  void OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate& estimate,
+               const FrameRecord& record) override;
 
   /// The picture as PNG, four frames a row; nullopt when there were no frames. Throws std::runtime_error when it cannot
   /// be encoded.

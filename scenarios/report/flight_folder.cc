@@ -1,22 +1,22 @@
 #include "scenarios/report/flight_folder.h"
 
+#include <vector>
+
 #include "scenarios/flight/output_folder.h"
 #include "scenarios/report/contact_sheet.h"
 
 namespace touchdown::scenarios {
 
-FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path& place, const FrameObserver& on_frame,
+FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path& place, FlightObservers observers,
                            const StopRequested& stop_requested) {
   OutputFolder folder(
       place, {.files = {"result.json", "scenario.yaml", "flight.csv", "frames.csv", "tracking.csv", "truth.tum",
                         "estimate.tum", "tracking.tum", "frame_timing.csv", "timing.json", "frames.png"},
               .mark = "\"log_sha256\""});
   ContactSheet sheet(scenario.camera.model, scenario.time);
-  const auto look = [&](const auto& frame, const auto& estimate, const auto& record) {
-    sheet.Add(frame, estimate, record);
-    if (on_frame) on_frame(frame, estimate, record);
-  };
-  const FlightResult result = Fly(scenario, look, stop_requested);
+  std::vector<FlightObserver*> all(observers.begin(), observers.end());
+  all.push_back(&sheet);
+  const FlightResult result = Fly(scenario, all, stop_requested);
   folder.Write("scenario.yaml", ScenarioYaml(scenario));
   folder.Write("flight.csv", result.tables.flight_csv);
   folder.Write("frames.csv", result.tables.frames_csv);

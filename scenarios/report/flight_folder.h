@@ -10,7 +10,7 @@ namespace touchdown::scenarios {
 /// frames.png (docs/scenarios.md says what each holds; a flight without frames has no frames.png). The folder appears
 /// when everything is written, see OutputFolder. Throws InputError for a place that cannot be used, before the flight,
 /// and as Fly does.
-FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path& place,
-                           const FrameObserver& on_frame = nullptr, const StopRequested& stop_requested = nullptr);
+FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path& place, FlightObservers observers = {},
+                           const StopRequested& stop_requested = nullptr);
 
 }  // namespace touchdown::scenarios

@@ -32,7 +32,7 @@ TEST(ClosedLoop, StartsInTheAirKnowingTheBiasesOfItsImu) {
     scenario.time_limit_s = 0.25;
     scenario.world.paint_textures = false;  // The pad is not needed: level is the IMU's.
     scenario.vehicle.imu.misalignment = {.roll = 0.03, .pitch = -0.02, .yaw = 0.04};
-    const FlightLog log = FlyClosedLoop(scenario, nullptr, nullptr);
+    const FlightLog log = FlyClosedLoop(scenario, {}, nullptr);
     ASSERT_GT(log.ticks.size(), 45u);
     EXPECT_EQ(log.ticks.front().estimate.tick, 0);
     EXPECT_LT(LargestLevelError(log), models::DegToRad(0.3)) << seed;

@@ -23,7 +23,7 @@ TEST(ContactSheet, IsOfBoundedSizeWhateverTheFramesShape) {
     ContactSheet sheet(camera, models::TimeBase());
     models::CameraFrame frame;
     frame.image = models::Image(width, height, 128);
-    for (int i = 0; i < 12; ++i) sheet.Add(frame, {}, {});
+    for (int i = 0; i < 12; ++i) sheet.OnFrame(frame, {}, {});
     const cv::Mat picture = Decode(sheet.Png().value());
     EXPECT_LE(picture.cols, 4 * 480);
     EXPECT_LE(picture.rows, 3 * 720);
@@ -41,7 +41,7 @@ TEST(ContactSheet, ShowsTwelveFramesOfALongFlightFromItsStartToItsEnd) {
     models::CameraFrame frame;
     frame.mid_exposure = 20 * i;
     frame.image = models::Image(64, 48, static_cast<std::uint8_t>(i * 250 / kFrames));
-    sheet.Add(frame, {}, {});
+    sheet.OnFrame(frame, {}, {});
   }
   const cv::Mat picture = Decode(sheet.Png().value());
   ASSERT_EQ(picture.cols, 4 * 480);
