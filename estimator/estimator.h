@@ -52,12 +52,39 @@ struct FrameTrace {
   std::optional<Ellipse> ring_outer, ring_inner, letter;
 };
 
+/// A bounding box in pixels: columns [u, u + width), rows [v, v + height).
+struct PixelBox {
+  int u = 0, v = 0, width = 0, height = 0;
+};
+
+/// Of the two poses from which a circle looks the same (Sec. IV-C.2), how one was chosen.
+struct PoseChoice {
+  enum class Reason {
+    kGravity,  ///< Its vertical is nearer to the IMU's (Eq. 14).
+    kPrint,    ///< No IMU: the H and the ring's inner edge, seen from it, fit the pad's description better.
+    kFrontal,  ///< No IMU, and both fit alike: it sees the pad more squarely from the front.
+  };
+  Reason reason = Reason::kGravity;
+  double chosen = 0.0;  ///< kGravity: its vertical's angle from the IMU's, rad. kPrint: RMS misfit, m. kFrontal: the
+                        ///< pad's normal's angle from the optical axis, rad.
+  double other = 0.0;   ///< The same of the pose not chosen.
+};
+
 struct FrameEstimate {
   models::Tick mid_exposure = 0;
   FrameStatus status = FrameStatus::kNoComponent;
   std::optional<VisionPose> pose;         ///< Present when kOk, and when kOutlier, where it must not be used.
+  std::optional<PoseChoice> choice;       ///< Present when there is a pose.
   std::optional<Eigen::Vector2d> pad_px;  ///< Centre of the detected pad, raw px; present from kNoEllipse on.
+  std::optional<PixelBox> ring_box;       ///< Encloses the detected ring, raw px; present with pad_px.
   FrameTrace trace;
+};
+
+/// How the frames that an estimator is given belong together.
+enum class FrameOrder {
+  kFlight,     ///< A flight from the pad: the first pose is near (0, 0, 0.3 m) and level (Sec. VI-B.1).
+  kSequence,   ///< One film that begins anywhere.
+  kUnrelated,  ///< Pictures that have nothing to do with each other.
 };
 
 /// What every estimator is told of the world.
@@ -66,6 +93,7 @@ struct EstimatorSetup {
   models::LandingPad pad;
   Eigen::Isometry3d X_BC = Eigen::Isometry3d::Identity();  ///< The camera's calibrated mounting.
   models::TimeBase time;
+  FrameOrder frame_order = FrameOrder::kFlight;
 };
 
 /// A strategy that turns camera frames into poses. It knows the camera, the pad and the mounting from its construction,
@@ -75,10 +103,10 @@ class Estimator {
   virtual ~Estimator() = default;
 
   /// `image` has the camera's size and a stride of at least its width (throws std::invalid_argument otherwise).
-  /// `gravity_B` is the unit vector pointing down, in the body frame at mid-exposure, as the IMU has it. Frames come in
-  /// the order of their exposure.
+  /// `gravity_B` is the unit vector pointing down, in the body frame at mid-exposure, as the IMU has it; nullopt
+  /// without an IMU. Frames come in the order of their exposure.
   virtual FrameEstimate Estimate(const models::ImageView& image, models::Tick mid_exposure,
-                                 const Eigen::Vector3d& gravity_B) = 0;
+                                 const std::optional<Eigen::Vector3d>& gravity_B) = 0;
 };
 
 }  // namespace touchdown::estimator

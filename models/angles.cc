@@ -41,6 +41,10 @@ Eigen::Matrix3d ShortestRotation(const Eigen::Vector3d& from, const Eigen::Vecto
   return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
 }
 
+double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
 Eigen::Matrix3d RotationExp(const Eigen::Vector3d& phi) {
   const double angle = phi.norm();
   if (angle == 0.0) return Eigen::Matrix3d::Identity();

@@ -35,6 +35,9 @@ double WrapToHalfPi(double angle);
 /// opposite vectors the axis is undefined: any one perpendicular to `from` is taken.
 Eigen::Matrix3d ShortestRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
+/// Angle between two vectors other than 0, in [0, pi]; accurate where it is small.
+double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
 /// exp([phi]x): the rotation by |phi| radians about phi.
 Eigen::Matrix3d RotationExp(const Eigen::Vector3d& phi);
 

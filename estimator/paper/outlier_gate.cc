@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/angles.h"
 #include "models/error.h"
 
 namespace touchdown::estimator {
@@ -11,8 +12,7 @@ namespace {
 const Eigen::Vector3d kStart_p_WB(0.0, 0.0, 0.3);
 
 double AngleBetweenVerticals(const Eigen::Matrix3d& R_WA, const Eigen::Matrix3d& R_WB) {
-  const Eigen::Vector3d a = R_WA.row(2), b = R_WB.row(2);
-  return std::atan2(a.cross(b).norm(), a.dot(b));
+  return models::AngleBetween(R_WA.row(2), R_WB.row(2));
 }
 
 }  // namespace
@@ -26,7 +26,8 @@ void OutlierGateConfig::Validate() const {
   if (agreeing_outliers <= 0) throw InputError("the outlier gate must need at least one agreeing outlier");
 }
 
-OutlierGate::OutlierGate(const OutlierGateConfig& config, const models::TimeBase& time) : config_(config), time_(time) {
+OutlierGate::OutlierGate(const OutlierGateConfig& config, const models::TimeBase& time, FrameOrder frame_order)
+    : config_(config), time_(time), frame_order_(frame_order) {
   config_.Validate();
 }
 
@@ -38,13 +39,15 @@ bool OutlierGate::Agrees(const Reference& reference, models::Tick tick, const Ei
          AngleBetweenVerticals(X_WB.linear(), reference.X_WB.linear()) <= config_.room_rad + config_.fastest_rad_s * dt;
 }
 
-bool OutlierGate::IsNearStart(const Eigen::Isometry3d& X_WB) const {
+bool OutlierGate::MayBeFirst(const Eigen::Isometry3d& X_WB) const {
+  if (frame_order_ != FrameOrder::kFlight) return true;
   return (X_WB.translation() - kStart_p_WB).norm() <= config_.start_room_m &&
          AngleBetweenVerticals(X_WB.linear(), Eigen::Matrix3d::Identity()) <= config_.start_room_rad;
 }
 
 bool OutlierGate::Accepts(models::Tick tick, const Eigen::Isometry3d& X_WB) {
-  bool accepted = accepted_ ? Agrees(*accepted_, tick, X_WB) : IsNearStart(X_WB);
+  if (frame_order_ == FrameOrder::kUnrelated) return true;
+  bool accepted = accepted_ ? Agrees(*accepted_, tick, X_WB) : MayBeFirst(X_WB);
   if (!accepted) {
     candidate_count_ = candidate_ && Agrees(*candidate_, tick, X_WB) ? candidate_count_ + 1 : 1;
     candidate_ = Reference{tick, X_WB};

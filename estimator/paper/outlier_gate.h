@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <optional>
 
+#include "estimator/estimator.h"
 #include "models/time.h"
 
 namespace touchdown::estimator {
@@ -30,11 +31,13 @@ struct OutlierGateConfig {
 /// fastest_m_s * dt, and its vertical is within room_rad + fastest_rad_s * dt, dt being the time between them. It is
 /// accepted when it agrees with the last accepted pose. Until there is one, the reference is the pose on the ground
 /// from which the paper starts (Sec. VI-B.1), (0, 0, 0.3 m) and level, with start_room_m to all sides and
-/// start_room_rad. A rejected pose is kept as a candidate: when as many in a row as agreeing_outliers each agree with
-/// the one before, the last of them is accepted after all, so that the gate cannot lock itself out.
+/// start_room_rad; in a film that begins anywhere the first pose is accepted. A rejected pose is kept as a candidate:
+/// when as many in a row as agreeing_outliers each agree with the one before, the last of them is accepted after all,
+/// so that the gate cannot lock itself out. Of pictures that are unrelated every pose is accepted.
 class OutlierGate {
  public:
-  OutlierGate(const OutlierGateConfig& config, const models::TimeBase& time);
+  OutlierGate(const OutlierGateConfig& config, const models::TimeBase& time,
+              FrameOrder frame_order = FrameOrder::kFlight);
 
   /// Whether the pose at `tick` is accepted; remembers it either way. Ticks must not fall.
   bool Accepts(models::Tick tick, const Eigen::Isometry3d& X_WB);
@@ -46,10 +49,11 @@ class OutlierGate {
   };
 
   bool Agrees(const Reference& reference, models::Tick tick, const Eigen::Isometry3d& X_WB) const;
-  bool IsNearStart(const Eigen::Isometry3d& X_WB) const;
+  bool MayBeFirst(const Eigen::Isometry3d& X_WB) const;
 
   OutlierGateConfig config_;
   models::TimeBase time_;
+  FrameOrder frame_order_;
   std::optional<Reference> accepted_;
   std::optional<Reference> candidate_;
   int candidate_count_ = 0;

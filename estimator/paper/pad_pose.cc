@@ -14,10 +14,6 @@ Eigen::Matrix3d R_WL() {
   return R;
 }
 
-double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 }  // namespace
 
 Eigen::Vector3d ReferenceNormal(const Eigen::Vector3d& gravity_B, const Eigen::Matrix3d& R_BC) {
@@ -25,12 +21,12 @@ Eigen::Vector3d ReferenceNormal(const Eigen::Vector3d& gravity_B, const Eigen::M
 }
 
 std::size_t ResolveByGravity(const std::array<CirclePose, 2>& poses, const Eigen::Vector3d& z_C) {
-  return AngleBetween(poses[0].n_C, z_C) <= AngleBetween(poses[1].n_C, z_C) ? 0 : 1;
+  return models::AngleBetween(poses[0].n_C, z_C) <= models::AngleBetween(poses[1].n_C, z_C) ? 0 : 1;
 }
 
 double WrongBranchProbability(const std::array<CirclePose, 2>& poses, const Eigen::Vector3d& z_C,
                               double reference_sigma) {
-  const double angle1 = AngleBetween(poses[0].n_C, z_C), angle2 = AngleBetween(poses[1].n_C, z_C);
+  const double angle1 = models::AngleBetween(poses[0].n_C, z_C), angle2 = models::AngleBetween(poses[1].n_C, z_C);
   const double log_ratio = 0.5 * std::abs(angle2 * angle2 - angle1 * angle1) / (reference_sigma * reference_sigma);
   return 1.0 / (1.0 + std::exp(log_ratio));
 }

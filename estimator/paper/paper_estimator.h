@@ -45,7 +45,7 @@ class PaperEstimator final : public Estimator {
                           ComponentClassifier classify = NetworkClassifier());
 
   FrameEstimate Estimate(const models::ImageView& image, models::Tick mid_exposure,
-                         const Eigen::Vector3d& gravity_B) override;
+                         const std::optional<Eigen::Vector3d>& gravity_B) override;
 
   /// The compiled-in perceptron of Sec. IV-A.3.
   static ComponentClassifier NetworkClassifier();
@@ -59,13 +59,23 @@ class PaperEstimator final : public Estimator {
     PadContours contours;  // Undistorted px.
   };
 
+  /// Which of the two poses of a circle is taken.
+  struct Branch {
+    std::size_t chosen;
+    PoseChoice choice;
+    double wrong_probability;
+    Eigen::Vector3d vertical_C;  // Near which the pose's normal lies: the IMU's, or else the chosen pose's own.
+  };
+
   std::optional<PadEllipses> FitPad(const models::ImageView& image, const ComponentSet& components,
                                     const DetectedPad& detected) const;
+  Branch BranchByGravity(const std::array<CirclePose, 2>& ring_poses, const Eigen::Vector3d& gravity_B) const;
+  Branch BranchByPrint(const PadEllipses& ellipses, const std::array<CirclePose, 2>& ring_poses) const;
   std::optional<std::array<CirclePose, 2>> BothPoses(const Ellipse& ring) const;
   Eigen::Isometry3d BodyPoseFrom(const CirclePose& ring_pose, double stroke_angle) const;
   std::optional<Eigen::Matrix<double, 6, 6>> Covariance(const PadEllipses& ellipses,
                                                         const std::array<CirclePose, 2>& ring_poses,
-                                                        const Eigen::Vector3d& z_C) const;
+                                                        const Branch& branch) const;
 
   EstimatorSetup setup_;
   PaperEstimatorConfig config_;

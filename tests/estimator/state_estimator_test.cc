@@ -33,8 +33,9 @@ class ScriptedVision final : public Estimator {
  public:
   explicit ScriptedVision(Saying* saying) : saying_(saying) {}
 
-  FrameEstimate Estimate(const models::ImageView&, Tick mid_exposure, const Vector3d& gravity_B) override {
-    saying_->gravity_B = gravity_B;
+  FrameEstimate Estimate(const models::ImageView&, Tick mid_exposure,
+                         const std::optional<Vector3d>& gravity_B) override {
+    saying_->gravity_B = gravity_B.value();
     FrameEstimate estimate;
     estimate.mid_exposure = mid_exposure;
     estimate.status = saying_->status;

@@ -30,6 +30,18 @@ class OutlierGateTest : public testing::Test {
 
 TEST_F(OutlierGateTest, AcceptsAFirstPoseNearThePapersInitialOne) { EXPECT_TRUE(Next(PoseAt(0.05, -0.05, 0.4))); }
 
+TEST(OutlierGate, AcceptsAnyFirstPoseOfAFilmThatBeginsAnywhereAndNoJumpAfterIt) {
+  OutlierGate gate({}, {}, FrameOrder::kSequence);
+  EXPECT_TRUE(gate.Accepts(0, PoseAt(1.0, 0.5, 2.5, 0.7)));
+  EXPECT_FALSE(gate.Accepts(kFrame, PoseAt(-1.0, 0.5, 2.5, 0.7)));
+}
+
+TEST(OutlierGate, AcceptsEveryPoseOfUnrelatedPictures) {
+  OutlierGate gate({}, {}, FrameOrder::kUnrelated);
+  EXPECT_TRUE(gate.Accepts(0, PoseAt(1.0, 0.5, 2.5, 0.7)));
+  EXPECT_TRUE(gate.Accepts(0, PoseAt(-1.0, 0.5, 1.0)));
+}
+
 TEST_F(OutlierGateTest, RejectsAFirstPoseThatIsTiltedTooFar) {
   EXPECT_FALSE(Next(PoseAt(0.0, 0.0, 0.3, 1.02 * OutlierGateConfig().start_room_rad)));
   EXPECT_TRUE(Next(PoseAt(0.0, 0.0, 0.3, 0.98 * OutlierGateConfig().start_room_rad)));

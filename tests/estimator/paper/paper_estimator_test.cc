@@ -103,6 +103,58 @@ TEST_F(PaperEstimatorTest, LetsGravityChooseTheBranch) {
   }
 }
 
+/// Views of the pad from 0.6 m, tilted to both sides: the two solutions are twice the tilt apart.
+TEST_F(PaperEstimatorTest, LetsThePrintChooseTheBranchWithoutAnImu) {
+  setup_.frame_order = FrameOrder::kUnrelated;
+  PaperEstimator estimator(setup_);
+  for (const double degrees : {-40.0, -25.0, -15.0, 15.0, 25.0, 40.0}) {
+    for (const double direction : {0.0, 1.0, 2.0}) {
+      Eigen::Isometry3d X_WC = tests::CameraAbovePad(Vector3d::Zero(), 0.3, models::DegToRad(degrees), direction);
+      X_WC.translation() = -X_WC.linear().col(2) * 0.6;
+      const Eigen::Isometry3d X_WB = X_WC * setup_.X_BC.inverse();
+      const FrameEstimate seen = estimator.Estimate(Picture(X_WB).View(), 0, std::nullopt);
+      ASSERT_EQ(seen.status, FrameStatus::kOk) << degrees;
+      // Its vertical: the paper's yaw, not rectified, is another matter at such tilts (Sec. IV-C.3).
+      const double off = models::AngleBetween(GravityIn(seen.pose->X_WB), GravityIn(X_WB));
+      EXPECT_LT(off, models::DegToRad(2.0)) << degrees << " " << direction;
+      EXPECT_EQ(seen.choice->reason, PoseChoice::Reason::kPrint);
+      EXPECT_LT(seen.choice->chosen, seen.choice->other);
+    }
+  }
+}
+
+TEST_F(PaperEstimatorTest, TakesTheMoreFrontalPoseWithoutAnImuWhereBothFitAlike) {
+  setup_.frame_order = FrameOrder::kUnrelated;
+  PaperEstimator estimator(setup_);
+  const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.0, 0.0, 1.4});
+  const FrameEstimate seen = estimator.Estimate(Picture(X_WB).View(), 0, std::nullopt);
+  ASSERT_EQ(seen.status, FrameStatus::kOk);
+  EXPECT_EQ(seen.choice->reason, PoseChoice::Reason::kFrontal);
+  EXPECT_LE(seen.choice->chosen, seen.choice->other);
+}
+
+TEST_F(PaperEstimatorTest, TellsHowGravityChoseAndWhereTheRingIs) {
+  Eigen::Isometry3d X_WC = tests::CameraAbovePad(Vector3d::Zero(), 0.0, 0.3, 0.0);
+  X_WC.translation() = -X_WC.linear().col(2) * 0.5;
+  const FrameEstimate seen = See(X_WC * setup_.X_BC.inverse());
+  ASSERT_TRUE(seen.choice && seen.ring_box && seen.pad_px);
+  EXPECT_EQ(seen.choice->reason, PoseChoice::Reason::kGravity);
+  EXPECT_LT(seen.choice->chosen, models::DegToRad(3.0));
+  EXPECT_NEAR(seen.choice->other, 0.6, 0.15);
+  const double diameter_px = 2.0 * setup_.pad.outer_radius_m / 0.5 * setup_.camera.fx_px;
+  EXPECT_NEAR(seen.ring_box->width, diameter_px, 0.1 * diameter_px);
+  EXPECT_NEAR(seen.ring_box->u + 0.5 * seen.ring_box->width, seen.pad_px->x(), 5.0);
+}
+
+TEST_F(PaperEstimatorTest, TakesUnrelatedPicturesOneByOne) {
+  setup_.frame_order = FrameOrder::kUnrelated;
+  PaperEstimator estimator(setup_);
+  for (const double height : {1.2, 0.4, 1.5, 0.6}) {
+    const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.0, 0.1, height});
+    EXPECT_EQ(estimator.Estimate(Picture(X_WB).View(), 0, GravityIn(X_WB)).status, FrameStatus::kOk) << height;
+  }
+}
+
 TEST_F(PaperEstimatorTest, MeasuresYawWithin90DegreesEitherSide) {
   for (int deg = -85; deg <= 85; deg += 34) {
     const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.02, 0.01, 0.5}, models::DegToRad(deg));

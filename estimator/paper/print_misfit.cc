@@ -1,0 +1,105 @@
+#include "estimator/paper/print_misfit.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "models/angles.h"
+
+namespace touchdown::estimator {
+namespace {
+
+using Eigen::Vector2d;
+
+struct Segment {
+  Vector2d from, to;
+
+  double DistanceTo(const Vector2d& point) const {
+    const Vector2d along = to - from;
+    const double share = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    return (from + share * along - point).norm();
+  }
+};
+
+/// A quarter of the H's outline, where x and y are positive: the H is symmetric about both axes.
+std::array<Segment, 4> QuarterOutline(const models::LandingPad& pad) {
+  const double x = 0.5 * pad.h_height_m, y = 0.5 * pad.h_width_m;
+  const double bar_x = 0.5 * pad.h_stroke_m, inner_y = y - pad.h_stroke_m;
+  return {Segment{{0.0, y}, {x, y}}, Segment{{x, y}, {x, inner_y}}, Segment{{x, inner_y}, {bar_x, inner_y}},
+          Segment{{bar_x, inner_y}, {bar_x, 0.0}}};
+}
+
+/// Points of the normalized image, laid onto the plane of `pose`, from the circle's centre, in axes of the plane.
+std::vector<Vector2d> OnPlane(std::span<const Vector2d> points, const CirclePose& pose) {
+  const Eigen::Matrix3d plane_from_camera = models::ShortestRotation(pose.n_C, Eigen::Vector3d::UnitZ());
+  const double distance = pose.n_C.dot(pose.p_CW);
+  std::vector<Vector2d> laid;
+  laid.reserve(points.size());
+  for (const Vector2d& point : points) {
+    const Eigen::Vector3d ray = point.homogeneous();
+    laid.push_back((plane_from_camera * (distance / pose.n_C.dot(ray) * ray - pose.p_CW)).head<2>());
+  }
+  return laid;
+}
+
+/// Sum of squares of the H's points from its outline when its X axis lies at `angle` in the plane.
+double LetterSquares(const std::vector<Vector2d>& points, double angle, const std::array<Segment, 4>& outline,
+                     double farthest_m) {
+  const Eigen::Rotation2Dd to_pad(-angle);
+  double sum = 0.0;
+  for (const Vector2d& point : points) {
+    const Vector2d p = (to_pad * point).cwiseAbs();
+    double distance = farthest_m;
+    for (const Segment& side : outline) distance = std::min(distance, side.DistanceTo(p));
+    sum += distance * distance;
+  }
+  return sum;
+}
+
+/// The smallest LetterSquares over all angles: a coarse look around the half circle, then ever finer about the best.
+double BestLetterSquares(const std::vector<Vector2d>& points, const models::LandingPad& pad, double farthest_m) {
+  const std::array<Segment, 4> outline = QuarterOutline(pad);
+  constexpr int kCoarseAngles = 36;
+  double best_angle = 0.0, best = LetterSquares(points, 0.0, outline, farthest_m);
+  const auto look_at = [&](double angle) {
+    const double squares = LetterSquares(points, angle, outline, farthest_m);
+    if (squares >= best) return;
+    best = squares;
+    best_angle = angle;
+  };
+  const double coarse_step = models::kPi / kCoarseAngles;
+  for (int i = 1; i < kCoarseAngles; ++i) look_at(i * coarse_step);
+  constexpr double kFinest = 1e-4;
+  for (double step = 0.5 * coarse_step; step > kFinest; step *= 0.5) {
+    const double centre = best_angle;
+    look_at(centre - step);
+    look_at(centre + step);
+  }
+  return best;
+}
+
+}  // namespace
+
+PrintMisfit MisfitOfPrint(std::span<const Vector2d> ring_inner, std::span<const Vector2d> letter,
+                          const models::LandingPad& pad, const CirclePose& pose) {
+  const double farthest_m = 0.5 * pad.h_stroke_m;
+  double squares = BestLetterSquares(OnPlane(letter, pose), pad, farthest_m);
+  for (const Vector2d& point : OnPlane(ring_inner, pose)) {
+    const double distance = std::min(std::abs(point.norm() - pad.inner_radius_m()), farthest_m);
+    squares += distance * distance;
+  }
+  const std::size_t points = ring_inner.size() + letter.size();
+  if (points == 0) return {};
+  return {std::sqrt(squares / static_cast<double>(points)), points};
+}
+
+double ProbabilityOfLargerMisfit(const PrintMisfit& smaller, const PrintMisfit& larger,
+                                 double points_per_independent_point) {
+  if (smaller.points == 0 || larger.rms_m <= 0.0) return 0.5;
+  const double independent = static_cast<double>(smaller.points) / points_per_independent_point;
+  return 1.0 / (1.0 + std::pow(larger.rms_m / std::max(smaller.rms_m, 1e-9), independent));
+}
+
+}  // namespace touchdown::estimator
