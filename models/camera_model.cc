@@ -1,9 +1,10 @@
 #include "models/camera_model.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 
 #include "models/error.h"
@@ -13,41 +14,87 @@ namespace {
 
 constexpr int kLargestImage_px = 16384;
 
+/// Of 1 + a s + b s^2 + c s^3 with c != 0; infinity when there is none: the smallest positive eigenvalue of the
+/// companion matrix that is real.
+double SmallestPositiveRoot(double a, double b, double c) {
+  Eigen::Matrix3d companion;
+  companion << 0.0, 0.0, -1.0 / c, 1.0, 0.0, -a / c, 0.0, 1.0, -b / c;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const std::complex<double>& root : companion.eigenvalues()) {
+    constexpr double kRoundOff = 1e-7;  // A double root comes out as a pair.
+    const bool is_real = std::abs(root.imag()) <= kRoundOff * std::abs(root);
+    if (is_real && root.real() > 0.0) smallest = std::min(smallest, root.real());
+  }
+  return smallest;
+}
+
 }  // namespace
 
 void CameraModel::Validate() const {
   if (width_px <= 0 || height_px <= 0 || width_px > kLargestImage_px || height_px > kLargestImage_px) {
     throw InputError("the camera's image must be 1 to 16384 px wide and high");
   }
-  for (const double value : {fx_px, fy_px, cx_px, cy_px, k1, k2}) {
+  for (const double value : {fx_px, fy_px, cx_px, cy_px, k1, k2, p1, p2, k3}) {
     if (!std::isfinite(value)) throw InputError("the camera has a number that is not finite");
   }
   if (fx_px <= 0.0 || fy_px <= 0.0) throw InputError("the camera's focal lengths must be positive");
   for (const double u : {-0.5, width_px - 0.5}) {
     for (const double v : {-0.5, height_px - 0.5}) {
-      if (!Ray({u, v})) throw InputError("the camera's distortion (k1, k2) folds within the image");
+      if (!Ray({u, v})) throw InputError("the camera's distortion folds within the image");
     }
   }
 }
 
 Eigen::Vector2d CameraModel::Distort(const Eigen::Vector2d& ideal) const {
   const double r2 = ideal.squaredNorm();
-  return ideal * (1.0 + r2 * (k1 + r2 * k2));
+  const Eigen::Vector2d radial = ideal * (1.0 + r2 * (k1 + r2 * (k2 + r2 * k3)));
+  if (!HasTangentialTerms()) return radial;
+  const double x = ideal.x(), y = ideal.y();
+  return radial +
+         Eigen::Vector2d(2.0 * p1 * x * y + p2 * (r2 + 2.0 * x * x), p1 * (r2 + 2.0 * y * y) + 2.0 * p2 * x * y);
+}
+
+Eigen::Matrix2d CameraModel::DistortJacobian(const Eigen::Vector2d& ideal) const {
+  const double x = ideal.x(), y = ideal.y(), r2 = ideal.squaredNorm();
+  const double gain = 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3));
+  const double slope = 2.0 * (k1 + r2 * (2.0 * k2 + r2 * 3.0 * k3));  // Of the gain, over r^2 / 2.
+  Eigen::Matrix2d jacobian = gain * Eigen::Matrix2d::Identity() + slope * ideal * ideal.transpose();
+  const double shear = 2.0 * (p1 * x + p2 * y);
+  jacobian += Eigen::Matrix2d{{2.0 * p1 * y + 6.0 * p2 * x, shear}, {shear, 6.0 * p1 * y + 2.0 * p2 * x}};
+  return jacobian;
 }
 
 double CameraModel::MonotonicRadius() const {
-  // The derivative of r (1 + k1 r^2 + k2 r^4) is 1 + 3 k1 s + 5 k2 s^2 with s = r^2. Its smallest positive root is
-  // 2 / q, in the form that does not cancel and holds for k2 = 0 as well.
+  // The derivative of r (1 + k1 r^2 + k2 r^4 + k3 r^6) is 1 + 3 k1 s + 5 k2 s^2 + 7 k3 s^3 with s = r^2. Without k3 its
+  // smallest positive root is 2 / q, in the form that does not cancel and holds for k2 = 0 as well.
+  if (k3 != 0.0) return std::sqrt(SmallestPositiveRoot(3.0 * k1, 5.0 * k2, 7.0 * k3));
   const double discriminant = 9.0 * k1 * k1 - 20.0 * k2;
   const double q = discriminant >= 0.0 ? -3.0 * k1 + std::sqrt(discriminant) : 0.0;
   return q > 0.0 ? std::sqrt(2.0 / q) : std::numeric_limits<double>::infinity();
 }
 
 std::optional<Eigen::Vector2d> CameraModel::Undistort(const Eigen::Vector2d& distorted) const {
+  const auto radial = UndistortRadial(distorted);
+  if (!radial || !HasTangentialTerms()) return radial;
+  Eigen::Vector2d ideal = *radial;
+  constexpr int kMaxIterations = 30;
+  constexpr double kTolerance = 1e-13;
+  for (int i = 0; i < kMaxIterations; ++i) {
+    const Eigen::Matrix2d jacobian = DistortJacobian(ideal);
+    if (!(jacobian.determinant() > 0.0)) return std::nullopt;
+    const Eigen::Vector2d step = jacobian.inverse() * (distorted - Distort(ideal));
+    ideal += step;
+    if (step.norm() <= kTolerance * (1.0 + ideal.norm())) return ideal;
+  }
+  return std::nullopt;
+}
+
+std::optional<Eigen::Vector2d> CameraModel::UndistortRadial(const Eigen::Vector2d& distorted) const {
   const double r_distorted = distorted.norm();
   if (r_distorted == 0.0) return distorted;
   const double r_max = MonotonicRadius();
-  if (std::isfinite(r_max) && Distort({r_max, 0.0}).x() <= r_distorted) return std::nullopt;
+  const auto gain = [this](double r2) { return 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3)); };
+  if (std::isfinite(r_max) && r_max * gain(r_max * r_max) <= r_distorted) return std::nullopt;
 
   // Newton on the radius, kept inside the bracket within which the distortion grows.
   double low = 0.0, high = r_max;
@@ -56,9 +103,9 @@ std::optional<Eigen::Vector2d> CameraModel::Undistort(const Eigen::Vector2d& dis
   constexpr double kTolerance = 1e-14;
   for (int i = 0; i < kMaxIterations; ++i) {
     const double r2 = r * r;
-    const double error = r * (1.0 + r2 * (k1 + r2 * k2)) - r_distorted;
+    const double error = r * gain(r2) - r_distorted;
     (error > 0.0 ? high : low) = r;
-    double next = r - error / (1.0 + r2 * (3.0 * k1 + r2 * 5.0 * k2));
+    double next = r - error / (1.0 + r2 * (3.0 * k1 + r2 * (5.0 * k2 + r2 * 7.0 * k3)));
     if (!(next > low && next < high)) next = std::isfinite(high) ? 0.5 * (low + high) : 2.0 * r;
     const double step = std::abs(next - r);
     r = next;

@@ -5,7 +5,8 @@
 
 namespace touchdown::models {
 
-/// A pinhole camera with two radial distortion terms (Sec. IV-B; ROS `plumb_bob` with only k1 and k2).
+/// A pinhole camera with radial and tangential distortion (ROS `plumb_bob`; Brown 1966), of which the paper has the
+/// first two radial terms (Sec. IV-B).
 ///
 /// Frame C: X right, Y down, Z forward, origin at the optical centre. Pixel centres lie on integer coordinates,
 /// so the image covers [-0.5, width - 0.5] x [-0.5, height - 0.5]. "Normalized" points are (x/z, y/z) in C.
@@ -18,19 +19,24 @@ struct CameraModel {
   double cy_px = 239.5;
   double k1 = -0.10;
   double k2 = 0.01;
+  double p1 = 0.0;
+  double p2 = 0.0;
+  double k3 = 0.0;
 
   /// Throws InputError, without a file name, when the image is empty or over 16384 px, a focal length is not
   /// positive, a number is not finite, or the distortion folds within the image (it could not be undone).
   void Validate() const;
 
-  /// Ideal normalized point -> distorted normalized point: x (1 + k1 r^2 + k2 r^4).
+  /// Ideal normalized point -> distorted normalized point: x (1 + k1 r^2 + k2 r^4 + k3 r^6), and the tangential terms
+  /// (2 p1 x y + p2 (r^2 + 2 x^2), p1 (r^2 + 2 y^2) + 2 p2 x y).
   Eigen::Vector2d Distort(const Eigen::Vector2d& ideal) const;
 
-  /// The inverse of Distort by Newton's method on the radius (Sec. IV-B). nullopt where no ideal point maps to
+  /// The inverse of Distort by Newton's method: on the radius (Sec. IV-B), and from there on the point where there are
+  /// tangential terms. nullopt where no ideal point maps to
   /// `distorted`, which does not happen inside the image of a valid camera.
   std::optional<Eigen::Vector2d> Undistort(const Eigen::Vector2d& distorted) const;
 
-  /// Ideal radius up to which Distort grows, and so can be undone; infinity where it always grows.
+  /// Ideal radius up to which the radial part of Distort grows, and so can be undone; infinity where it always grows.
   double MonotonicRadius() const;
 
   Eigen::Vector2d PixelFromNormalized(const Eigen::Vector2d& distorted) const;
@@ -46,6 +52,11 @@ struct CameraModel {
   bool Contains(const Eigen::Vector2d& pixel) const;
 
   friend bool operator==(const CameraModel&, const CameraModel&) = default;
+
+ private:
+  bool HasTangentialTerms() const { return p1 != 0.0 || p2 != 0.0; }
+  Eigen::Matrix2d DistortJacobian(const Eigen::Vector2d& ideal) const;
+  std::optional<Eigen::Vector2d> UndistortRadial(const Eigen::Vector2d& distorted) const;
 };
 
 }  // namespace touchdown::models

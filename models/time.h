@@ -18,6 +18,10 @@ struct TimeBase {
   /// The tick nearest to `time_s`, which may be negative; at most 1e15 from 0, which stands for never.
   Tick FromSeconds(double time_s) const;
 
+  /// Whole nanoseconds, as recordings count time, and back: each the nearest. A tick read back is the same tick.
+  std::int64_t ToNanoseconds(Tick tick) const;
+  Tick FromNanoseconds(std::int64_t time_ns) const;
+
   /// Ticks between two events of a source that fires at `rate_hz`. Throws InputError when the rate is not
   /// positive or does not divide `ticks_per_s`.
   Tick PeriodOf(int rate_hz) const;

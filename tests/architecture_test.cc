@@ -32,10 +32,12 @@ const std::map<std::string, std::set<std::string>>& MayInclude() {
         {"estimator", {"estimator", "models"}},
         {"controller", {"controller", "models"}},
         {"scenarios/flight", with_those_below({"scenarios/flight"})},
-        {"scenarios/report", with_those_below({"scenarios/report", "scenarios/flight"})},
+        {"scenarios/footage", with_those_below({"scenarios/footage", "scenarios/flight"})},
+        {"scenarios/report", with_those_below({"scenarios/report", "scenarios/footage", "scenarios/flight"})},
         {"scenarios/study", with_those_below({"scenarios/study", "scenarios/flight"})},
         {"scenarios/cli",
-         with_those_below({"scenarios/cli", "scenarios/study", "scenarios/report", "scenarios/flight"})},
+         with_those_below(
+             {"scenarios/cli", "scenarios/study", "scenarios/report", "scenarios/footage", "scenarios/flight"})},
     };
   }();
   return folders;

@@ -167,8 +167,7 @@ PaperEstimator::Branch PaperEstimator::BranchByPrint(const PadEllipses& ellipses
   std::array<PrintMisfit, 2> misfits;
   for (std::size_t i = 0; i < 2; ++i) misfits[i] = MisfitOfPrint(ring_inner, letter, setup_.pad, ring_poses[i]);
   std::size_t chosen = misfits[0].rms_m <= misfits[1].rms_m ? 0 : 1;
-  const double wrong =
-      ProbabilityOfLargerMisfit(misfits[chosen], misfits[1 - chosen], config_.covariance.points_per_independent_point);
+  const double wrong = ProbabilityOfLargerMisfit(misfits[chosen], misfits[1 - chosen]);
   PoseChoice choice{PoseChoice::Reason::kPrint, misfits[chosen].rms_m, misfits[1 - chosen].rms_m};
   if (wrong > kUndecided) {
     const Eigen::Vector3d frontal = -Eigen::Vector3d::UnitZ();

@@ -95,11 +95,11 @@ PrintMisfit MisfitOfPrint(std::span<const Vector2d> ring_inner, std::span<const 
   return {std::sqrt(squares / static_cast<double>(points)), points};
 }
 
-double ProbabilityOfLargerMisfit(const PrintMisfit& smaller, const PrintMisfit& larger,
-                                 double points_per_independent_point) {
+double ProbabilityOfLargerMisfit(const PrintMisfit& smaller, const PrintMisfit& larger) {
   if (smaller.points == 0 || larger.rms_m <= 0.0) return 0.5;
-  const double independent = static_cast<double>(smaller.points) / points_per_independent_point;
-  return 1.0 / (1.0 + std::pow(larger.rms_m / std::max(smaller.rms_m, 1e-9), independent));
+  constexpr double kIndependentPoints = 10.0;
+  constexpr double kLeastRms_m = 1e-9;
+  return 1.0 / (1.0 + std::pow(larger.rms_m / std::max(smaller.rms_m, kLeastRms_m), kIndependentPoints));
 }
 
 }  // namespace touchdown::estimator

@@ -24,10 +24,9 @@ struct PrintMisfit {
 PrintMisfit MisfitOfPrint(std::span<const Eigen::Vector2d> ring_inner, std::span<const Eigen::Vector2d> letter,
                           const models::LandingPad& pad, const CirclePose& pose);
 
-/// The probability that of two poses the one with the larger misfit is right, when a point's distance is normal with
-/// the smaller misfit for its sigma, neighbouring points share their errors (`points_per_independent_point` count as
-/// one), and both poses were as likely before.
-double ProbabilityOfLargerMisfit(const PrintMisfit& smaller, const PrintMisfit& larger,
-                                 double points_per_independent_point);
+/// The probability that of two poses the one with the larger misfit is right, when a point's distance is normal, its
+/// sigma unknown, and both poses were as likely before. Points share their errors (blur, lens, paper that is not flat),
+/// so that however many they are they count as ten.
+double ProbabilityOfLargerMisfit(const PrintMisfit& smaller, const PrintMisfit& larger);
 
 }  // namespace touchdown::estimator

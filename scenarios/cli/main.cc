@@ -10,6 +10,7 @@
 
 #include "models/error.h"
 #include "scenarios/cli/command.h"
+#include "scenarios/cli/estimate.h"
 #include "scenarios/cli/fly.h"
 #include "scenarios/cli/interrupt.h"
 #include "scenarios/cli/pad.h"
@@ -22,8 +23,8 @@ using touchdown::scenarios::AddCommand;
 using touchdown::scenarios::ExitStatus;
 using touchdown::scenarios::Run;
 
-AddCommand* const kCommands[] = {touchdown::scenarios::AddFly, touchdown::scenarios::AddPad,
-                                 touchdown::scenarios::AddTrain};
+AddCommand* const kCommands[] = {touchdown::scenarios::AddEstimate, touchdown::scenarios::AddFly,
+                                 touchdown::scenarios::AddPad, touchdown::scenarios::AddTrain};
 
 int RunAndExplain(const Run& run) {
   try {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "models/camera_model.h"
+#include "scenarios/flight/config_matrix.h"
 #include "scenarios/flight/config_reader.h"
 
 namespace touchdown::scenarios {
@@ -17,23 +18,16 @@ namespace {
 
 constexpr std::array<std::string_view, 1> kDistortionModels = {"plumb_bob"};
 
-/// Row by row; empty when it is not given.
-struct Matrix {
-  int rows = 0;
-  int cols = 0;
-  std::vector<double> data;
-};
-
 /// A file as ROS's camera_calibration_parsers write it.
 struct CameraInfo {
   int width_px = 0;
   int height_px = 0;
   std::string camera_name;
   int distortion_model = 0;
-  Matrix camera_matrix;
-  Matrix distortion_coefficients;
-  Matrix rectification_matrix;
-  Matrix projection_matrix;
+  ConfigMatrix camera_matrix;
+  ConfigMatrix distortion_coefficients;
+  ConfigMatrix rectification_matrix;
+  ConfigMatrix projection_matrix;
 };
 
 models::CameraModel ModelOf(const CameraInfo& info) {
@@ -45,11 +39,14 @@ models::CameraModel ModelOf(const CameraInfo& info) {
           .cx_px = k[2],
           .cy_px = k[5],
           .k1 = d[0],
-          .k2 = d[1]};
+          .k2 = d[1],
+          .p1 = d[2],
+          .p2 = d[3],
+          .k3 = d.size() > 4 ? d[4] : 0.0};
 }
 
 /// Throws InputError for a 0, a 1 or a focal length (f...) of the layout that is none in the matrix.
-void RequireLayout(const Matrix& matrix, std::initializer_list<std::string_view> layout) {
+void RequireLayout(const ConfigMatrix& matrix, std::initializer_list<std::string_view> layout) {
   const auto holds = [](std::string_view item, double value) {
     if (item == "0") return value == 0.0;
     if (item == "1") return value == 1.0;
@@ -58,23 +55,6 @@ void RequireLayout(const Matrix& matrix, std::initializer_list<std::string_view>
   if (!std::equal(layout.begin(), layout.end(), matrix.data.begin(), holds)) {
     throw InputError(fmt::format("must be [{}], is [{}]", fmt::join(layout, ", "), fmt::join(matrix.data, ", ")));
   }
-}
-
-void RequireRadial(const Matrix& coefficients) {
-  if (std::any_of(coefficients.data.begin() + 2, coefficients.data.end(), [](double value) { return value != 0.0; })) {
-    throw InputError("only the first two terms (k1, k2) may differ from 0");
-  }
-}
-
-void DescribeMatrix(ConfigVisitor& v, const Key& key, Matrix& matrix, const Range& rows, const Range& cols) {
-  v.Section(key, {}, [&](ConfigVisitor& m) {
-    m.Integer({"rows", "", true}, matrix.rows, rows);
-    m.Integer({"cols", "", true}, matrix.cols, cols);
-    matrix.data.resize(static_cast<std::size_t>(matrix.rows) * static_cast<std::size_t>(matrix.cols));
-    std::vector<double*> data;
-    for (double& value : matrix.data) data.push_back(&value);
-    m.Numbers({"data", "", true}, data, kNoUnit, kAny);
-  });
 }
 
 void Describe(ConfigVisitor& v, CameraInfo& info) {
@@ -90,10 +70,7 @@ void Describe(ConfigVisitor& v, CameraInfo& info) {
   v.Check("camera_matrix.data", [&info] {
     RequireLayout(info.camera_matrix, {"fx", "0", "cx", "0", "fy", "cy", "0", "0", "1"});
   });
-  v.Check("distortion_coefficients.data", [&info] {
-    RequireRadial(info.distortion_coefficients);
-    ModelOf(info).Validate();
-  });
+  v.Check("distortion_coefficients.data", [&info] { ModelOf(info).Validate(); });
   v.Check("rectification_matrix.data", [&matrix = info.rectification_matrix] {
     if (!matrix.data.empty()) RequireLayout(matrix, {"1", "0", "0", "0", "1", "0", "0", "0", "1"});
   });
@@ -123,8 +100,27 @@ ConfigNode CameraModelFromCameraInfo(const ConfigNode& root) {
   keys.keys = {{"width_px", *root.Find("image_width")},    {"height_px", *root.Find("image_height")},
                {"fx_px", item("camera_matrix", 0)},        {"fy_px", item("camera_matrix", 4)},
                {"cx_px", item("camera_matrix", 2)},        {"cy_px", item("camera_matrix", 5)},
-               {"k1", item("distortion_coefficients", 0)}, {"k2", item("distortion_coefficients", 1)}};
+               {"k1", item("distortion_coefficients", 0)}, {"k2", item("distortion_coefficients", 1)},
+               {"p1", item("distortion_coefficients", 2)}, {"p2", item("distortion_coefficients", 3)}};
+  constexpr std::size_t kTermsWithK3 = 5;
+  if (root.Find("distortion_coefficients")->Find("data")->items.size() == kTermsWithK3) {
+    keys.keys.push_back({"k3", item("distortion_coefficients", 4)});
+  }
   return keys;
+}
+
+std::string CameraInfoYaml(const models::CameraModel& c, const std::string& camera_name) {
+  return fmt::format(
+      "image_width: {}\n"
+      "image_height: {}\n"
+      "camera_name: {}\n"
+      "camera_matrix:\n  rows: 3\n  cols: 3\n  data: [{fx}, 0, {cx}, 0, {fy}, {cy}, 0, 0, 1]\n"
+      "distortion_model: plumb_bob\n"
+      "distortion_coefficients:\n  rows: 1\n  cols: 5\n  data: [{}, {}, {}, {}, {}]\n"
+      "rectification_matrix:\n  rows: 3\n  cols: 3\n  data: [1, 0, 0, 0, 1, 0, 0, 0, 1]\n"
+      "projection_matrix:\n  rows: 3\n  cols: 4\n  data: [{fx}, 0, {cx}, 0, 0, {fy}, {cy}, 0, 0, 0, 1, 0]\n",
+      c.width_px, c.height_px, camera_name, c.k1, c.k2, c.p1, c.p2, c.k3, fmt::arg("fx", c.fx_px),
+      fmt::arg("fy", c.fy_px), fmt::arg("cx", c.cx_px), fmt::arg("cy", c.cy_px));
 }
 
 }  // namespace touchdown::scenarios

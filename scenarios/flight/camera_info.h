@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+
+#include "models/camera_model.h"
 #include "scenarios/flight/config_node.h"
 
 namespace touchdown::scenarios {
@@ -8,8 +11,11 @@ namespace touchdown::scenarios {
 bool IsCameraInfo(const ConfigNode& root);
 
 /// The keys of `camera.model` that a `camera_info` calibration stands for. It is read as strictly as a scenario: throws
-/// InputError, with place and key, for what is not of ROS's layout, a model other than plumb_bob, a skewed matrix, a
-/// distortion term beyond k1 and k2 that is not 0, and a rectification or projection of a camera that is one of a pair.
+/// InputError, with place and key, for what is not of ROS's layout, a model other than plumb_bob, a skewed matrix, and
+/// a rectification or projection of a camera that is one of a pair.
 ConfigNode CameraModelFromCameraInfo(const ConfigNode& root);
+
+/// A calibration as ROS `camera_info` YAML, which LoadCameraModel reads back to the last bit.
+std::string CameraInfoYaml(const models::CameraModel& model, const std::string& camera_name);
 
 }  // namespace touchdown::scenarios

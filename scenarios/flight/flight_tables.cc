@@ -1,52 +1,11 @@
 #include "scenarios/flight/flight_tables.h"
 
-#include <fmt/format.h>
-
-#include <iterator>
 #include <string_view>
 
-#include "models/angles.h"
+#include "scenarios/flight/csv_table.h"
 
 namespace touchdown::scenarios {
 namespace {
-
-using models::RadToDeg;
-
-/// Cells with commas between them and a line's end behind.
-class Table {
- public:
-  explicit Table(std::string_view header) : text_(std::string(header) + '\n') {}
-
-  template <typename T>
-  Table& operator<<(const T& cell) {
-    if (!at_line_start_) text_ += ',';
-    at_line_start_ = false;
-    fmt::format_to(std::back_inserter(text_), "{}", cell);
-    return *this;
-  }
-  Table& Vector(const Eigen::Vector3d& v) { return *this << v.x() << v.y() << v.z(); }
-  Table& Angles(const models::TaitBryan& a) {
-    return *this << RadToDeg(a.roll) << RadToDeg(a.pitch) << RadToDeg(a.yaw);
-  }
-  Table& Rates(const Eigen::Vector3d& w) { return Vector(w * (180.0 / models::kPi)); }
-  Table& Pose(const Eigen::Isometry3d& X_WB) {
-    return Vector(X_WB.translation()).Angles(models::TaitBryanFromRotation(X_WB.linear()));
-  }
-  Table& Pixel(const std::optional<Eigen::Vector2d>& p) { return p ? *this << p->x() << p->y() : Empty(2); }
-  Table& Empty(int cells) {
-    for (int i = 0; i < cells; ++i) *this << "";
-    return *this;
-  }
-  void EndLine() {
-    text_ += '\n';
-    at_line_start_ = true;
-  }
-  std::string Take() { return std::move(text_); }
-
- private:
-  std::string text_;
-  bool at_line_start_ = true;
-};
 
 constexpr std::string_view kFlightHeader =
     "tick,t_s,phase,"
@@ -67,7 +26,7 @@ constexpr std::string_view kFramesHeader =
     "cov_x_x,cov_x_y,cov_x_z,cov_x_rx,cov_x_ry,cov_x_rz,cov_y_y,cov_y_z,cov_y_rx,cov_y_ry,cov_y_rz,"
     "cov_z_z,cov_z_rx,cov_z_ry,cov_z_rz,cov_rx_rx,cov_rx_ry,cov_rx_rz,cov_ry_ry,cov_ry_rz,cov_rz_rz";
 
-void PutCovariance(Table& table, const Eigen::Matrix<double, 6, 6>& covariance) {
+void PutCovariance(CsvTable& table, const Eigen::Matrix<double, 6, 6>& covariance) {
   for (int row = 0; row < 6; ++row) {
     for (int column = row; column < 6; ++column) table << covariance(row, column);
   }
@@ -76,7 +35,7 @@ void PutCovariance(Table& table, const Eigen::Matrix<double, 6, 6>& covariance) 
 }  // namespace
 
 std::string FlightCsv(const FlightLog& log) {
-  Table table(kFlightHeader);
+  CsvTable table(kFlightHeader);
   for (const TickRecord& record : log.ticks) {
     const sim::TrueState& truth = record.truth;
     const models::VehicleEstimate& estimate = record.estimate;
@@ -101,7 +60,7 @@ std::string FlightCsv(const FlightLog& log) {
 }
 
 std::string FramesCsv(const FlightLog& log) {
-  Table table(kFramesHeader);
+  CsvTable table(kFramesHeader);
   for (const FrameRecord& frame : log.frames) {
     table << frame.mid_exposure << log.time.ToSeconds(frame.mid_exposure) << frame.delivered << Name(frame.phase)
           << Name(frame.status);
@@ -119,7 +78,7 @@ std::string FramesCsv(const FlightLog& log) {
 }
 
 std::string TrackingCsv(const FlightLog& log) {
-  Table table(
+  CsvTable table(
       "tick,t_s,x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg,"
       "true_x_m,true_y_m,true_z_m,true_roll_deg,true_pitch_deg,true_yaw_deg");
   for (const TrackingRecord& record : log.tracking) {
@@ -130,7 +89,7 @@ std::string TrackingCsv(const FlightLog& log) {
 }
 
 std::string FrameTimingCsv(const FlightLog& log) {
-  Table table("tick,render_ms,vision_ms");
+  CsvTable table("tick,render_ms,vision_ms");
   for (const FrameRecord& frame : log.frames) {
     table << frame.mid_exposure << frame.render_ms << frame.vision_ms;
     table.EndLine();

@@ -7,7 +7,6 @@
 #include "scenarios/flight/flight_tables.h"
 #include "scenarios/flight/platform.h"
 #include "scenarios/flight/sha256.h"
-#include "scenarios/flight/tum_trajectory.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -69,8 +68,14 @@ FlightResult JudgeFlight(const Scenario& scenario, const FlightLog& log) {
   const bool passed = std::all_of(result.checks.begin(), result.checks.end(), [](const Check& c) { return c.pass; });
   result.verdict = log.outcome == Outcome::kError ? Verdict::kError : passed ? Verdict::kPass : Verdict::kFail;
   result.timing = ComputeTiming(log);
-  result.tables = {FlightCsv(log), FramesCsv(log),   TrackingCsv(log), FrameTimingCsv(log),
-                   TruthTum(log),  EstimateTum(log), TrackingTum(log)};
+  result.truth = TrueTrajectory(log);
+  result.tables = {.flight_csv = FlightCsv(log),
+                   .frames_csv = FramesCsv(log),
+                   .tracking_csv = TrackingCsv(log),
+                   .frame_timing_csv = FrameTimingCsv(log),
+                   .truth_tum = TumText(result.truth, log.time),
+                   .estimate_tum = TumText(EstimatedTrajectory(log), log.time),
+                   .tracking_tum = TumText(TrackedTrajectory(log), log.time)};
   result.log_sha256 = Sha256({&result.tables.flight_csv, &result.tables.frames_csv});
   return result;
 }

@@ -9,6 +9,7 @@
 #include "scenarios/flight/interrupted.h"
 #include "scenarios/flight/metrics.h"
 #include "scenarios/flight/scenario.h"
+#include "scenarios/flight/tum_trajectory.h"
 
 namespace touchdown::scenarios {
 
@@ -48,6 +49,7 @@ struct FlightResult {
   Timing timing;
   std::string log_sha256;  ///< Of flight.csv followed by frames.csv.
   FlightTables tables;
+  Trajectory truth;  ///< Of truth.tum.
 };
 
 /// Flies a scenario and judges the flight. Touches no file. Throws as FlyClosedLoop does.

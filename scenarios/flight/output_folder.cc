@@ -48,6 +48,22 @@ void OutputFolder::CheckPlace() const {
     throw Unusable(place_, fmt::format("holds other files (and no {} of an earlier run); nothing was written",
                                        kind_.files.front()));
   }
+  CheckSubfolders();
+}
+
+void OutputFolder::CheckSubfolders() const {
+  for (const SubfolderKind& subfolder : kind_.subfolders) {
+    const fs::path inside = place_ / subfolder.name;
+    std::error_code error;
+    if (!fs::exists(inside, error)) continue;
+    for (fs::recursive_directory_iterator entry(inside, error), end; !error && entry != end; entry.increment(error)) {
+      const fs::path file = entry->path().lexically_relative(inside);
+      if (entry->is_directory() || subfolder.holds(file)) continue;
+      throw Unusable(place_, fmt::format("{} is no file of an earlier run; nothing was written",
+                                         (subfolder.name / file).string()));
+    }
+    if (error) throw Unusable(inside, error.message());
+  }
 }
 
 bool OutputFolder::IsOfKind() const {
@@ -104,17 +120,23 @@ void OutputFolder::Commit() {
 
 void OutputFolder::ReplaceFiles() const {
   // The first file tells that the others are there: it goes first and comes last.
-  for (const std::string& name : kind_.files) {
-    std::error_code error;
-    fs::remove(place_ / name, error);
-    if (error) throw Unusable(place_, fmt::format("{}: {}", name, error.message()));
-  }
-  for (auto name = kind_.files.rbegin(); name != kind_.files.rend(); ++name) {
-    std::error_code error;
-    if (!fs::exists(temporary_ / *name, error)) continue;
-    fs::rename(temporary_ / *name, place_ / *name, error);
-    if (error) throw Unusable(place_, fmt::format("{}: {}", *name, error.message()));
-  }
+  for (const std::string& name : kind_.files) Remove(name);
+  for (const SubfolderKind& subfolder : kind_.subfolders) Remove(subfolder.name);
+  for (const SubfolderKind& subfolder : kind_.subfolders) MoveIn(subfolder.name);
+  for (auto name = kind_.files.rbegin(); name != kind_.files.rend(); ++name) MoveIn(*name);
+}
+
+void OutputFolder::Remove(const std::string& name) const {
+  std::error_code error;
+  fs::remove_all(place_ / name, error);
+  if (error) throw Unusable(place_, fmt::format("{}: {}", name, error.message()));
+}
+
+void OutputFolder::MoveIn(const std::string& name) const {
+  std::error_code error;
+  if (!fs::exists(temporary_ / name, error)) return;
+  fs::rename(temporary_ / name, place_ / name, error);
+  if (error) throw Unusable(place_, fmt::format("{}: {}", name, error.message()));
 }
 
 }  // namespace touchdown::scenarios

@@ -60,6 +60,10 @@ models::CameraModel LoadCameraModel(const std::filesystem::path& file) {
   return ReadAlone<models::CameraModel>(IsCameraInfo(root) ? CameraModelFromCameraInfo(root) : std::move(root));
 }
 
+models::Vehicle LoadVehicle(const std::filesystem::path& file) {
+  return ReadAlone<models::Vehicle>(ReadConfigFile(file));
+}
+
 models::LandingPad LoadPad(const std::filesystem::path& file) {
   return ReadAlone<models::LandingPad>(ReadConfigFile(file));
 }

@@ -140,6 +140,9 @@ std::vector<ScenarioKey> ScenarioReference();
 /// A camera's calibration from a file: ROS `camera_info` YAML or the keys of `camera.model`. Throws InputError.
 models::CameraModel LoadCameraModel(const std::filesystem::path& file);
 
+/// A vehicle's description from a file with the keys of `vehicle`. Throws InputError.
+models::Vehicle LoadVehicle(const std::filesystem::path& file);
+
 /// A pad's description from a file with the keys of `pad`. Throws InputError.
 models::LandingPad LoadPad(const std::filesystem::path& file);
 

@@ -59,6 +59,9 @@ void Describe(ConfigVisitor& v, models::CameraModel& c) {
   v.Number({"cy_px", "Principal point."}, c.cy_px, kPixel, kAny);
   v.Number({"k1", "First radial distortion term (plumb_bob)."}, c.k1, kNoUnit, kAny);
   v.Number({"k2", "Second radial distortion term."}, c.k2, kNoUnit, kAny);
+  v.Number({"p1", "First tangential distortion term."}, c.p1, kNoUnit, kAny);
+  v.Number({"p2", "Second tangential distortion term."}, c.p2, kNoUnit, kAny);
+  v.Number({"k3", "Third radial distortion term."}, c.k3, kNoUnit, kAny);
   v.Check("", [&c] { c.Validate(); });
 }
 

@@ -3,14 +3,10 @@
 #include <fmt/format.h>
 
 #include <iterator>
-#include <map>
 
 namespace touchdown::scenarios {
-namespace {
 
-using Trajectory = std::map<models::Tick, Eigen::Isometry3d>;
-
-std::string ToTum(const Trajectory& trajectory, const models::TimeBase& time) {
+std::string TumText(const Trajectory& trajectory, const models::TimeBase& time) {
   std::string text = "# t_s x_m y_m z_m qx qy qz qw\n";
   for (const auto& [tick, X_WB] : trajectory) {
     const Eigen::Vector3d p = X_WB.translation();
@@ -21,28 +17,27 @@ std::string ToTum(const Trajectory& trajectory, const models::TimeBase& time) {
   return text;
 }
 
-}  // namespace
-
-std::string TruthTum(const FlightLog& log) {
+Trajectory TrueTrajectory(const FlightLog& log) {
   Trajectory truth;
   for (const TickRecord& record : log.ticks) truth.emplace(record.truth.tick, record.truth.X_WB);
   for (const FrameRecord& frame : log.frames) truth.emplace(frame.mid_exposure, frame.X_WB);
   for (const TrackingRecord& record : log.tracking) truth.emplace(record.tracked.tick, record.X_WB);
-  return ToTum(truth, log.time);
+  return truth;
 }
 
-std::string EstimateTum(const FlightLog& log) {
+Trajectory EstimatedTrajectory(const FlightLog& log) {
   Trajectory estimate;
   for (const FrameRecord& frame : log.frames) {
-    if (frame.pose) estimate.emplace(frame.mid_exposure, frame.pose->X_WB);
+    if (frame.status != estimator::FrameStatus::kOk) continue;
+    estimate.emplace(frame.mid_exposure, frame.pose.value().X_WB);
   }
-  return ToTum(estimate, log.time);
+  return estimate;
 }
 
-std::string TrackingTum(const FlightLog& log) {
+Trajectory TrackedTrajectory(const FlightLog& log) {
   Trajectory tracked;
   for (const TrackingRecord& record : log.tracking) tracked.emplace(record.tracked.tick, record.tracked.X_WB);
-  return ToTum(tracked, log.time);
+  return tracked;
 }
 
 }  // namespace touchdown::scenarios

@@ -1,22 +1,34 @@
 #include "scenarios/report/flight_folder.h"
 
+#include <optional>
 #include <vector>
 
 #include "scenarios/flight/output_folder.h"
+#include "scenarios/footage/flight_recording.h"
 #include "scenarios/report/contact_sheet.h"
 
 namespace touchdown::scenarios {
+namespace {
 
-FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path& place, FlightObservers observers,
-                           const StopRequested& stop_requested) {
+constexpr const char* kRecordingFolder = "recording";
+
+}  // namespace
+
+FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path& place, const FlightExtras& extras,
+                           FlightObservers observers, const StopRequested& stop_requested) {
   OutputFolder folder(
       place, {.files = {"result.json", "scenario.yaml", "flight.csv", "frames.csv", "tracking.csv", "truth.tum",
                         "estimate.tum", "tracking.tum", "frame_timing.csv", "timing.json", "frames.png"},
-              .mark = "\"log_sha256\""});
+              .mark = "\"log_sha256\"",
+              .subfolders = {{kRecordingFolder, IsOfFlightRecording}}});
   ContactSheet sheet(scenario.camera.model, scenario.time);
+  std::optional<FlightRecording> recording;
+  if (extras.recording) recording.emplace(scenario, folder.PathOf(kRecordingFolder));
   std::vector<FlightObserver*> all(observers.begin(), observers.end());
   all.push_back(&sheet);
+  if (recording) all.push_back(&*recording);
   const FlightResult result = Fly(scenario, all, stop_requested);
+  if (recording) recording->Finish(result.truth);
   folder.Write("scenario.yaml", ScenarioYaml(scenario));
   folder.Write("flight.csv", result.tables.flight_csv);
   folder.Write("frames.csv", result.tables.frames_csv);

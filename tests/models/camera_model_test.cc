@@ -115,6 +115,54 @@ INSTANTIATE_TEST_SUITE_P(Lenses, DistortionRoundTrip,
                          ::testing::Values(std::pair(0.0, 0.0), std::pair(-0.10, 0.01), std::pair(-0.283, 0.074),
                                            std::pair(0.15, 0.02), std::pair(-0.09, 0.0), std::pair(0.3, -0.03)));
 
+/// Typical calibrations of consumer cameras, tangential and third radial terms and all.
+std::vector<CameraModel> RealLenses() {
+  CameraModel phone, wide, action;
+  phone.fx_px = phone.fy_px = 520.0;
+  phone.k1 = 0.12, phone.k2 = -0.25, phone.p1 = 8e-4, phone.p2 = -1.2e-3, phone.k3 = 0.25;
+  wide.k1 = -0.283, wide.k2 = 0.074, wide.p1 = 1.9e-4, wide.p2 = 1.8e-5, wide.k3 = 0.0;
+  action.k1 = -0.25, action.k2 = 0.09, action.p1 = -5e-4, action.p2 = 3e-4, action.k3 = -0.005;
+  return {phone, wide, action};
+}
+
+TEST(CameraModel, DistortsByTangentialTermsAndTheThirdRadialOne) {
+  CameraModel camera = WithDistortion(0.1, 0.2);
+  camera.p1 = 0.01;
+  camera.p2 = -0.02;
+  camera.k3 = 0.3;
+  // r^2 = 0.25, so the radial gain is 1 + 0.025 + 0.0125 + 0.0046875.
+  const Vector2d ideal(0.3, -0.4);
+  const Vector2d tangential(2 * 0.01 * -0.12 - 0.02 * (0.25 + 0.18), 0.01 * (0.25 + 0.32) + 2 * -0.02 * -0.12);
+  EXPECT_TRUE(camera.Distort(ideal).isApprox(1.0421875 * ideal + tangential, 1e-14));
+}
+
+TEST(CameraModel, UndoesTheDistortionOfRealLensesOverTheWholeImage) {
+  for (const CameraModel& camera : RealLenses()) {
+    ASSERT_NO_THROW(camera.Validate());
+    for (double u = -0.5; u <= 639.5; u += 20.0) {
+      for (double v = -0.5; v <= 479.5; v += 20.0) {
+        const auto ray = camera.Ray({u, v});
+        ASSERT_TRUE(ray) << camera.k1 << ": " << u << ", " << v;
+        ASSERT_LT((*camera.Project(2.0 * *ray) - Vector2d(u, v)).norm(), 1e-8) << u << ", " << v;
+      }
+    }
+  }
+}
+
+TEST(CameraModel, KnowsHowFarADistortionWithAThirdTermGrows) {
+  for (const double k3 : {-0.02, -0.2, -1.0, 0.3}) {
+    CameraModel camera = WithDistortion(-0.25, 0.09);
+    camera.k3 = k3;
+    const double r = camera.MonotonicRadius();
+    const auto radius = [&](double ideal) { return camera.Distort({ideal, 0.0}).x(); };
+    for (double x = 0.01; x < std::min(r, 5.0); x += 0.01) ASSERT_GT(radius(x), radius(x - 0.01)) << k3;
+    EXPECT_EQ(std::isinf(r), k3 > 0.0);
+    if (std::isfinite(r)) {
+      EXPECT_NEAR((radius(r + 1e-5) - radius(r - 1e-5)) / 2e-5, 0.0, 1e-5) << k3;
+    }
+  }
+}
+
 TEST(CameraModel, HasNoIdealPointBeyondTheFold) {
   const CameraModel camera = WithDistortion(-0.1, 0.0);
   const double edge = camera.Distort({camera.MonotonicRadius(), 0.0}).x();
@@ -153,6 +201,9 @@ TEST(CameraModelValidate, RefusesWhatIsNot) {
       [](CameraModel& c) { c.k1 = std::nan(""); },
       [](CameraModel& c) { c.k2 = -std::numeric_limits<double>::infinity(); },
       [](CameraModel& c) { c.k1 = -0.4; },
+      [](CameraModel& c) { c.p1 = std::nan(""); },
+      [](CameraModel& c) { c.p2 = 1.0; },
+      [](CameraModel& c) { c.k3 = -0.5; },
   };
   for (std::size_t i = 0; i < faults.size(); ++i) {
     CameraModel camera;

@@ -48,5 +48,18 @@ TEST(TimeBase, RefusesARateThatDoesNotDivideTheTicks) {
   for (const int rate_hz : {0, -60, 7, 90, 2400}) EXPECT_THROW(time.PeriodOf(rate_hz), InputError) << rate_hz;
 }
 
+TEST(TimeBase, CountsWholeNanosecondsAndFindsTheTickAgain) {
+  const TimeBase time;
+  EXPECT_EQ(time.ToNanoseconds(1), 833333);
+  EXPECT_EQ(time.ToNanoseconds(1200), 1'000'000'000);
+  EXPECT_EQ(time.ToNanoseconds(-20), -16666667);
+  for (const Tick tick : {-2400, -1, 0, 7, 20, 123456789}) {
+    EXPECT_EQ(time.FromNanoseconds(time.ToNanoseconds(tick)), tick);
+  }
+  const TimeBase microseconds{.ticks_per_s = 1'000'000};
+  EXPECT_EQ(microseconds.FromNanoseconds(1403636579763555584), 1403636579763556);
+  EXPECT_EQ(microseconds.ToNanoseconds(1403636579763556), 1403636579763556000);
+}
+
 }  // namespace
 }  // namespace touchdown::models

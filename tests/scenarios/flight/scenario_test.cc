@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "models/error.h"
+#include "scenarios/flight/camera_info.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -271,6 +272,18 @@ TEST_F(ScenarioWithFiles, ReadsARosCalibrationBesideIt) {
   }
 }
 
+TEST_F(ScenarioWithFiles, ReadsAllFiveDistortionTermsAndWritesThemBack) {
+  std::string text = kCameraInfo;
+  text.replace(text.find("0.0, 0, 0]"), 10, "1e-4, -2e-4, 0.003]");
+  Put("camera.yaml", text);
+  const models::CameraModel model = LoadCameraModel(folder_ / "camera.yaml");
+  EXPECT_EQ(model.p1, 1e-4);
+  EXPECT_EQ(model.p2, -2e-4);
+  EXPECT_EQ(model.k3, 0.003);
+  Put("again.yaml", CameraInfoYaml(model, "cam0"));
+  EXPECT_EQ(LoadCameraModel(folder_ / "again.yaml"), model);
+}
+
 TEST_F(ScenarioWithFiles, RefusesACalibrationThatIsNotOneAndNamesItsLineAndKey) {
   // What of the calibration is replaced, by what, and what the error must say of the calibration's file.
   const struct {
@@ -291,12 +304,10 @@ TEST_F(ScenarioWithFiles, RefusesACalibrationThatIsNotOneAndNamesItsLineAndKey) 
       {"rows: 3, cols: 3, data: [458", "rows: 2, cols: 3, data: [458",
        "camera.yaml:4: camera_matrix.rows: must be 3, is 2"},
       {"rows: 3, cols: 3, data: [458", "cols: 3, data: [458", "camera.yaml:4: camera_matrix.rows: must be given"},
-      {"0.0, 0, 0]", "1e-4, 0, 0]", "camera.yaml:6: distortion_coefficients.data: only the first two terms"},
-      {"0.0, 0, 0]", "0.0, 0, 0.1]", "camera.yaml:6: distortion_coefficients.data: only the first two terms"},
       {"rows: 1, cols: 5", "rows: 1, cols: 4",
        "camera.yaml:6: distortion_coefficients.data: must be a list of 4 numbers"},
       {"rows: 1, cols: 5", "rows: 1, cols: 8", "camera.yaml:6: distortion_coefficients.cols: must be from 4 to 5"},
-      {"-0.28340811", "-0.9", "camera.yaml:6: distortion_coefficients.data: the camera's distortion (k1, k2) folds"},
+      {"-0.28340811", "-0.9", "camera.yaml:6: distortion_coefficients.data: the camera's distortion folds"},
       {"data: [1, 0, 0,", "data: [1, 0.1, 0,", "camera.yaml:7: rectification_matrix.data: must be [1, 0, 0"},
       {"367, 0, 0, 457", "367, -50, 0, 457", "camera.yaml:8: projection_matrix.data: must be [fx', 0, cx', 0,"},
       {"rows: 3, cols: 4", "rows: 3, cols: 3", "camera.yaml:8: projection_matrix.cols: must be 4, is 3"},

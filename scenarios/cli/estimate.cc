@@ -1,0 +1,153 @@
+#include "scenarios/cli/estimate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/error.h"
+#include "scenarios/cli/interrupt.h"
+#include "scenarios/cli/progress_line.h"
+#include "scenarios/flight/interrupted.h"
+#include "scenarios/flight/output_folder.h"
+#include "scenarios/flight/scenario.h"
+#include "scenarios/footage/estimate_footage.h"
+#include "scenarios/footage/footage.h"
+#include "scenarios/footage/imu_file.h"
+#include "scenarios/footage/poses_table.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+using estimator::FrameStatus;
+using estimator::PoseChoice;
+
+struct Options {
+  std::string input;
+  std::string out;
+  std::optional<std::string> camera, pad, imu, vehicle, estimator;
+};
+
+models::CameraModel CameraOf(const Options& options, const FootageFacts& facts) {
+  if (options.camera) return LoadCameraModel(*options.camera);
+  if (facts.camera) return *facts.camera;
+  throw InputError(fmt::format("{}: tells no calibration; name one with --camera", options.input));
+}
+
+std::optional<SensorMounting> MountingOf(const Options& options, const FootageFacts& facts) {
+  if (!options.vehicle) return facts.mounting;
+  const models::Vehicle vehicle = LoadVehicle(*options.vehicle);
+  return SensorMounting{.X_BC = vehicle.X_BC(), .X_BU = vehicle.X_BU()};
+}
+
+FootageSetup SetupOf(const Options& options, const FootageFacts& facts) {
+  FootageSetup setup;
+  setup.camera = CameraOf(options, facts);
+  setup.pad = options.pad ? LoadPad(*options.pad) : facts.pad.value_or(models::LandingPad());
+  setup.mounting = MountingOf(options, facts);
+  setup.imu = options.imu ? ReadImuFile(*options.imu, facts.time) : facts.imu;
+  setup.estimator = facts.estimator.value_or(estimator::EstimatorConfig());
+  if (options.estimator) setup.estimator.name = *options.estimator;
+  setup.attitude_estimator = facts.attitude_estimator.value_or(estimator::AttitudeEstimatorConfig());
+  return setup;
+}
+
+/// How often each value occurs, by its name, in the order of the enum.
+template <typename Value>
+using Counts = std::map<Value, std::size_t>;
+
+Counts<FrameStatus> CountStatuses(const std::vector<FootageEstimate>& estimates) {
+  Counts<FrameStatus> counts;
+  for (const FootageEstimate& estimate : estimates) ++counts[estimate.seen.status];
+  return counts;
+}
+
+Counts<PoseChoice::Reason> CountReasons(const std::vector<FootageEstimate>& estimates) {
+  Counts<PoseChoice::Reason> counts;
+  for (const FootageEstimate& estimate : estimates) {
+    if (estimate.seen.choice) ++counts[estimate.seen.choice->reason];
+  }
+  return counts;
+}
+
+void PrintStatuses(const std::vector<FootageEstimate>& estimates) {
+  fmt::print("{} frames\n", estimates.size());
+  for (const auto& [status, count] : CountStatuses(estimates)) {
+    fmt::print("  {:<13} {:>6}  {:5.1f} %\n", Name(status), count,
+               100.0 * static_cast<double>(count) / static_cast<double>(estimates.size()));
+  }
+}
+
+void PrintChoices(const std::vector<FootageEstimate>& estimates) {
+  Counts<PoseChoice::Reason> counts = CountReasons(estimates);
+  const std::size_t by_print = counts[PoseChoice::Reason::kPrint], frontal = counts[PoseChoice::Reason::kFrontal];
+  if (by_print + frontal == 0) return;
+  fmt::print(
+      "without an IMU, of the two poses from which a circle looks the same, choices.csv tells of each frame which was\n"
+      "taken: in {} the one from which the H and the ring's inner edge fit the pad better, in {} the one that sees "
+      "the\n"
+      "pad more squarely from the front, since both fit alike\n",
+      by_print, frontal);
+}
+
+/// What poses.csv is known by when it is to be replaced.
+constexpr const char* kPosesMark = "frame,source,t_s,status,x_m";
+
+int EstimateWith(const Options& options) {
+  OutputFolder folder(options.out, {.files = {"poses.csv", "poses.tum", "choices.csv"}, .mark = kPosesMark});
+  const std::unique_ptr<Footage> footage = OpenFootage(options.input);
+  const FootageFacts& facts = footage->facts();
+  const FootageSetup setup = SetupOf(options, facts);
+
+  const std::vector<FootageEstimate> estimates = [&] {
+    ProgressLine progress;
+    std::size_t done = 0;
+    return EstimateFootage(*footage, setup, [&](const FootageFrame&, const FootageEstimate&) {
+      ++done;
+      if (InterruptRequested()) throw Interrupted();
+      if (progress.IsDue()) progress.Show(fmt::format("{} of {} frames", done, facts.frame_count));
+    });
+  }();
+
+  folder.Write("poses.tum", TumText(PosesTrajectory(estimates, facts.time), facts.time));
+  folder.Write("choices.csv", ChoicesCsv(estimates));
+  folder.Write("poses.csv", PosesCsv(estimates, facts.time));
+  folder.Commit();
+  PrintStatuses(estimates);
+  PrintChoices(estimates);
+  fmt::print("poses are of the {} in W, X_W{}; files in {}\n", setup.mounting ? "body" : "camera",
+             setup.mounting ? 'B' : 'C', options.out);
+  return kPassed;
+}
+
+}  // namespace
+
+void AddEstimate(CLI::App& app, Run& run) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("estimate", "Run the estimator alone, on footage");
+  command.add_option("INPUT", options->input, "A folder of images, a video, or a recording in EuRoC's layout")
+      ->required();
+  command.add_option("--out", options->out, "Folder for the poses")->required()->type_name("DIR");
+  command
+      .add_option("--camera", options->camera,
+                  "The camera's calibration as ROS camera_info YAML (default: the recording's)")
+      ->type_name("CAMERA.yaml");
+  command.add_option("--pad", options->pad, "The pad's description (default: the recording's, or the built-in pad)")
+      ->type_name("PAD.yaml");
+  command.add_option("--imu", options->imu, "The IMU's samples in EuRoC's layout (default: the recording's)")
+      ->type_name("FILE");
+  command
+      .add_option("--vehicle", options->vehicle,
+                  "How camera and IMU are mounted: a vehicle's description (default: the recording's)")
+      ->type_name("VEHICLE.yaml");
+  command.add_option("--estimator", options->estimator, "Name of the estimator (default: paper)")->type_name("NAME");
+  command.callback([options, &run] { run = [options] { return EstimateWith(*options); }; });
+}
+
+}  // namespace touchdown::scenarios

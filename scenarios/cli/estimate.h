@@ -1,0 +1,11 @@
+#pragma once
+
+#include "scenarios/cli/command.h"
+
+namespace touchdown::scenarios {
+
+/// `touchdown estimate INPUT [--camera CAMERA.yaml] [--pad PAD.yaml] [--imu FILE] [--vehicle VEHICLE.yaml]
+/// [--estimator NAME] --out DIR`: the estimator alone, on footage.
+AddCommand AddEstimate;
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace touchdown::scenarios {
+
+/// What a command that works for long says, beside its errors.
+struct Talk {
+  bool quiet = false;  ///< Neither progress nor a result for people.
+  bool json = false;   ///< The result as JSON on stdout, in place of the one for people.
+
+  bool ForPeople() const { return !quiet && !json; }
+};
+
+/// Adds --quiet and --json.
+inline void AddTalk(CLI::App& command, Talk& talk) {
+  command.add_flag("--quiet", talk.quiet, "Say nothing but errors");
+  command.add_flag("--json", talk.json, "Print the result as JSON");
+}
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,68 @@
+#include "scenarios/footage/euroc_folder.h"
+
+#include "scenarios/flight/scenario.h"
+#include "scenarios/footage/euroc_sensor.h"
+#include "scenarios/footage/image_folder.h"
+#include "scenarios/footage/imu_file.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool Exists(const fs::path& file) {
+  std::error_code error;
+  return fs::exists(file, error);
+}
+
+}  // namespace
+
+std::optional<fs::path> FindEurocFolder(const fs::path& input) {
+  for (const fs::path& mav0 : {input, input / "mav0", input / "recording" / "mav0"}) {
+    if (Exists(mav0 / "cam0" / "data.csv")) return mav0;
+  }
+  return std::nullopt;
+}
+
+EurocFolder::EurocFolder(const fs::path& mav0) : mav0_(mav0), frames_(ReadStampedCsv(mav0 / "cam0" / "data.csv", 1)) {
+  facts_.frame_order = estimator::FrameOrder::kSequence;
+  facts_.frame_count = frames_.size();
+  const fs::path scenario = fs::weakly_canonical(mav0).parent_path() / "scenario.yaml";
+  if (Exists(scenario)) {
+    ReadScenario(scenario);
+  } else {
+    ReadSensors();
+  }
+  const fs::path imu = mav0 / "imu0" / "data.csv";
+  if (Exists(imu)) facts_.imu = ReadImuFile(imu, facts_.time);
+}
+
+void EurocFolder::ReadScenario(const fs::path& file) {
+  const Scenario scenario = LoadScenario(file);
+  facts_.frame_order = estimator::FrameOrder::kFlight;
+  facts_.time = scenario.time;
+  facts_.latency = scenario.time.FromSeconds(scenario.camera.latency_s);
+  facts_.camera = scenario.camera.model;
+  facts_.pad = scenario.pad;
+  facts_.mounting = {scenario.vehicle.X_BC(), scenario.vehicle.X_BU()};
+  facts_.estimator = scenario.estimator;
+  facts_.attitude_estimator = scenario.attitude_estimator;
+}
+
+void EurocFolder::ReadSensors() {
+  const fs::path camera = mav0_ / "cam0" / "sensor.yaml", imu = mav0_ / "imu0" / "sensor.yaml";
+  if (!Exists(camera)) return;
+  const EurocCamera sensor = ReadEurocCamera(camera);
+  facts_.camera = sensor.model;
+  facts_.mounting = SensorMounting{.X_BC = sensor.X_BC};
+  if (Exists(imu)) facts_.mounting->X_BU = ReadEurocMounting(imu);
+}
+
+std::optional<FootageFrame> EurocFolder::Next() {
+  if (next_ == frames_.size()) return std::nullopt;
+  const StampedRow& row = frames_[next_++];
+  return FootageFrame{row.cells.front(), facts_.time.FromNanoseconds(row.time_ns),
+                      ReadGreyImage(mav0_ / "cam0" / "data" / row.cells.front())};
+}
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,22 @@
+#include "scenarios/footage/footage.h"
+
+#include <fmt/format.h>
+
+#include "models/error.h"
+#include "scenarios/footage/euroc_folder.h"
+#include "scenarios/footage/image_folder.h"
+#include "scenarios/footage/video_file.h"
+
+namespace touchdown::scenarios {
+
+std::unique_ptr<Footage> OpenFootage(const std::filesystem::path& input) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_status status = fs::status(input, error);
+  if (!fs::exists(status)) throw InputError(fmt::format("{}: no such file or folder", input.string()));
+  if (!fs::is_directory(status)) return std::make_unique<VideoFile>(input);
+  if (const auto recording = FindEurocFolder(input)) return std::make_unique<EurocFolder>(*recording);
+  return std::make_unique<ImageFolder>(input);
+}
+
+}  // namespace touchdown::scenarios
