@@ -24,4 +24,16 @@ std::string_view Name(FrameStatus status) {
   throw std::logic_error("a frame status without a name");
 }
 
+std::string_view Name(PoseChoice::Reason reason) {
+  switch (reason) {
+    case PoseChoice::Reason::kGravity:
+      return "gravity";
+    case PoseChoice::Reason::kPrint:
+      return "print";
+    case PoseChoice::Reason::kFrontal:
+      return "frontal";
+  }
+  throw std::logic_error("a reason without a name");
+}
+
 }  // namespace touchdown::estimator

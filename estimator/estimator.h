@@ -70,6 +70,9 @@ struct PoseChoice {
   double other = 0.0;   ///< The same of the pose not chosen.
 };
 
+/// "gravity", "print" or "frontal".
+std::string_view Name(PoseChoice::Reason reason);
+
 struct FrameEstimate {
   models::Tick mid_exposure = 0;
   FrameStatus status = FrameStatus::kNoComponent;

@@ -35,9 +35,8 @@ const std::map<std::string, std::set<std::string>>& MayInclude() {
         {"scenarios/footage", with_those_below({"scenarios/footage", "scenarios/flight"})},
         {"scenarios/report", with_those_below({"scenarios/report", "scenarios/footage", "scenarios/flight"})},
         {"scenarios/study", with_those_below({"scenarios/study", "scenarios/flight"})},
-        {"scenarios/cli",
-         with_those_below(
-             {"scenarios/cli", "scenarios/study", "scenarios/report", "scenarios/footage", "scenarios/flight"})},
+        {"scenarios/cli", with_those_below({"scenarios/cli", "scenarios/study", "scenarios/report", "scenarios/footage",
+                                            "scenarios/flight"})},
     };
   }();
   return folders;
@@ -55,7 +54,7 @@ const std::vector<LibraryRule>& LibraryRules() {
       {std::regex(".*\\.c"), std::regex("[a-z]+\\.h")},
       {std::regex("estimator/.*\\.cc"), std::regex("opencv2/.*")},
       {std::regex("sim/.*"), std::regex("(mujoco|GL|EGL|opencv2|spdlog|fmt)/.*")},
-      {std::regex("scenarios/.*"), std::regex("(opencv2|yaml-cpp|CLI|nlohmann|openssl|spdlog|fmt)/.*")},
+      {std::regex("scenarios/.*"), std::regex("(opencv2|yaml-cpp|CLI|nlohmann|openssl|spdlog|fmt)/.*|pugixml\\.hpp")},
       {std::regex("scenarios/report/.*\\.cc"), std::regex("cairo/.*")},
       {std::regex("scenarios/.*"), std::regex("((sys|gnu)/)?[a-z-]+\\.h")},  // The operating system's.
   };

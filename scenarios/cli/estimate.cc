@@ -13,7 +13,8 @@
 
 #include "models/error.h"
 #include "scenarios/cli/interrupt.h"
-#include "scenarios/cli/progress_line.h"
+#include "scenarios/cli/progress.h"
+#include "scenarios/cli/talk.h"
 #include "scenarios/flight/interrupted.h"
 #include "scenarios/flight/output_folder.h"
 #include "scenarios/flight/scenario.h"
@@ -32,6 +33,7 @@ struct Options {
   std::string input;
   std::string out;
   std::optional<std::string> camera, pad, imu, vehicle, estimator;
+  Talk talk;
 };
 
 models::CameraModel CameraOf(const Options& options, const FootageFacts& facts) {
@@ -96,29 +98,53 @@ void PrintChoices(const std::vector<FootageEstimate>& estimates) {
       by_print, frontal);
 }
 
+/// The text of summary.json.
+std::string SummaryJson(const std::vector<FootageEstimate>& estimates, const FootageSetup& setup) {
+  nlohmann::ordered_json json;
+  json["schema"] = 1;
+  json["version"] = TOUCHDOWN_VERSION;
+  json["estimator"] = setup.estimator.name;
+  json["pose_of"] = setup.mounting ? "body" : "camera";
+  json["imu"] = !setup.imu.empty();
+  json["frames"] = estimates.size();
+  json["statuses"] = nlohmann::ordered_json::object();
+  for (const auto& [status, count] : CountStatuses(estimates)) json["statuses"][std::string(Name(status))] = count;
+  json["pose_choices"] = nlohmann::ordered_json::object();
+  for (const auto& [reason, count] : CountReasons(estimates)) json["pose_choices"][std::string(Name(reason))] = count;
+  return json.dump(2) + "\n";
+}
+
 /// What poses.csv is known by when it is to be replaced.
 constexpr const char* kPosesMark = "frame,source,t_s,status,x_m";
 
 int EstimateWith(const Options& options) {
-  OutputFolder folder(options.out, {.files = {"poses.csv", "poses.tum", "choices.csv"}, .mark = kPosesMark});
+  OutputFolder folder(options.out,
+                      {.files = {"poses.csv", "poses.tum", "choices.csv", "summary.json"}, .mark = kPosesMark});
   const std::unique_ptr<Footage> footage = OpenFootage(options.input);
   const FootageFacts& facts = footage->facts();
   const FootageSetup setup = SetupOf(options, facts);
 
   const std::vector<FootageEstimate> estimates = [&] {
-    ProgressLine progress;
+    Progress progress(!options.talk.ForPeople());
     std::size_t done = 0;
     return EstimateFootage(*footage, setup, [&](const FootageFrame&, const FootageEstimate&) {
-      ++done;
       if (InterruptRequested()) throw Interrupted();
-      if (progress.IsDue()) progress.Show(fmt::format("{} of {} frames", done, facts.frame_count));
+      ++done;
+      const std::size_t count = std::max(done, facts.frame_count);
+      if (progress.IsDue()) {
+        progress.Tell(static_cast<double>(done) / static_cast<double>(count), fmt::format("{} frames", done));
+      }
     });
   }();
 
+  const std::string summary = SummaryJson(estimates, setup);
+  folder.Write("summary.json", summary);
   folder.Write("poses.tum", TumText(PosesTrajectory(estimates, facts.time), facts.time));
   folder.Write("choices.csv", ChoicesCsv(estimates));
   folder.Write("poses.csv", PosesCsv(estimates, facts.time));
   folder.Commit();
+  if (options.talk.json) fmt::print("{}", summary);
+  if (!options.talk.ForPeople()) return kPassed;
   PrintStatuses(estimates);
   PrintChoices(estimates);
   fmt::print("poses are of the {} in W, X_W{}; files in {}\n", setup.mounting ? "body" : "camera",
@@ -147,6 +173,7 @@ void AddEstimate(CLI::App& app, Run& run) {
                   "How camera and IMU are mounted: a vehicle's description (default: the recording's)")
       ->type_name("VEHICLE.yaml");
   command.add_option("--estimator", options->estimator, "Name of the estimator (default: paper)")->type_name("NAME");
+  AddTalk(command, options->talk);
   command.callback([options, &run] { run = [options] { return EstimateWith(*options); }; });
 }
 

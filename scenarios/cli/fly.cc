@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -11,10 +12,14 @@
 
 #include "models/error.h"
 #include "scenarios/cli/interrupt.h"
-#include "scenarios/cli/progress_line.h"
+#include "scenarios/cli/progress.h"
+#include "scenarios/cli/talk.h"
 #include "scenarios/flight/config_writer.h"
+#include "scenarios/flight/expected_duration.h"
+#include "scenarios/flight/output_file.h"
 #include "scenarios/flight/scenario.h"
 #include "scenarios/report/flight_folder.h"
+#include "scenarios/report/junit.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -25,38 +30,49 @@ struct Options {
   std::optional<std::string> seed;
   std::optional<std::string> estimator;
   std::optional<std::string> out;
+  std::optional<std::string> junit;
   FlightExtras extras;
+  Talk talk;
 };
 
-void PrintVerdict(const FlightResult& result) {
+void PrintResult(const Scenario& scenario, const FlightResult& result, const std::string& out) {
+  fmt::print("{}, seed {}, estimator {}\n", scenario.name, scenario.seed, scenario.estimator.name);
   for (const Check& check : result.checks) {
     const std::string value = check.value ? fmt::format("{:.4g}", *check.value) : check.text;
     fmt::print("  {}  {:<32} {:>10} {:<4} {}\n", check.pass ? "pass" : "FAIL", check.name,
                value.empty() ? "none" : value, check.unit, check.limit);
   }
   fmt::print("{} ({}): {}\n", Name(result.outcome), result.reason, Name(result.verdict));
+  fmt::print("{:.1f} s flown at {:.2f} times real time, vision {:.1f} ms a frame; files in {}\n",
+             result.metrics.at("flight.sim_time_s"), result.timing.realtime_factor, result.timing.vision_ms_mean, out);
 }
 
 /// Tells how far the flight is.
 class FlightProgress final : public FlightObserver {
  public:
-  explicit FlightProgress(const models::TimeBase& time) : time_(time) {}
+  FlightProgress(const Scenario& scenario, bool quiet)
+      : time_(scenario.time), expected_s_(ExpectedDuration_s(scenario)), progress_(quiet) {}
 
   void OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate&, const FrameRecord& record) override {
-    if (!line_.IsDue()) return;
-    line_.Show(fmt::format("{:.1f} s flown, {}, {:.2f} m high", time_.ToSeconds(frame.mid_exposure), Name(record.phase),
-                           record.X_WB.translation().z()));
+    if (!progress_.IsDue()) return;
+    const double flown_s = time_.ToSeconds(frame.mid_exposure);
+    progress_.Tell(
+        std::min(flown_s / expected_s_, kNearlyDone),
+        fmt::format("{:.1f} s flown, {}, {:.2f} m high", flown_s, Name(record.phase), record.X_WB.translation().z()));
   }
 
  private:
+  static constexpr double kNearlyDone = 0.99;
+
   models::TimeBase time_;
-  ProgressLine line_;
+  double expected_s_;
+  Progress progress_;
 };
 
-FlightResult FlyWithProgress(const Scenario& scenario, const std::string& out, const FlightExtras& extras) {
-  FlightProgress progress(scenario.time);
+FlightResult FlyWithProgress(const Scenario& scenario, const std::string& out, const Options& options) {
+  FlightProgress progress(scenario, !options.talk.ForPeople());
   FlightObserver* const observers[] = {&progress};
-  return FlyIntoFolder(scenario, out, extras, observers, InterruptRequested);
+  return FlyIntoFolder(scenario, out, options.extras, observers, InterruptRequested);
 }
 
 std::vector<Override> OverridesOf(const Options& options) {
@@ -75,11 +91,11 @@ int FlyWith(const Options& options) {
       std::filesystem::weakly_canonical(options.scenario).parent_path() == std::filesystem::weakly_canonical(out)) {
     throw InputError(fmt::format("output folder {}: holds the scenario that is flown; name another", out));
   }
-  const FlightResult result = FlyWithProgress(scenario, out, options.extras);
-  fmt::print("{}, seed {}, estimator {}\n", scenario.name, scenario.seed, scenario.estimator.name);
-  PrintVerdict(result);
-  fmt::print("{:.1f} s flown at {:.2f} times real time, vision {:.1f} ms a frame; files in {}\n",
-             result.metrics.at("flight.sim_time_s"), result.timing.realtime_factor, result.timing.vision_ms_mean, out);
+  if (options.junit) CheckOutputFile(*options.junit, kJunitMark);
+  const FlightResult result = FlyWithProgress(scenario, out, options);
+  if (options.junit) WriteOutputFile(*options.junit, JunitXml(scenario, result), kJunitMark);
+  if (options.talk.json) fmt::print("{}", ResultJson(scenario, result));
+  if (options.talk.ForPeople()) PrintResult(scenario, result, out);
   if (result.verdict == Verdict::kError) spdlog::error("the simulation went wrong: {}", result.reason);
   switch (result.verdict) {
     case Verdict::kPass:
@@ -107,6 +123,8 @@ void AddFly(CLI::App& app, Run& run) {
   command.add_option("--out", options->out, "Folder for the files (default: out/NAME)")->type_name("DIR");
   command.add_flag("--record", options->extras.recording,
                    "Record frames, IMU and truth in EuRoC's layout, in the folder recording");
+  command.add_option("--junit", options->junit, "File for the criteria as JUnit XML")->type_name("FILE");
+  AddTalk(command, options->talk);
   command.callback([options, &run] { run = [options] { return FlyWith(*options); }; });
 }
 

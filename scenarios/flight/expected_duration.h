@@ -4,8 +4,8 @@
 
 namespace touchdown::scenarios {
 
-/// About how long a flight will take that goes as its script wants it, s; at most its time limit. For telling how far it
-/// is: a flight may take another time.
+/// About how long a flight will take that goes as its script wants it, s; at most its time limit. For telling how far
+/// it is: a flight may take another time.
 double ExpectedDuration_s(const Scenario& scenario);
 
 }  // namespace touchdown::scenarios

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "scenarios/flight/csv_table.h"
+#include "scenarios/flight/csv_writer.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -26,7 +26,7 @@ constexpr std::string_view kFramesHeader =
     "cov_x_x,cov_x_y,cov_x_z,cov_x_rx,cov_x_ry,cov_x_rz,cov_y_y,cov_y_z,cov_y_rx,cov_y_ry,cov_y_rz,"
     "cov_z_z,cov_z_rx,cov_z_ry,cov_z_rz,cov_rx_rx,cov_rx_ry,cov_rx_rz,cov_ry_ry,cov_ry_rz,cov_rz_rz";
 
-void PutCovariance(CsvTable& table, const Eigen::Matrix<double, 6, 6>& covariance) {
+void PutCovariance(CsvWriter& table, const Eigen::Matrix<double, 6, 6>& covariance) {
   for (int row = 0; row < 6; ++row) {
     for (int column = row; column < 6; ++column) table << covariance(row, column);
   }
@@ -35,7 +35,7 @@ void PutCovariance(CsvTable& table, const Eigen::Matrix<double, 6, 6>& covarianc
 }  // namespace
 
 std::string FlightCsv(const FlightLog& log) {
-  CsvTable table(kFlightHeader);
+  CsvWriter table(kFlightHeader);
   for (const TickRecord& record : log.ticks) {
     const sim::TrueState& truth = record.truth;
     const models::VehicleEstimate& estimate = record.estimate;
@@ -60,7 +60,7 @@ std::string FlightCsv(const FlightLog& log) {
 }
 
 std::string FramesCsv(const FlightLog& log) {
-  CsvTable table(kFramesHeader);
+  CsvWriter table(kFramesHeader);
   for (const FrameRecord& frame : log.frames) {
     table << frame.mid_exposure << log.time.ToSeconds(frame.mid_exposure) << frame.delivered << Name(frame.phase)
           << Name(frame.status);
@@ -78,7 +78,7 @@ std::string FramesCsv(const FlightLog& log) {
 }
 
 std::string TrackingCsv(const FlightLog& log) {
-  CsvTable table(
+  CsvWriter table(
       "tick,t_s,x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg,"
       "true_x_m,true_y_m,true_z_m,true_roll_deg,true_pitch_deg,true_yaw_deg");
   for (const TrackingRecord& record : log.tracking) {
@@ -89,7 +89,7 @@ std::string TrackingCsv(const FlightLog& log) {
 }
 
 std::string FrameTimingCsv(const FlightLog& log) {
-  CsvTable table("tick,render_ms,vision_ms");
+  CsvWriter table("tick,render_ms,vision_ms");
   for (const FrameRecord& frame : log.frames) {
     table << frame.mid_exposure << frame.render_ms << frame.vision_ms;
     table.EndLine();

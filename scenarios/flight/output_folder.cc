@@ -120,16 +120,17 @@ void OutputFolder::Commit() {
 
 void OutputFolder::ReplaceFiles() const {
   // The first file tells that the others are there: it goes first and comes last.
-  for (const std::string& name : kind_.files) Remove(name);
-  for (const SubfolderKind& subfolder : kind_.subfolders) Remove(subfolder.name);
+  std::error_code error;
+  for (const std::string& name : kind_.files) {
+    fs::remove(place_ / name, error);
+    if (error) throw Unusable(place_, fmt::format("{}: {}", name, error.message()));
+  }
+  for (const SubfolderKind& subfolder : kind_.subfolders) {
+    fs::remove_all(place_ / subfolder.name, error);
+    if (error) throw Unusable(place_, fmt::format("{}: {}", subfolder.name, error.message()));
+  }
   for (const SubfolderKind& subfolder : kind_.subfolders) MoveIn(subfolder.name);
   for (auto name = kind_.files.rbegin(); name != kind_.files.rend(); ++name) MoveIn(*name);
-}
-
-void OutputFolder::Remove(const std::string& name) const {
-  std::error_code error;
-  fs::remove_all(place_ / name, error);
-  if (error) throw Unusable(place_, fmt::format("{}: {}", name, error.message()));
 }
 
 void OutputFolder::MoveIn(const std::string& name) const {

@@ -51,7 +51,6 @@ class OutputFolder {
   bool IsOfKind() const;
   void CheckSubfolders() const;
   void ReplaceFiles() const;
-  void Remove(const std::string& name) const;
   void MoveIn(const std::string& name) const;
 
   std::filesystem::path place_;

@@ -3,14 +3,14 @@
 #include <string_view>
 
 #include "models/angles.h"
-#include "scenarios/flight/csv_table.h"
+#include "scenarios/flight/csv_writer.h"
 
 namespace touchdown::scenarios {
 namespace {
 
 using estimator::PoseChoice;
 
-void PutEllipse(CsvTable& table, const std::optional<estimator::FrameTrace::Ellipse>& ellipse) {
+void PutEllipse(CsvWriter& table, const std::optional<estimator::FrameTrace::Ellipse>& ellipse) {
   if (!ellipse) {
     table.Empty(3);
     return;
@@ -18,7 +18,7 @@ void PutEllipse(CsvTable& table, const std::optional<estimator::FrameTrace::Elli
   table << ellipse->semi_axes.x() << ellipse->semi_axes.y() << models::RadToDeg(ellipse->angle);
 }
 
-void PutBox(CsvTable& table, const std::optional<estimator::PixelBox>& box) {
+void PutBox(CsvWriter& table, const std::optional<estimator::PixelBox>& box) {
   if (!box) {
     table.Empty(4);
     return;
@@ -26,22 +26,10 @@ void PutBox(CsvTable& table, const std::optional<estimator::PixelBox>& box) {
   table << box->u << box->v << box->width << box->height;
 }
 
-std::string_view Name(PoseChoice::Reason reason) {
-  switch (reason) {
-    case PoseChoice::Reason::kGravity:
-      return "gravity";
-    case PoseChoice::Reason::kPrint:
-      return "print";
-    case PoseChoice::Reason::kFrontal:
-      break;
-  }
-  return "frontal";
-}
-
 }  // namespace
 
 std::string PosesCsv(std::span<const FootageEstimate> estimates, const models::TimeBase& time) {
-  CsvTable table(
+  CsvWriter table(
       "frame,source,t_s,status,x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg,pad_u_px,pad_v_px,"
       "ellipse_a_px,ellipse_b_px,ellipse_angle_deg,box_x_px,box_y_px,box_w_px,box_h_px");
   for (std::size_t i = 0; i < estimates.size(); ++i) {
@@ -61,7 +49,7 @@ std::string PosesCsv(std::span<const FootageEstimate> estimates, const models::T
 }
 
 std::string ChoicesCsv(std::span<const FootageEstimate> estimates) {
-  CsvTable table("frame,source,reason,chosen_angle_deg,other_angle_deg,chosen_misfit_mm,other_misfit_mm");
+  CsvWriter table("frame,source,reason,chosen_angle_deg,other_angle_deg,chosen_misfit_mm,other_misfit_mm");
   constexpr double kMillimetresPerMetre = 1000.0;
   for (std::size_t i = 0; i < estimates.size(); ++i) {
     const std::optional<PoseChoice>& choice = estimates[i].seen.choice;

@@ -21,8 +21,8 @@ void PutCounts(pugi::xml_node node, const FlightResult& result) {
 
 /// "is 0.12 m, must be <= 0.06".
 std::string Explain(const Check& check) {
-  const std::string value = check.value ? fmt::format("{} {}", *check.value, check.unit)
-                                        : (check.text.empty() ? "not there" : check.text);
+  const std::string value =
+      check.value ? fmt::format("{} {}", *check.value, check.unit) : (check.text.empty() ? "not there" : check.text);
   return fmt::format("is {}, must be {}", value, check.limit);
 }
 

@@ -16,34 +16,34 @@ namespace touchdown::scenarios {
 
 /// The text of a CSV file while it is written: a header, cells with commas between them and a line's end behind.
 /// Numbers are the shortest that read back to the same double; angles are told in degrees.
-class CsvTable {
+class CsvWriter {
  public:
-  explicit CsvTable(std::string_view header) : text_(std::string(header) + '\n') {}
+  explicit CsvWriter(std::string_view header) : text_(std::string(header) + '\n') {}
 
   template <typename T>
-  CsvTable& operator<<(const T& cell) {
+  CsvWriter& operator<<(const T& cell) {
     if (!at_line_start_) text_ += ',';
     at_line_start_ = false;
     fmt::format_to(std::back_inserter(text_), "{}", cell);
     return *this;
   }
   /// Text that somebody else wrote: in quotes where it needs them (RFC 4180).
-  CsvTable& Text(std::string_view text) {
+  CsvWriter& Text(std::string_view text) {
     if (text.find_first_of(",\"\r\n") == std::string_view::npos) return *this << text;
     std::string quoted = "\"";
     for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
     return *this << quoted + '"';
   }
-  CsvTable& Vector(const Eigen::Vector3d& v) { return *this << v.x() << v.y() << v.z(); }
-  CsvTable& Angles(const models::TaitBryan& a) {
+  CsvWriter& Vector(const Eigen::Vector3d& v) { return *this << v.x() << v.y() << v.z(); }
+  CsvWriter& Angles(const models::TaitBryan& a) {
     return *this << models::RadToDeg(a.roll) << models::RadToDeg(a.pitch) << models::RadToDeg(a.yaw);
   }
-  CsvTable& Rates(const Eigen::Vector3d& w) { return Vector(w * (180.0 / models::kPi)); }
-  CsvTable& Pose(const Eigen::Isometry3d& X_WB) {
+  CsvWriter& Rates(const Eigen::Vector3d& w) { return Vector(w * (180.0 / models::kPi)); }
+  CsvWriter& Pose(const Eigen::Isometry3d& X_WB) {
     return Vector(X_WB.translation()).Angles(models::TaitBryanFromRotation(X_WB.linear()));
   }
-  CsvTable& Pixel(const std::optional<Eigen::Vector2d>& p) { return p ? *this << p->x() << p->y() : Empty(2); }
-  CsvTable& Empty(int cells) {
+  CsvWriter& Pixel(const std::optional<Eigen::Vector2d>& p) { return p ? *this << p->x() << p->y() : Empty(2); }
+  CsvWriter& Empty(int cells) {
     for (int i = 0; i < cells; ++i) *this << "";
     return *this;
   }
