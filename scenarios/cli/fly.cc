@@ -25,6 +25,7 @@ struct Options {
   std::optional<std::string> seed;
   std::optional<std::string> estimator;
   std::optional<std::string> out;
+  std::string video = "on";
 };
 
 void PrintVerdict(const FlightResult& result) {
@@ -52,10 +53,10 @@ class FlightProgress final : public FlightObserver {
   ProgressLine line_;
 };
 
-FlightResult FlyWithProgress(const Scenario& scenario, const std::string& out) {
+FlightResult FlyWithProgress(const Scenario& scenario, const std::string& out, const FlightExtras& extras) {
   FlightProgress progress(scenario.time);
   FlightObserver* const observers[] = {&progress};
-  return FlyIntoFolder(scenario, out, observers, InterruptRequested);
+  return FlyIntoFolder(scenario, out, extras, observers, InterruptRequested);
 }
 
 std::vector<Override> OverridesOf(const Options& options) {
@@ -74,7 +75,7 @@ int FlyWith(const Options& options) {
       std::filesystem::weakly_canonical(options.scenario).parent_path() == std::filesystem::weakly_canonical(out)) {
     throw InputError(fmt::format("output folder {}: holds the scenario that is flown; name another", out));
   }
-  const FlightResult result = FlyWithProgress(scenario, out);
+  const FlightResult result = FlyWithProgress(scenario, out, {.video = options.video == "on"});
   fmt::print("{}, seed {}, estimator {}\n", scenario.name, scenario.seed, scenario.estimator.name);
   PrintVerdict(result);
   fmt::print("{:.1f} s flown at {:.2f} times real time, vision {:.1f} ms a frame; files in {}\n",
@@ -104,6 +105,10 @@ void AddFly(CLI::App& app, Run& run) {
   command.add_option("--estimator", options->estimator, "Name of the estimator (default: the scenario's)")
       ->type_name("NAME");
   command.add_option("--out", options->out, "Folder for the files (default: out/NAME)")->type_name("DIR");
+  command
+      .add_option("--video", options->video, "Whether to leave a film of the flight, flight.mp4: on (default) or off")
+      ->type_name("on|off")
+      ->check(CLI::IsMember({"on", "off"}));
   command.callback([options, &run] { run = [options] { return FlyWith(*options); }; });
 }
 

@@ -1,22 +1,27 @@
 #include "scenarios/report/flight_folder.h"
 
+#include <optional>
 #include <vector>
 
 #include "scenarios/flight/output_folder.h"
 #include "scenarios/report/contact_sheet.h"
+#include "scenarios/report/flight_video.h"
 
 namespace touchdown::scenarios {
 
-FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path& place, FlightObservers observers,
-                           const StopRequested& stop_requested) {
+FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path& place, const FlightExtras& extras,
+                           FlightObservers observers, const StopRequested& stop_requested) {
   OutputFolder folder(
       place, {.files = {"result.json", "scenario.yaml", "flight.csv", "frames.csv", "tracking.csv", "truth.tum",
-                        "estimate.tum", "tracking.tum", "frame_timing.csv", "timing.json", "frames.png"},
+                        "estimate.tum", "tracking.tum", "frame_timing.csv", "timing.json", "frames.png", "flight.mp4"},
               .mark = "\"log_sha256\""});
   ContactSheet sheet(scenario.camera.model, scenario.time);
   std::vector<FlightObserver*> all(observers.begin(), observers.end());
   all.push_back(&sheet);
+  std::optional<FlightVideo> video;
+  if (extras.video) all.push_back(&video.emplace(scenario, folder.PathOf("flight.mp4")));
   const FlightResult result = Fly(scenario, all, stop_requested);
+  if (video) video->Finish();
   folder.Write("scenario.yaml", ScenarioYaml(scenario));
   folder.Write("flight.csv", result.tables.flight_csv);
   folder.Write("frames.csv", result.tables.frames_csv);
