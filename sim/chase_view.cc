@@ -16,8 +16,8 @@
 namespace touchdown::sim {
 namespace {
 
-/// 53 degrees high.
-constexpr PinholeView kView{.width_px = 640, .height_px = 480, .focal_px = 480.0, .cx_px = 319.5, .cy_px = 239.5};
+/// 53 degrees wide and high.
+constexpr PinholeView kView{.width_px = 480, .height_px = 480, .focal_px = 480.0, .cx_px = 239.5, .cy_px = 239.5};
 
 /// With cylinders that have their ends, which the sensors' camera does without.
 MujocoModel CopyForTheEye(const mjModel& original) {

@@ -16,7 +16,7 @@ namespace touchdown::sim {
 /// a model and a GL context of its own, so that a flight beside it goes as it would without.
 class ChaseView {
  public:
-  /// Of a World's model, its textures painted, and the vehicle in it. What it sees is 640x480.
+  /// Of a World's model, its textures painted, and the vehicle in it. What it sees is 480x480.
   ChaseView(const mjModel_& model, const models::Vehicle& vehicle);
   ~ChaseView();
   ChaseView(const ChaseView&) = delete;

@@ -118,7 +118,7 @@ struct VideoWriter::Impl {
     encoder->rc_max_rate = kMostBits_s;
     encoder->rc_buffer_size = kBufferBits;
     encoder->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
-    Check(av_opt_set(encoder->priv_data, "preset", "veryfast", 0));
+    Check(av_opt_set(encoder->priv_data, "preset", "superfast", 0));
     Check(av_opt_set(encoder->priv_data, "crf", "24", 0));
     Check(avcodec_open2(encoder.get(), codec, nullptr));
   }
