@@ -70,7 +70,7 @@ ChaseView::ChaseView(const mjModel_& model, const models::Vehicle& vehicle)
 ChaseView::~ChaseView() = default;
 
 Eigen::Isometry3d ChaseView::X_WC(const Eigen::Vector3d& p_WB) const {
-  constexpr double kHeading = 0.6, kDown = 0.5, kMargin = 0.95, kNearest_m = 1.2;
+  constexpr double kHeading = 0.6, kDown = 0.5, kMargin = 1.03, kNearest_m = 1.2;
   const double radius_m = 0.5 * p_WB.norm() + Reach(vehicle_);
   const double half_angle = std::atan(0.5 * kView.height_px / kView.focal_px);
   const double distance_m = std::max(kNearest_m, kMargin * radius_m / std::sin(half_angle));

@@ -85,7 +85,7 @@ struct VideoWriter::Impl {
     if (finished || container == nullptr) return;
     container.reset();
     std::error_code ignored;
-    fs::remove(file, ignored);
+    if (fs::is_regular_file(file, ignored)) fs::remove(file, ignored);
   }
 
   [[noreturn]] void Fail(std::string_view why) const {

@@ -14,8 +14,8 @@ struct FrameRate {
   int seconds = 1;
 };
 
-/// The largest size that a film of such pictures can have within `most`, at no more than the pictures' own size: of
-/// their shape, and of even numbers.
+/// The largest size that a film of such pictures can have within `most`, no larger than the pictures themselves: of
+/// their shape, rounded to even numbers.
 cv::Size VideoSize(const cv::Size& picture, const cv::Size& most);
 
 /// An MP4 file with H.264 that a browser plays, also while it loads: index at the front, a key frame at least once a
