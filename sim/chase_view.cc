@@ -2,7 +2,6 @@
 
 #include <mujoco/mujoco.h>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -69,18 +68,20 @@ ChaseView::ChaseView(const mjModel_& model, const models::Vehicle& vehicle)
 
 ChaseView::~ChaseView() = default;
 
-Eigen::Isometry3d ChaseView::X_WC(const Eigen::Vector3d& p_WB) const {
-  constexpr double kHeading = 0.6, kDown = 0.5, kMargin = 1.03, kNearest_m = 1.2;
-  const double radius_m = 0.5 * p_WB.norm() + Reach(vehicle_);
+void ChaseView::Follow(const Eigen::Vector3d& p_WB) {
+  constexpr double kLeash_m = 0.15, kHeading = 0.6, kDown = 0.5, kMargin = 1.03;
+  if (!followed_) followed_ = p_WB;
+  const Eigen::Vector3d ahead = p_WB - *followed_;
+  if (ahead.norm() > kLeash_m) *followed_ = p_WB - kLeash_m * ahead.normalized();
+
+  const double radius_m = 0.5 * followed_->norm() + Reach(vehicle_) + kLeash_m;
   const double half_angle = std::atan(0.5 * kView.height_px / kView.focal_px);
-  const double distance_m = std::max(kNearest_m, kMargin * radius_m / std::sin(half_angle));
+  const double distance_m = kMargin * radius_m / std::sin(half_angle);
   const Eigen::Vector3d forward(std::cos(kHeading) * std::cos(kDown), std::sin(kHeading) * std::cos(kDown),
                                 -std::sin(kDown));
   const Eigen::Vector3d right(std::sin(kHeading), -std::cos(kHeading), 0.0);
-  Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();
-  X_WC.linear() << right, forward.cross(right), forward;
-  X_WC.translation() = 0.5 * p_WB - distance_m * forward;
-  return X_WC;
+  X_WC_.linear() << right, forward.cross(right), forward;
+  X_WC_.translation() = 0.5 * *followed_ - distance_m * forward;
 }
 
 void ChaseView::AddShadow(const Eigen::Isometry3d& X_WB) {
@@ -104,11 +105,11 @@ const cv::Mat3b& ChaseView::Render(const Eigen::Isometry3d& X_WB, bool pad_is_co
   mj_kinematics(impl.model.get(), impl.data.get());
   mj_comPos(impl.model.get(), impl.data.get());
   mj_camlight(impl.model.get(), impl.data.get());
-  const Eigen::Isometry3d camera = X_WC(X_WB.translation());
-  impl.HideWallsBetween(camera.translation());
+  Follow(X_WB.translation());
+  impl.HideWallsBetween(X_WC_.translation());
   impl.scene.List(*impl.data, impl.options);
   AddShadow(X_WB);
-  impl.scene.Draw(camera, picture_.data);
+  impl.scene.Draw(X_WC_, picture_.data);
   return picture_;
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <memory>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 
 #include "models/vehicle.h"
 #include "sim/pinhole_view.h"
@@ -26,19 +27,22 @@ class ChaseView {
   /// below each rotor tells where the vehicle is above. The picture is valid until the next call.
   const cv::Mat3b& Render(const Eigen::Isometry3d& X_WB, bool pad_is_covered);
 
-  /// Where the camera is for a vehicle at p_WB, frame C: it looks forward and down, from behind, at the middle between
-  /// pad and vehicle, from so far that both are in the view whole. It depends on the place alone, so that it moves as
-  /// smoothly as the vehicle.
-  Eigen::Isometry3d X_WC(const Eigen::Vector3d& p_WB) const;
+  /// Where the camera of the newest picture is, frame C. It looks forward and down, from behind, at the middle between
+  /// pad and vehicle, from so far that both are in the view whole. It stands still until the vehicle has moved by a
+  /// step's length, and then follows as if on a leash: as smoothly as the vehicle, and a hover leaves the room at rest.
+  const Eigen::Isometry3d& X_WC() const { return X_WC_; }
   const PinholeView& view() const { return view_; }
 
  private:
   struct Impl;
 
+  void Follow(const Eigen::Vector3d& p_WB);
   void AddShadow(const Eigen::Isometry3d& X_WB);
 
   models::Vehicle vehicle_;
   PinholeView view_;
+  std::optional<Eigen::Vector3d> followed_;  ///< A place within the leash's length of the vehicle.
+  Eigen::Isometry3d X_WC_ = Eigen::Isometry3d::Identity();
   cv::Mat3b picture_;
   std::unique_ptr<Impl> impl_;
 };
