@@ -23,8 +23,8 @@ cv::Size VideoSize(const cv::Size& picture, const cv::Size& most);
 /// gives way). It encodes in the calling thread.
 ///
 /// libavcodec is used as it is, not through OpenCV's VideoWriter: that one has no bound on the bit rate (10 s of a
-/// noisy frame beside a view of the room were 1.9 MB), makes key frames every 8 s, puts the index at the end, takes all
-/// cores and says nothing of a full disk; and a pipe to the program ffmpeg would need it at run time.
+/// flight's film were 1.7 MB), makes a key frame every 8 s, puts the index at the end, takes all cores and says nothing
+/// of a full disk; and a pipe to the program ffmpeg would need it at run time.
 class VideoWriter {
  public:
   /// `size` has even numbers from 2 to 4096 (throws std::invalid_argument otherwise). Throws InputError, as everything
