@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <optional>
 
-#include "sim/renderer.h"
+#include "sim/pinhole_view.h"
 
 namespace touchdown::sim {
 

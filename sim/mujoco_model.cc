@@ -51,4 +51,10 @@ MujocoData MakeData(const mjModel_& model) {
   return data;
 }
 
+void SetFreePose(const Eigen::Isometry3d& X_WB, mjData_& data) {
+  const Eigen::Quaterniond q_WB(X_WB.linear());
+  Eigen::Map<Eigen::Vector3d>(data.qpos) = X_WB.translation();
+  Eigen::Map<Eigen::Vector4d>(data.qpos + 3) << q_WB.w(), q_WB.x(), q_WB.y(), q_WB.z();
+}
+
 }  // namespace touchdown::sim

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <memory>
 #include <string>
 
@@ -24,5 +25,8 @@ MujocoModel LoadModel(const std::string& mjcf);
 
 /// The state of `model` at its initial configuration, with kinematics, lights and cameras computed.
 MujocoData MakeData(const mjModel_& model);
+
+/// Puts the body whose free joint is the model's first there. Kinematics are not computed.
+void SetFreePose(const Eigen::Isometry3d& X_WB, mjData_& data);
 
 }  // namespace touchdown::sim

@@ -6,22 +6,12 @@
 
 #include "models/signals.h"
 #include "sim/gl_context.h"
+#include "sim/pinhole_view.h"
 
 struct mjModel_;
 struct mjData_;
 
 namespace touchdown::sim {
-
-/// An undistorted view with square pixels, centred on integer coordinates.
-struct PinholeView {
-  int width_px = 640;
-  int height_px = 480;
-  double focal_px = 320.0;
-  double cx_px = 319.5;
-  double cy_px = 239.5;
-
-  friend bool operator==(const PinholeView&, const PinholeView&) = default;
-};
 
 /// What a camera without lens errors, exposure time and noise sees: MuJoCo's renderer on a GL context of its own.
 ///

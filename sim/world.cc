@@ -25,12 +25,6 @@ MujocoModel LoadWorld(const WorldConfig& config, const models::Vehicle& vehicle,
   return model;
 }
 
-void SetPose(const Eigen::Isometry3d& X_WB, mjData& data) {
-  const Eigen::Quaterniond q_WB(X_WB.linear());
-  Eigen::Map<Vector3d>(data.qpos) = X_WB.translation();
-  Eigen::Map<Eigen::Vector4d>(data.qpos + 3) << q_WB.w(), q_WB.x(), q_WB.y(), q_WB.z();
-}
-
 Eigen::Isometry3d LevelPose(const Vector3d& p_WB, double yaw) {
   Eigen::Isometry3d X_WB(Eigen::AngleAxisd(yaw, Vector3d::UnitZ()));
   X_WB.translation() = p_WB;
@@ -68,7 +62,7 @@ World::~World() = default;
 void World::Reset(const Eigen::Isometry3d& X_WB, bool rotors_at_hover) {
   if (!X_WB.matrix().allFinite()) throw SimulationError("the vehicle's first pose is not finite");
   mj_resetData(model_.get(), data_.get());
-  SetPose(X_WB, *data_);
+  SetFreePose(X_WB, *data_);
   mj_forward(model_.get(), data_.get());
   TakeMujocoWarning();
   rotors_.Reset(rotors_at_hover ? vehicle_.rotor.SpeedFor(vehicle_.HoverThrustPerRotor()) : 0.0);
@@ -113,7 +107,7 @@ double World::FindRestingHeight() {
   for (int i = 0; i < kBisections; ++i) {
     const double middle = 0.5 * (falls + lifts);
     mj_resetData(model_.get(), data_.get());
-    SetPose(LevelPose({0.0, 0.0, middle}, 0.0), *data_);
+    SetFreePose(LevelPose({0.0, 0.0, middle}, 0.0), *data_);
     mj_forward(model_.get(), data_.get());
     (data_->qacc[2] > 0.0 ? lifts : falls) = middle;
   }

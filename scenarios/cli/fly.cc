@@ -31,7 +31,8 @@ struct Options {
   std::optional<std::string> estimator;
   std::optional<std::string> out;
   std::optional<std::string> junit;
-  FlightExtras extras;
+  std::string video = "on";
+  bool record = false;
   Talk talk;
 };
 
@@ -72,7 +73,8 @@ class FlightProgress final : public FlightObserver {
 FlightResult FlyWithProgress(const Scenario& scenario, const std::string& out, const Options& options) {
   FlightProgress progress(scenario, !options.talk.ForPeople());
   FlightObserver* const observers[] = {&progress};
-  return FlyIntoFolder(scenario, out, options.extras, observers, InterruptRequested);
+  return FlyIntoFolder(scenario, out, {.video = options.video == "on", .recording = options.record}, observers,
+                       InterruptRequested);
 }
 
 std::vector<Override> OverridesOf(const Options& options) {
@@ -121,7 +123,11 @@ void AddFly(CLI::App& app, Run& run) {
   command.add_option("--estimator", options->estimator, "Name of the estimator (default: the scenario's)")
       ->type_name("NAME");
   command.add_option("--out", options->out, "Folder for the files (default: out/NAME)")->type_name("DIR");
-  command.add_flag("--record", options->extras.recording,
+  command
+      .add_option("--video", options->video, "Whether to leave a film of the flight, flight.mp4: on (default) or off")
+      ->type_name("on|off")
+      ->check(CLI::IsMember({"on", "off"}));
+  command.add_flag("--record", options->record,
                    "Record frames, IMU and truth in EuRoC's layout, in the folder recording");
   command.add_option("--junit", options->junit, "File for the criteria as JUnit XML")->type_name("FILE");
   AddTalk(command, options->talk);

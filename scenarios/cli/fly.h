@@ -4,8 +4,8 @@
 
 namespace touchdown::scenarios {
 
-/// `touchdown fly SCENARIO [--set key=value]... [--seed N] [--estimator NAME] [--out DIR]`: one flight, its verdict and
-/// its files.
+/// `touchdown fly SCENARIO [--set key=value]... [--seed N] [--estimator NAME] [--video on|off] [--out DIR]`: one
+/// flight, its verdict and its files.
 AddCommand AddFly;
 
 }  // namespace touchdown::scenarios

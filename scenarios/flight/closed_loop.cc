@@ -28,14 +28,14 @@ Eigen::Isometry3d StartPose(const Start& start, const sim::World& world) {
 /// A vehicle that is in the air at tick 0 has taken off before: at rest on level ground, it has learned the biases of
 /// its IMU.
 void StandBeforeFlight(const models::TimeBase& time, sim::Imu& imu, estimator::StateEstimator& estimator,
-                       FlightObservers observers) {
+                       FlightAudience& audience) {
   constexpr double kStanding_s = 2.0;
   sim::TrueState standing;
   for (standing.tick = -time.FromSeconds(kStanding_s); standing.tick < 0; ++standing.tick) {
     const auto sample = imu.Sample(standing);
     if (!sample) continue;
     estimator.TakeImu(*sample, true);
-    for (FlightObserver* const observer : observers) observer->OnImu(*sample, true);
+    audience.OnImu(*sample, true);
   }
 }
 
@@ -44,6 +44,8 @@ void StandBeforeFlight(const models::TimeBase& time, sim::Imu& imu, estimator::S
 FlightLog FlyClosedLoop(const Scenario& s, FlightObservers observers, const StopRequested& stop_requested) {
   sim::World world(s.world, s.vehicle, sim::MakeScene(s.scene, s.pad, s.seed), s.time, s.seed);
   world.Reset(StartPose(s.start, world), s.start.airborne);
+  FlightAudience audience(observers);
+  audience.OnStart(world);
   sim::Camera camera(s.camera, s.vehicle.X_BC(), world, s.time, s.seed);
   sim::Imu imu(s.imu, s.vehicle.X_BU(), s.time, s.seed);
   sim::TrackingSystem tracking_system(s.tracking, s.time, s.seed);
@@ -51,7 +53,7 @@ FlightLog FlyClosedLoop(const Scenario& s, FlightObservers observers, const Stop
   estimator::StateEstimator estimator(
       estimator::MakeEstimator(s.estimator, {s.camera.model, s.pad, s.vehicle.X_BC(), s.time}),
       {.attitude = s.attitude_estimator, .filter = s.pose_filter}, s.time, s.vehicle.X_BU().linear());
-  if (s.start.airborne) StandBeforeFlight(s.time, imu, estimator, observers);
+  if (s.start.airborne) StandBeforeFlight(s.time, imu, estimator, audience);
   controller::FlightController controller(s.controller, s.vehicle, s.time, s.imu.rate_hz, s.script, s.start.airborne);
   controller::ControlOutput control;
 
@@ -59,9 +61,10 @@ FlightLog FlyClosedLoop(const Scenario& s, FlightObservers observers, const Stop
   EndWatch end_watch(s);
   FlightRecorder recorder(s);
   const Stopwatch flight_clock;
+  const double watched_before_s = audience.seconds();
   const auto finish = [&](const Ending& ending) {
     FlightLog log = recorder.Finish(ending.outcome, ending.reason);
-    log.wall_s = flight_clock.seconds();
+    log.wall_s = flight_clock.seconds() - (audience.seconds() - watched_before_s);
     return log;
   };
 
@@ -75,14 +78,14 @@ FlightLog FlyClosedLoop(const Scenario& s, FlightObservers observers, const Stop
         const Stopwatch vision_clock;
         const estimator::FrameEstimate seen = estimator.TakeFrame(frame->image.View(), frame->mid_exposure);
         const FrameRecord& record = recorder.OnFrame(seen, camera.render_ms(), vision_clock.milliseconds());
-        for (FlightObserver* const observer : observers) observer->OnFrame(*frame, seen, record);
+        audience.OnFrame(*frame, seen, record);
       }
       if (const auto tracked = tracking_system.Sample(truth)) recorder.OnTracking(*tracked);
 
       if (const auto sample = imu.Sample(truth)) {
         const bool at_rest = controller.phase() == controller::Phase::kStandby;
         estimator.TakeImu(*sample, at_rest);
-        for (FlightObserver* const observer : observers) observer->OnImu(*sample, at_rest);
+        audience.OnImu(*sample, at_rest);
         const models::VehicleEstimate estimate = estimator.At(truth.tick);
         control = controller.Update(estimate);
         recorder.OnControl(estimate, control);

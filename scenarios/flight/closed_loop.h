@@ -1,15 +1,11 @@
 #pragma once
 
-#include <span>
-
+#include "scenarios/flight/flight_audience.h"
 #include "scenarios/flight/flight_log.h"
-#include "scenarios/flight/flight_observer.h"
 #include "scenarios/flight/interrupted.h"
 #include "scenarios/flight/scenario.h"
 
 namespace touchdown::scenarios {
-
-using FlightObservers = std::span<FlightObserver* const>;
 
 /// Flies a scenario from start to end: world -> sensors -> estimator -> filter -> guidance -> controller -> mixer ->
 /// world. A simulation that goes wrong ends the log with outcome `error`. Throws InputError for a scenario that cannot

@@ -35,6 +35,7 @@ struct FrameRecord {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   std::optional<Eigen::Vector2d> true_pad_px;  ///< nullopt when there is no pad to be seen: absent, covered or behind.
   bool ring_in_view = false;                   ///< The whole ring is in the image, uncovered.
+  bool pad_is_covered = false;
 
   // By the wall clock.
   double render_ms = 0.0;
@@ -62,8 +63,8 @@ struct FlightLog {
   models::Tick end = 0;
 
   Outcome outcome = Outcome::kError;
-  std::string reason;  ///< In a few words, why it ended so.
-  double wall_s = 0.0;
+  std::string reason;   ///< In a few words, why it ended so.
+  double wall_s = 0.0;  ///< Of the loop, observers not counted.
 };
 
 }  // namespace touchdown::scenarios

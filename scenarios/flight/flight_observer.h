@@ -3,6 +3,7 @@
 #include "estimator/estimator.h"
 #include "models/signals.h"
 #include "scenarios/flight/flight_log.h"
+#include "sim/world.h"
 
 namespace touchdown::scenarios {
 
@@ -11,6 +12,9 @@ namespace touchdown::scenarios {
 class FlightObserver {
  public:
   virtual ~FlightObserver() = default;
+
+  /// Before anything else, with the vehicle at its start.
+  virtual void OnStart(const sim::World& /*world*/) {}
 
   /// A sample of the IMU as the estimator is given it, with whether the vehicle knew that it stood on the ground,
   /// motors off. Ticks below 0 belong to a vehicle that stood before a flight that begins in the air.

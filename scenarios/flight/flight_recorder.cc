@@ -50,6 +50,7 @@ const FrameRecord& FlightRecorder::OnFrame(const estimator::FrameEstimate& estim
   record.pose = estimate.pose;
   record.pad_px = estimate.pad_px;
   record.X_WB = instant.truth.X_WB;
+  record.pad_is_covered = instant.pad_is_covered;
   if (has_pad_ && !instant.pad_is_covered) {
     record.true_pad_px = camera_.Project(instant.X_WC.inverse() * Eigen::Vector3d::Zero());
     record.ring_in_view = WholeRingInView(camera_, pad_, instant.X_WC);

@@ -14,12 +14,6 @@
 
 namespace touchdown::scenarios {
 
-/// A frame in colour with what the estimator saw in it, in the paper's colours (Sec. IV-A, Fig. 2 and 5): components'
-/// boxes green for circles, blue for letters H and red for others, the fitted ellipses, an orange cross on the pad, and
-/// a line with time, phase and status.
-cv::Mat AnnotateFrame(const models::ImageView& image, const models::CameraModel& camera,
-                      const estimator::FrameTrace& trace, const FrameRecord& record, double time_s);
-
 /// Some annotated frames, evenly spread over a flight of unknown length, on one picture. It keeps fewer than 48 frames,
 /// however long the flight, and draws them when asked for the picture: during a flight it costs a copy of a frame.
 class ContactSheet final : public FlightObserver {

@@ -6,6 +6,7 @@
 #include "scenarios/flight/output_folder.h"
 #include "scenarios/footage/flight_recording.h"
 #include "scenarios/report/contact_sheet.h"
+#include "scenarios/report/flight_video.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -18,16 +19,18 @@ FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path
                            FlightObservers observers, const StopRequested& stop_requested) {
   OutputFolder folder(
       place, {.files = {"result.json", "scenario.yaml", "flight.csv", "frames.csv", "tracking.csv", "truth.tum",
-                        "estimate.tum", "tracking.tum", "frame_timing.csv", "timing.json", "frames.png"},
+                        "estimate.tum", "tracking.tum", "frame_timing.csv", "timing.json", "frames.png", "flight.mp4"},
               .mark = "\"log_sha256\"",
               .subfolders = {{kRecordingFolder, IsOfFlightRecording}}});
   ContactSheet sheet(scenario.camera.model, scenario.time);
-  std::optional<FlightRecording> recording;
-  if (extras.recording) recording.emplace(scenario, folder.PathOf(kRecordingFolder));
   std::vector<FlightObserver*> all(observers.begin(), observers.end());
   all.push_back(&sheet);
-  if (recording) all.push_back(&*recording);
+  std::optional<FlightVideo> video;
+  if (extras.video) all.push_back(&video.emplace(scenario, folder.PathOf("flight.mp4")));
+  std::optional<FlightRecording> recording;
+  if (extras.recording) all.push_back(&recording.emplace(scenario, folder.PathOf(kRecordingFolder)));
   const FlightResult result = Fly(scenario, all, stop_requested);
+  if (video) video->Finish();
   if (recording) recording->Finish(result.truth);
   folder.Write("scenario.yaml", ScenarioYaml(scenario));
   folder.Write("flight.csv", result.tables.flight_csv);

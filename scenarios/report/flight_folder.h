@@ -8,11 +8,12 @@ namespace touchdown::scenarios {
 
 /// What to leave of a flight beside its logs.
 struct FlightExtras {
+  bool video = true;       ///< flight.mp4.
   bool recording = false;  ///< Frames, IMU and truth in the folder `recording`, see FlightRecording.
 };
 
 /// Flies a scenario and leaves its folder at `place`: scenario.yaml, result.json, the tables, timing.json and
-/// frames.png (docs/scenarios.md says what each holds; a flight without frames has no frames.png), and `extras`. The
+/// frames.png (docs/scenarios.md says what each holds; a flight without frames has no pictures), and `extras`. The
 /// folder appears when everything is written, see OutputFolder. Throws InputError for a place that cannot be used,
 /// before the flight, and as Fly does.
 FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path& place,

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
 #include <string>
 
 #include "scenarios/flight/fly.h"
@@ -44,6 +45,10 @@ TEST(Flights, TakeoffHoverLandPassesAndLooksAsInTheREADME) {
   fs::remove_all(place);
   ExpectPass(FlyIntoFolder(Flight("takeoff_hover_land"), place));
   cv::Mat sheet;
+  cv::VideoCapture film((place / "flight.mp4").string());
+  EXPECT_GT(film.get(cv::CAP_PROP_FRAME_COUNT), 400);
+  EXPECT_LE(static_cast<double>(fs::file_size(place / "flight.mp4")), 1e5 / 30.0 * film.get(cv::CAP_PROP_FRAME_COUNT))
+      << "at most 1 MB for 10 s";
   cv::resize(cv::imread((place / "frames.png").string()), sheet, {1280, 720}, 0, 0, cv::INTER_AREA);
   fs::remove_all(place);
 
@@ -105,8 +110,9 @@ TEST(Flights, LeaveTheirFolderWhole) {
   fs::remove_all(place);
   const FlightResult result = FlyIntoFolder(Flight("landing", Short()), place);
   EXPECT_EQ(result.verdict, Verdict::kFail);
-  for (const char* name : {"scenario.yaml", "result.json", "flight.csv", "frames.csv", "tracking.csv", "truth.tum",
-                           "estimate.tum", "tracking.tum", "frame_timing.csv", "timing.json", "frames.png"}) {
+  for (const char* name :
+       {"scenario.yaml", "result.json", "flight.csv", "frames.csv", "tracking.csv", "truth.tum", "estimate.tum",
+        "tracking.tum", "frame_timing.csv", "timing.json", "frames.png", "flight.mp4"}) {
     EXPECT_GT(fs::file_size(place / name), 0u) << name;
   }
   std::ifstream stream(place / "result.json");
@@ -114,6 +120,27 @@ TEST(Flights, LeaveTheirFolderWhole) {
   EXPECT_EQ(json.at("outcome"), "gave_up");
   EXPECT_EQ(json.at("verdict"), "fail");
   EXPECT_EQ(json.at("log_sha256"), result.log_sha256);
+  cv::VideoCapture film((place / "flight.mp4").string());
+  EXPECT_EQ(film.get(cv::CAP_PROP_FPS), 30.0);
+  EXPECT_EQ(film.get(cv::CAP_PROP_FRAME_COUNT), 91) << "3 s and the picture at their end";
+  fs::remove_all(place);
+}
+
+TEST(Flights, AreTheSameWithAndWithoutTheirFilm) {
+  const fs::path place = fs::path(::testing::TempDir()) / "flights_test_video";
+  fs::remove_all(place);
+  const Scenario scenario = Flight("landing", {"time_limit_s=2",
+                                               "events=[{at_s: 0.5, do: cover_pad, duration_s: 0.5}, "
+                                               "{at_s: 1.2, do: lose_frames, duration_s: 0.2}]"});
+  const FlightResult without = FlyIntoFolder(scenario, place, {.video = false});
+  EXPECT_FALSE(fs::exists(place / "flight.mp4"));
+  const FlightResult with = FlyIntoFolder(scenario, place, {.video = true});
+  EXPECT_TRUE(fs::exists(place / "flight.mp4"));
+  EXPECT_EQ(with.log_sha256, without.log_sha256);
+  EXPECT_EQ(with.tables.flight_csv, without.tables.flight_csv);
+  // A film of an earlier flight does not stay beside a later one.
+  FlyIntoFolder(scenario, place, {.video = false});
+  EXPECT_FALSE(fs::exists(place / "flight.mp4"));
   fs::remove_all(place);
 }
 

@@ -17,6 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using ::testing::UnorderedElementsAre;
@@ -72,7 +73,29 @@ TEST_F(Program, TellsItsVersionAndItsHelp) {
   EXPECT_THAT(version.out, HasSubstr("0."));
   const ProgramRun help = Run({"fly", "--help"});
   EXPECT_EQ(help.status, 0);
-  EXPECT_THAT(help.out, AllOf(HasSubstr("--set"), HasSubstr("--seed"), HasSubstr("--estimator"), HasSubstr("--out")));
+  EXPECT_THAT(help.out, AllOf(HasSubstr("--set"), HasSubstr("--seed"), HasSubstr("--estimator"), HasSubstr("--video"),
+                              HasSubstr("--out")));
+}
+
+TEST_F(Program, LeavesAFilmUnlessToldNotTo) {
+  Put("short.yaml", std::string(kGoodScript) + "time_limit_s: 0.1\n");
+  const fs::path film = folder_ / "result" / "flight.mp4";
+  EXPECT_EQ(Run({"fly", "short.yaml", "--out", "result"}).status, 1);
+  EXPECT_TRUE(fs::exists(film));
+  EXPECT_EQ(Run({"fly", "short.yaml", "--out", "result", "--video", "off"}).status, 1);
+  EXPECT_FALSE(fs::exists(film));
+  EXPECT_EQ(Run({"fly", "short.yaml", "--out", "result", "--video", "on"}).status, 1);
+  EXPECT_TRUE(fs::exists(film));
+}
+
+TEST_F(Program, LeavesNothingWhenTheDiskIsFull) {
+  Put("short.yaml", std::string(kGoodScript) + "time_limit_s: 0.2\n");
+  const ProgramRun run = touchdown::tests::RunProgram(
+      "/bin/sh", {"-c", "trap '' XFSZ; ulimit -f 40; exec \"$0\" fly short.yaml --out a/result", TOUCHDOWN_PROGRAM},
+      folder_);
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.err, EndsWith("error: video flight.mp4: File too large\n"));
+  EXPECT_THAT(Names(), UnorderedElementsAre("short.yaml"));
 }
 
 TEST_F(Program, DrawsThePadToPrintAndDescribesIt) {
@@ -126,6 +149,7 @@ TEST_F(Program, ExitsWithTwoOnBadUsage) {
                                              {"fly"},
                                              {"fly", "a.yaml", "--sed", "1"},
                                              {"fly", "a.yaml", "--estimator"},
+                                             {"fly", "a.yaml", "--video", "maybe"},
                                              {"fly", "a.yaml", "b.yaml"}}) {
     const ProgramRun run = Run(arguments);
     EXPECT_EQ(run.status, 2) << run.err;

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "models/angles.h"
+#include "scenarios/flight/stopwatch.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -37,6 +40,36 @@ TEST(ClosedLoop, StartsInTheAirKnowingTheBiasesOfItsImu) {
     EXPECT_EQ(log.ticks.front().estimate.tick, 0);
     EXPECT_LT(LargestLevelError(log), models::DegToRad(0.3)) << seed;
   }
+}
+
+/// Takes its time.
+class SlowObserver final : public FlightObserver {
+ public:
+  void OnStart(const sim::World& world) override { started_ = world.state().tick == 0; }
+  void OnImu(const models::ImuSample& /*sample*/, bool /*at_rest*/) override {
+    EXPECT_TRUE(started_);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    ++count_;
+  }
+  double slept_s() const { return 0.02 * count_; }
+
+ private:
+  bool started_ = false;
+  int count_ = 0;
+};
+
+TEST(ClosedLoop, DoesNotCountTheTimeThatItsObserversTake) {
+  Scenario scenario;
+  scenario.script = {{.kind = controller::ManoeuvreKind::kTakeoff}};
+  scenario.time_limit_s = 0.5;
+  scenario.world.paint_textures = false;
+  SlowObserver observer;
+  FlightObserver* const observers[] = {&observer};
+  const Stopwatch clock;
+  const FlightLog log = FlyClosedLoop(scenario, observers, nullptr);
+  EXPECT_GT(observer.slept_s(), 1.9);
+  EXPECT_GT(log.wall_s, 0.0);
+  EXPECT_LE(log.wall_s, clock.seconds() - observer.slept_s());
 }
 
 }  // namespace

@@ -47,6 +47,7 @@ TEST_F(FlightRecorderTest, SeesNoPadWhereItIsCovered) {
   const FrameRecord record = recorder_.OnFrame(Estimate(49), 0.0, 0.0);
   EXPECT_FALSE(record.ring_in_view);
   EXPECT_FALSE(record.true_pad_px.has_value());
+  EXPECT_TRUE(record.pad_is_covered);
   EXPECT_TRUE(recorder_.OnFrame(Estimate(50), 0.0, 0.0).ring_in_view);
 }
 

@@ -58,28 +58,5 @@ TEST(ContactSheet, ShowsTwelveFramesOfALongFlightFromItsStartToItsEnd) {
   EXPECT_GT(previous, 220);
 }
 
-TEST(AnnotateFrame, DrawsBoxesInThePapersColours) {
-  using Label = estimator::FrameTrace::Label;
-  const models::Image image(640, 480, 128);
-  estimator::FrameTrace trace;
-  trace.components = {{100, 100, 50, 50, Label::kCircle, 1.0},
-                      {200, 100, 50, 50, Label::kH, 1.0},
-                      {300, 100, 50, 50, Label::kOther, 1.0}};
-  FrameRecord record;
-  record.pad_px = Eigen::Vector2d(500, 300);
-  const cv::Mat picture = AnnotateFrame(image.View(), models::CameraModel(), trace, record, 0.0);
-  const auto strongest = [&picture](int u, int v) {
-    const cv::Vec3b pixel = picture.at<cv::Vec3b>(v, u);
-    return std::max_element(pixel.val, pixel.val + 3) - pixel.val;
-  };
-  EXPECT_EQ(strongest(125, 100), 1);
-  EXPECT_EQ(strongest(225, 100), 0);
-  EXPECT_EQ(strongest(325, 100), 2);
-  const cv::Vec3b orange = picture.at<cv::Vec3b>(300, 500);
-  EXPECT_GT(orange[2], orange[1]);
-  EXPECT_GT(orange[1], orange[0]);
-  EXPECT_EQ(picture.at<cv::Vec3b>(400, 600), cv::Vec3b(128, 128, 128));
-}
-
 }  // namespace
 }  // namespace touchdown::scenarios

@@ -1,0 +1,156 @@
+#include "scenarios/report/annotated_frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "models/angles.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+using Ellipse = estimator::FrameTrace::Ellipse;
+using Label = estimator::FrameTrace::Label;
+using Eigen::Vector2d;
+
+// Blue, green, red.
+const cv::Scalar kGreen(60, 190, 60), kBlue(230, 110, 30), kRed(60, 60, 220), kOrange(0, 140, 255),
+    kYellow(0, 230, 255), kWhite(255, 255, 255);
+const std::array<cv::Scalar, 3> kAxisColours = {cv::Scalar(0, 0, 255), cv::Scalar(0, 220, 0), cv::Scalar(255, 60, 0)};
+
+constexpr double kCaptionHeight_px = 27.0;
+
+/// Sub-pixel places: OpenCV's drawing takes them in 16ths.
+constexpr int kShift = 4;
+cv::Point Place(const Vector2d& pixel) {
+  return {static_cast<int>(std::lround(pixel.x() * (1 << kShift))),
+          static_cast<int>(std::lround(pixel.y() * (1 << kShift)))};
+}
+
+cv::Scalar ColourOf(Label label) {
+  switch (label) {
+    case Label::kCircle:
+      return kGreen;
+    case Label::kH:
+      return kBlue;
+    case Label::kOther:
+      break;
+  }
+  return kRed;
+}
+
+/// How large things are drawn, over what they are at 640x480.
+double ScaleOf(const cv::Size& size) { return std::sqrt(static_cast<double>(size.area()) / (640.0 * 480.0)); }
+
+/// Draws on one frame.
+class Pen {
+ public:
+  Pen(cv::Mat3b& picture, const models::CameraModel& camera)
+      : picture_(picture), camera_(camera), scale_(ScaleOf(picture.size())) {}
+
+  void Box(const estimator::FrameTrace::Component& component) {
+    cv::rectangle(picture_, cv::Rect(component.u, component.v, component.width, component.height),
+                  ColourOf(component.label), Width(component.label == Label::kOther ? 1.0 : 2.0));
+  }
+
+  void EllipseWithAxes(const Ellipse& ellipse) {
+    constexpr int kPoints = 90;
+    const Vector2d along(std::cos(ellipse.angle), std::sin(ellipse.angle)), across(-along.y(), along.x());
+    const Vector2d major = ellipse.semi_axes.x() * along, minor = ellipse.semi_axes.y() * across;
+    std::vector<cv::Point> points;
+    for (int i = 0; i < kPoints; ++i) {
+      const double t = 2.0 * models::kPi * i / kPoints;
+      points.push_back(Place(RawPixel(ellipse.center + std::cos(t) * major + std::sin(t) * minor)));
+    }
+    cv::polylines(picture_, points, true, kYellow, Width(1.0), cv::LINE_AA, kShift);
+    for (const Vector2d& axis : {major, minor}) {
+      Line(RawPixel(ellipse.center - axis), RawPixel(ellipse.center + axis), kYellow, 1.0);
+    }
+  }
+
+  void Cross(const Vector2d& pixel) {
+    cv::drawMarker(picture_, {static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y()))},
+                   kOrange, cv::MARKER_CROSS, Width(40.0), Width(3.0), cv::LINE_AA);
+  }
+
+  /// Axes whose line leaves what the camera can see are left out.
+  void AxesOfW(const Eigen::Isometry3d& X_WC, double length_m) {
+    const Eigen::Isometry3d X_CW = X_WC.inverse();
+    const auto origin = camera_.Project(X_CW.translation());
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto tip = camera_.Project(X_CW * (length_m * Eigen::Vector3d::Unit(axis)));
+      if (!origin || !tip || !IsNear(*origin) || !IsNear(*tip)) continue;
+      Line(*origin, *tip, kAxisColours[static_cast<std::size_t>(axis)], 3.0);
+    }
+  }
+
+ private:
+  int Width(double width_px) const { return std::max(1, static_cast<int>(std::lround(width_px * scale_))); }
+
+  /// Whether a pixel is no farther from the image than the image is large: OpenCV draws no more.
+  bool IsNear(const Vector2d& pixel) const {
+    const Vector2d size(picture_.cols, picture_.rows);
+    return ((pixel - 0.5 * size).cwiseAbs() - 1.5 * size).maxCoeff() < 0.0;
+  }
+
+  /// Ellipses are fitted to undistorted points: bends one back to where it is in the raw frame.
+  Vector2d RawPixel(const Vector2d& undistorted) const {
+    return camera_.PixelFromNormalized(camera_.Distort(camera_.NormalizedFromPixel(undistorted)));
+  }
+
+  void Line(const Vector2d& from, const Vector2d& to, const cv::Scalar& colour, double width_px) {
+    cv::line(picture_, Place(from), Place(to), colour, Width(width_px), cv::LINE_AA, kShift);
+  }
+
+  cv::Mat3b& picture_;
+  const models::CameraModel& camera_;
+  double scale_;
+};
+
+}  // namespace
+
+cv::Mat3b AnnotateFrame(const models::ImageView& image, const models::CameraModel& camera,
+                        const FrameAnnotation& annotation) {
+  // OpenCV has no read-only header; the picture is a copy.
+  const cv::Mat grey(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.data),
+                     static_cast<std::size_t>(image.stride));
+  cv::Mat3b picture;
+  cv::cvtColor(grey, picture, cv::COLOR_GRAY2BGR);
+  Pen pen(picture, camera);
+  const estimator::FrameTrace& trace = annotation.trace;
+  // Interesting labels last, so that they lie on top.
+  for (const Label label : {Label::kOther, Label::kCircle, Label::kH}) {
+    for (const auto& component : trace.components) {
+      if (component.label == label) pen.Box(component);
+    }
+  }
+  for (const auto& ellipse : {trace.ring_outer, trace.ring_inner, trace.letter}) {
+    if (ellipse) pen.EllipseWithAxes(*ellipse);
+  }
+  if (annotation.pad_px) pen.Cross(*annotation.pad_px);
+  if (annotation.X_WC) pen.AxesOfW(*annotation.X_WC, annotation.axis_length_m);
+  return picture;
+}
+
+cv::Scalar CaptionColour(estimator::FrameStatus status) {
+  return status == estimator::FrameStatus::kOk ? kWhite : kYellow;
+}
+
+int CaptionHeight(const cv::Size& picture) {
+  return std::clamp(static_cast<int>(std::lround(kCaptionHeight_px * ScaleOf(picture))), 1, picture.height);
+}
+
+void DrawCaption(cv::Mat3b strip, const std::string& text, const cv::Scalar& colour) {
+  constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
+  constexpr double kFontScale = 0.58, kLeft_px = 8.0, kBaseline_px = 19.0;
+  const double text_width_px = 2.0 * kLeft_px + cv::getTextSize(text, kFont, kFontScale, 1, nullptr).width;
+  const double scale = std::min(strip.rows / kCaptionHeight_px, strip.cols / text_width_px);
+  const auto px = [scale](double nominal_px) { return static_cast<int>(std::lround(scale * nominal_px)); };
+  strip = cv::Vec3b(0, 0, 0);
+  cv::putText(strip, text, {px(kLeft_px), px(kBaseline_px)}, kFont, kFontScale * scale, colour, std::max(1, px(1.0)),
+              cv::LINE_AA);
+}
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <opencv2/core/mat.hpp>
+#include <opencv2/core/types.hpp>
+#include <optional>
+#include <string>
+
+#include "estimator/estimator.h"
+#include "models/camera_model.h"
+#include "models/signals.h"
+
+namespace touchdown::scenarios {
+
+/// What an estimator made of a frame, as far as it is to be drawn.
+struct FrameAnnotation {
+  estimator::FrameTrace trace;
+  std::optional<Eigen::Vector2d> pad_px;  ///< Centre of the detected pad, raw px.
+  std::optional<Eigen::Isometry3d> X_WC;  ///< The camera's estimated pose.
+  double axis_length_m = 0.09;            ///< Of the axes that show that pose: about the pad's outer radius.
+};
+
+/// A frame in colour (blue, green, red) with what the estimator saw in it, in the paper's colours (Sec. IV-A, Fig. 2
+/// and 5): components' boxes green for circles, blue for letters H and red for others, the fitted ellipses with their
+/// axes in yellow, an orange cross on the pad, and the axes of W as the estimated pose projects them through the lens,
+/// X red, Y green, Z blue. Lines are as wide as suits the frame's size, 1 and 2 px at 640x480. `image` has the camera's
+/// size.
+cv::Mat3b AnnotateFrame(const models::ImageView& image, const models::CameraModel& camera,
+                        const FrameAnnotation& annotation);
+
+/// White, or yellow when a frame gave no pose: the colour of its caption.
+cv::Scalar CaptionColour(estimator::FrameStatus status);
+
+/// How high a caption suits a picture, px: 27 at 640x480.
+int CaptionHeight(const cv::Size& picture);
+
+/// Makes a black strip with a line of text of a picture's rows, as in DrawCaption(picture.rowRange(0, height), ...).
+/// The text is as high as suits the strip, or smaller where it is too long for it.
+void DrawCaption(cv::Mat3b strip, const std::string& text, const cv::Scalar& colour);
+
+}  // namespace touchdown::scenarios

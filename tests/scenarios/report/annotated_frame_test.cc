@@ -1,0 +1,131 @@
+#include "scenarios/report/annotated_frame.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <opencv2/core.hpp>
+
+#include "models/vehicle.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Label = estimator::FrameTrace::Label;
+
+const models::Image& Grey() {
+  static const models::Image image(640, 480, 128);
+  return image;
+}
+
+enum Colour { kBlue, kGreen, kRed };
+
+/// The strongest colour of a pixel.
+Colour ColourAt(const cv::Mat3b& picture, const Vector2d& pixel) {
+  const cv::Vec3b bgr = picture(static_cast<int>(std::lround(pixel.y())), static_cast<int>(std::lround(pixel.x())));
+  return static_cast<Colour>(std::max_element(bgr.val, bgr.val + 3) - bgr.val);
+}
+
+bool IsUntouched(const cv::Mat3b& picture, const Vector2d& pixel) {
+  return picture(static_cast<int>(pixel.y()), static_cast<int>(pixel.x())) == cv::Vec3b(128, 128, 128);
+}
+
+TEST(AnnotateFrame, DrawsBoxesInThePapersColoursAndACrossOnThePad) {
+  FrameAnnotation annotation;
+  annotation.trace.components = {{100, 100, 50, 50, Label::kCircle, 1.0},
+                                 {200, 100, 50, 50, Label::kH, 1.0},
+                                 {300, 100, 50, 50, Label::kOther, 1.0}};
+  annotation.pad_px = Vector2d(500, 300);
+  const cv::Mat3b picture = AnnotateFrame(Grey().View(), {}, annotation);
+  EXPECT_EQ(ColourAt(picture, {125, 100}), kGreen);
+  EXPECT_EQ(ColourAt(picture, {225, 100}), kBlue);
+  EXPECT_EQ(ColourAt(picture, {325, 100}), kRed);
+  const cv::Vec3b orange = picture(300, 500);
+  EXPECT_GT(orange[2], orange[1]);
+  EXPECT_GT(orange[1], orange[0]);
+  EXPECT_TRUE(IsUntouched(picture, {600, 400}));
+  EXPECT_TRUE(IsUntouched(picture, {5, 5}));
+}
+
+TEST(AnnotateFrame, DrawsEllipsesWithTheirAxesWhereTheLensPutsThem) {
+  const models::CameraModel camera;
+  const double angle = 0.5;
+  const estimator::FrameTrace::Ellipse ellipse{.center = {480, 120}, .semi_axes = {80, 40}, .angle = angle};
+  FrameAnnotation annotation;
+  annotation.trace.ring_outer = ellipse;
+  const cv::Mat3b picture = AnnotateFrame(Grey().View(), camera, annotation);
+  const Vector2d along(std::cos(angle), std::sin(angle)), across(-along.y(), along.x());
+  const auto raw = [&](const Vector2d& undistorted) {
+    return camera.PixelFromNormalized(camera.Distort(camera.NormalizedFromPixel(undistorted)));
+  };
+  for (const Vector2d& end : {Vector2d(80 * along), Vector2d(-80 * along), Vector2d(40 * across)}) {
+    for (const double share : {0.98, 0.5}) {
+      const Vector2d pixel = raw(ellipse.center + share * end);
+      const cv::Rect around(static_cast<int>(std::lround(pixel.x())) - 1, static_cast<int>(std::lround(pixel.y())) - 1,
+                            3, 3);
+      int yellow = 0;
+      for (const cv::Vec3b& bgr : cv::Mat3b(picture(around).clone())) yellow += std::min(bgr[1], bgr[2]) > bgr[0] + 60;
+      EXPECT_GE(yellow, 2) << pixel.transpose();
+    }
+  }
+  EXPECT_TRUE(IsUntouched(picture, raw(ellipse.center + 40 * along + 15 * across)));
+}
+
+TEST(AnnotateFrame, DrawsTheAxesOfThePoseWhereTheCameraSeesThem) {
+  const models::CameraModel camera{.k1 = -0.2};
+  Eigen::Isometry3d X_WB(Eigen::AngleAxisd(0.4, Vector3d(0.3, 1.0, 0.2).normalized()));
+  X_WB.translation() << 0.2, -0.15, 0.5;
+  const Eigen::Isometry3d X_WC = X_WB * models::Vehicle().X_BC();
+  const cv::Mat3b picture = AnnotateFrame(Grey().View(), camera, {.trace = {}, .pad_px = {}, .X_WC = X_WC});
+  for (const auto& [axis, colour] : {std::pair(0, kRed), std::pair(1, kGreen), std::pair(2, kBlue)}) {
+    const Vector2d origin = camera.Project(X_WC.inverse() * Vector3d::Zero()).value();
+    const Vector2d tip = camera.Project(X_WC.inverse() * Vector3d(0.09 * Vector3d::Unit(axis))).value();
+    ASSERT_GT((tip - origin).norm(), 10.0);
+    EXPECT_EQ(ColourAt(picture, 0.3 * origin + 0.7 * tip), colour) << axis;
+    EXPECT_FALSE(IsUntouched(picture, 0.3 * origin + 0.7 * tip));
+    EXPECT_TRUE(IsUntouched(picture, tip + 0.3 * (tip - origin))) << axis;
+  }
+}
+
+TEST(AnnotateFrame, LeavesOutAxesThatTheCameraCannotSee) {
+  Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();  // W's origin at the camera itself, and behind it.
+  for (const double z : {0.0, 0.5, -1e-9}) {
+    X_WC.translation().z() = z;
+    const cv::Mat3b picture = AnnotateFrame(Grey().View(), {}, {.trace = {}, .pad_px = {}, .X_WC = X_WC});
+    EXPECT_TRUE(IsUntouched(picture, {400, 300})) << z;
+  }
+}
+
+TEST(AnnotateFrame, DrawsLinesAsWideAsSuitsTheFrame) {
+  for (const auto& [width, height, expected_px] : {std::tuple(320, 240, 1), std::tuple(4000, 3000, 13)}) {
+    const models::Image image(width, height, 128);
+    models::CameraModel camera{.width_px = width, .height_px = height};
+    FrameAnnotation annotation;
+    annotation.trace.components = {{width / 4, height / 4, width / 2, height / 2, Label::kCircle, 1.0}};
+    const cv::Mat3b picture = AnnotateFrame(image.View(), camera, annotation);
+    int line_px = 0;
+    for (int v = 0; v < height / 2; ++v) line_px += picture(v, width / 2) != cv::Vec3b(128, 128, 128);
+    EXPECT_NEAR(line_px, expected_px, 0.2 * expected_px) << width;
+  }
+}
+
+TEST(DrawCaption, WritesItsTextIntoTheStripAlone) {
+  for (const auto& [width, height] : {std::pair(640, 480), std::pair(320, 240), std::pair(40, 4000), std::pair(1, 1)}) {
+    cv::Mat3b picture(height, width, cv::Vec3b(128, 128, 128));
+    const int strip_px = CaptionHeight(picture.size());
+    DrawCaption(picture.rowRange(0, strip_px), "12.34 s  landing", CaptionColour(estimator::FrameStatus::kNoH));
+    if (height > strip_px) {
+      EXPECT_EQ(cv::countNonZero(picture.rowRange(strip_px, height).reshape(1) != 128), 0);
+    }
+    if (width < 100) continue;
+    EXPECT_EQ(picture(0, 0), cv::Vec3b(0, 0, 0));
+    double blue = 0.0, red = 0.0;
+    for (const cv::Vec3b& bgr : cv::Mat3b(picture.rowRange(0, strip_px).clone())) blue += bgr[0], red += bgr[2];
+    EXPECT_GT(red, 10.0 * width);
+    EXPECT_LT(blue, 0.2 * red) << "a frame without a pose has a yellow caption";
+  }
+}
+
+}  // namespace
+}  // namespace touchdown::scenarios
