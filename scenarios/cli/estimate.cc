@@ -22,6 +22,7 @@
 #include "scenarios/footage/footage.h"
 #include "scenarios/footage/imu_file.h"
 #include "scenarios/footage/poses_table.h"
+#include "scenarios/report/footage_video.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -33,6 +34,7 @@ struct Options {
   std::string input;
   std::string out;
   std::optional<std::string> camera, pad, imu, vehicle, estimator;
+  bool video = false;
   Talk talk;
 };
 
@@ -114,21 +116,25 @@ std::string SummaryJson(const std::vector<FootageEstimate>& estimates, const Foo
   return json.dump(2) + "\n";
 }
 
+constexpr const char* kVideoName = "estimate.mp4";
 /// What poses.csv is known by when it is to be replaced.
 constexpr const char* kPosesMark = "frame,source,t_s,status,x_m";
 
 int EstimateWith(const Options& options) {
-  OutputFolder folder(options.out,
-                      {.files = {"poses.csv", "poses.tum", "choices.csv", "summary.json"}, .mark = kPosesMark});
+  OutputFolder folder(options.out, {.files = {"poses.csv", "poses.tum", "choices.csv", "summary.json", kVideoName},
+                                    .mark = kPosesMark});
   const std::unique_ptr<Footage> footage = OpenFootage(options.input);
   const FootageFacts& facts = footage->facts();
   const FootageSetup setup = SetupOf(options, facts);
 
+  std::optional<FootageVideo> video;
+  if (options.video) video.emplace(folder.PathOf(kVideoName), setup, facts);
   const std::vector<FootageEstimate> estimates = [&] {
     Progress progress(!options.talk.ForPeople());
     std::size_t done = 0;
-    return EstimateFootage(*footage, setup, [&](const FootageFrame&, const FootageEstimate&) {
+    return EstimateFootage(*footage, setup, [&](const FootageFrame& frame, const FootageEstimate& estimate) {
       if (InterruptRequested()) throw Interrupted();
+      if (video) video->Add(frame, estimate);
       ++done;
       const std::size_t count = std::max(done, facts.frame_count);
       if (progress.IsDue()) {
@@ -137,6 +143,7 @@ int EstimateWith(const Options& options) {
     });
   }();
 
+  if (video) video->Finish();
   const std::string summary = SummaryJson(estimates, setup);
   folder.Write("summary.json", summary);
   folder.Write("poses.tum", TumText(PosesTrajectory(estimates, facts.time), facts.time));
@@ -173,6 +180,7 @@ void AddEstimate(CLI::App& app, Run& run) {
                   "How camera and IMU are mounted: a vehicle's description (default: the recording's)")
       ->type_name("VEHICLE.yaml");
   command.add_option("--estimator", options->estimator, "Name of the estimator (default: paper)")->type_name("NAME");
+  command.add_flag("--video", options->video, "Leave a film with what the estimator saw drawn into it, estimate.mp4");
   AddTalk(command, options->talk);
   command.callback([options, &run] { run = [options] { return EstimateWith(*options); }; });
 }

@@ -5,7 +5,7 @@
 namespace touchdown::scenarios {
 
 /// `touchdown estimate INPUT [--camera CAMERA.yaml] [--pad PAD.yaml] [--imu FILE] [--vehicle VEHICLE.yaml]
-/// [--estimator NAME] --out DIR`: the estimator alone, on footage.
+/// [--estimator NAME] [--video] --out DIR`: the estimator alone, on footage.
 AddCommand AddEstimate;
 
 }  // namespace touchdown::scenarios

@@ -120,43 +120,6 @@ void PutFlight(const FlightLog& log, Metrics& metrics) {
   if (!log.ticks.empty()) metrics.emplace("flight.max_tilt_deg", RadToDeg(tilt));
 }
 
-void PutErrors(const FlightLog& log, Metrics& metrics) {
-  RootMeanSquare xy, z, xyz, roll, pitch, yaw;
-  for (const FrameRecord& frame : log.frames) {
-    if (frame.status != estimator::FrameStatus::kOk) continue;
-    const models::TaitBryan truth = models::TaitBryanFromRotation(frame.X_WB.linear());
-    const Eigen::Isometry3d X_WB = models::NearerTwin(frame.pose.value().X_WB, truth.yaw);
-    const models::TaitBryan angles = models::TaitBryanFromRotation(X_WB.linear());
-    const Eigen::Vector3d error = X_WB.translation() - frame.X_WB.translation();
-    xy.Add(error.head<2>().squaredNorm());
-    z.Add(Square(error.z()));
-    xyz.Add(error.squaredNorm());
-    roll.Add(Square(RadToDeg(models::WrapToPi(angles.roll - truth.roll))));
-    pitch.Add(Square(RadToDeg(angles.pitch - truth.pitch)));
-    yaw.Add(Square(RadToDeg(models::WrapToPi(angles.yaw - truth.yaw))));
-  }
-  xy.Put(metrics, "estimate.xy_rmse_m");
-  z.Put(metrics, "estimate.z_rmse_m");
-  xyz.Put(metrics, "estimate.xyz_rmse_m");
-  roll.Put(metrics, "estimate.roll_rmse_deg");
-  pitch.Put(metrics, "estimate.pitch_rmse_deg");
-  yaw.Put(metrics, "estimate.yaw_rmse_deg");
-}
-
-void PutDetection(const FlightLog& log, Metrics& metrics) {
-  int in_view = 0, seen = 0, false_pads = 0;
-  for (const FrameRecord& frame : log.frames) {
-    if (frame.ring_in_view) ++in_view;
-    if (frame.ring_in_view && frame.status == estimator::FrameStatus::kOk) ++seen;
-    if (frame.pad_px && (!frame.true_pad_px || (*frame.pad_px - *frame.true_pad_px).norm() > kFalsePad_px)) {
-      ++false_pads;
-    }
-  }
-  if (in_view > 0) metrics.emplace("estimate.availability", static_cast<double>(seen) / in_view);
-  metrics.emplace("estimate.ring_frames", in_view);
-  metrics.emplace("estimate.false_pads", false_pads);
-}
-
 std::string Limit(const Criterion& criterion) {
   if (criterion.min && criterion.max) return fmt::format("{} .. {}", *criterion.min, *criterion.max);
   return criterion.min ? fmt::format(">= {}", *criterion.min) : fmt::format("<= {}", criterion.max.value());
@@ -172,13 +135,54 @@ const MetricInfo* FindMetric(std::string_view name) {
   return found == std::end(kMetrics) ? nullptr : found;
 }
 
+Metrics PoseErrors(std::span<const FrameRecord> frames) {
+  RootMeanSquare xy, z, xyz, roll, pitch, yaw;
+  for (const FrameRecord& frame : frames) {
+    if (frame.status != estimator::FrameStatus::kOk) continue;
+    const models::TaitBryan truth = models::TaitBryanFromRotation(frame.X_WB.linear());
+    const Eigen::Isometry3d X_WB = models::NearerTwin(frame.pose.value().X_WB, truth.yaw);
+    const models::TaitBryan angles = models::TaitBryanFromRotation(X_WB.linear());
+    const Eigen::Vector3d error = X_WB.translation() - frame.X_WB.translation();
+    xy.Add(error.head<2>().squaredNorm());
+    z.Add(Square(error.z()));
+    xyz.Add(error.squaredNorm());
+    roll.Add(Square(RadToDeg(models::WrapToPi(angles.roll - truth.roll))));
+    pitch.Add(Square(RadToDeg(angles.pitch - truth.pitch)));
+    yaw.Add(Square(RadToDeg(models::WrapToPi(angles.yaw - truth.yaw))));
+  }
+  Metrics metrics;
+  xy.Put(metrics, "estimate.xy_rmse_m");
+  z.Put(metrics, "estimate.z_rmse_m");
+  xyz.Put(metrics, "estimate.xyz_rmse_m");
+  roll.Put(metrics, "estimate.roll_rmse_deg");
+  pitch.Put(metrics, "estimate.pitch_rmse_deg");
+  yaw.Put(metrics, "estimate.yaw_rmse_deg");
+  return metrics;
+}
+
+Metrics Detection(std::span<const FrameRecord> frames) {
+  int in_view = 0, seen = 0, false_pads = 0;
+  for (const FrameRecord& frame : frames) {
+    if (frame.ring_in_view) ++in_view;
+    if (frame.ring_in_view && frame.status == estimator::FrameStatus::kOk) ++seen;
+    if (frame.pad_px && (!frame.true_pad_px || (*frame.pad_px - *frame.true_pad_px).norm() > kFalsePad_px)) {
+      ++false_pads;
+    }
+  }
+  Metrics metrics;
+  if (in_view > 0) metrics.emplace("estimate.availability", static_cast<double>(seen) / in_view);
+  metrics.emplace("estimate.ring_frames", in_view);
+  metrics.emplace("estimate.false_pads", false_pads);
+  return metrics;
+}
+
 Metrics ComputeMetrics(const FlightLog& log) {
   Metrics metrics;
   PutFlight(log, metrics);
   PutHover(log, metrics);
   PutTouchdown(log, metrics);
-  PutErrors(log, metrics);
-  PutDetection(log, metrics);
+  metrics.merge(PoseErrors(log.frames));
+  metrics.merge(Detection(log.frames));
   return metrics;
 }
 

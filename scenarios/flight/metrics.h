@@ -31,6 +31,14 @@ using Metrics = std::map<std::string, double, std::less<>>;
 /// The metrics of a flight, as AllMetrics defines them.
 Metrics ComputeMetrics(const FlightLog& log);
 
+struct FrameRecord;
+
+/// The errors among them, of the frames with status ok: estimate.*_rmse_*.
+Metrics PoseErrors(std::span<const FrameRecord> frames);
+
+/// How well the pad was found: estimate.availability, estimate.ring_frames, estimate.false_pads.
+Metrics Detection(std::span<const FrameRecord> frames);
+
 /// One demand on a flight, and whether it was kept.
 struct Check {
   std::string name;             ///< Of the metric, or "outcome".

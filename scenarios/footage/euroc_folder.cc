@@ -27,6 +27,11 @@ std::optional<fs::path> FindEurocFolder(const fs::path& input) {
 EurocFolder::EurocFolder(const fs::path& mav0) : mav0_(mav0), frames_(ReadStampedCsv(mav0 / "cam0" / "data.csv", 1)) {
   facts_.frame_order = estimator::FrameOrder::kSequence;
   facts_.frame_count = frames_.size();
+  if (frames_.size() > 1) {
+    constexpr double kSecond_ns = 1e9;
+    const auto span_ns = static_cast<double>(frames_.back().time_ns - frames_.front().time_ns);
+    facts_.frames_per_s = static_cast<double>(frames_.size() - 1) * kSecond_ns / span_ns;
+  }
   const fs::path scenario = fs::weakly_canonical(mav0).parent_path() / "scenario.yaml";
   if (Exists(scenario)) {
     ReadScenario(scenario);

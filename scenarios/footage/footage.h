@@ -44,6 +44,7 @@ struct FootageFacts {
   models::TimeBase time{.ticks_per_s =
                             1'000'000};  ///< What ticks count: microseconds, unless a recording knows better.
   std::size_t frame_count = 0;           ///< 0: not known beforehand.
+  double frames_per_s = 2.0;             ///< For a film of it; pictures without times pass at leisure.
   /// From mid-exposure to when the estimator was given the frame, before the IMU's sample of that tick; nullopt where
   /// nobody tells.
   std::optional<models::Tick> latency;

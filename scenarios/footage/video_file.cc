@@ -14,6 +14,7 @@ VideoFile::VideoFile(const std::filesystem::path& file) : file_(file) {
     throw InputError(fmt::format("{}: no video that can be read, or one that is cut", file.string()));
   }
   facts_.frame_order = estimator::FrameOrder::kSequence;
+  if (const double rate = capture_.get(cv::CAP_PROP_FPS); rate > 0.0) facts_.frames_per_s = rate;
   facts_.frame_count = static_cast<std::size_t>(std::max(0.0, capture_.get(cv::CAP_PROP_FRAME_COUNT)));
 }
 

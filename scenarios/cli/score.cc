@@ -1,0 +1,66 @@
+#include "scenarios/cli/score.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "scenarios/cli/talk.h"
+#include "scenarios/footage/pose_score.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+struct Options {
+  std::string poses, truth;
+  Talk talk;
+};
+
+void PrintScore(const PoseScore& score) {
+  fmt::print("{} poses", score.poses);
+  if (score.outside > 0) fmt::print(", and {} at times that the truth does not cover", score.outside);
+  fmt::print("\n");
+  for (const MetricInfo& info : AllMetrics()) {
+    const auto found = score.metrics.find(info.name);
+    if (found != score.metrics.end()) fmt::print("  {:<24} {:>10.4g} {}\n", info.name, found->second, info.unit);
+  }
+}
+
+std::string ScoreJson(const PoseScore& score) {
+  nlohmann::ordered_json json;
+  json["schema"] = 1;
+  json["version"] = TOUCHDOWN_VERSION;
+  json["poses"] = score.poses;
+  json["outside"] = score.outside;
+  json["metrics"] = nlohmann::ordered_json::object();
+  for (const MetricInfo& info : AllMetrics()) {
+    const auto found = score.metrics.find(info.name);
+    if (found != score.metrics.end()) json["metrics"][std::string(info.name)] = found->second;
+  }
+  return json.dump(2) + "\n";
+}
+
+int ScoreWith(const Options& options) {
+  const PoseScore score = ScorePoses(ReadTumFile(options.poses), options.truth);
+  if (options.talk.json) fmt::print("{}", ScoreJson(score));
+  if (options.talk.ForPeople()) PrintScore(score);
+  return kPassed;
+}
+
+}  // namespace
+
+void AddScore(CLI::App& app, Run& run) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("score", "Hold anyone's poses of a flight against its truth, unaligned");
+  command.add_option("--poses", options->poses, "The poses of the body in W, in TUM format")
+      ->required()
+      ->type_name("FILE");
+  command.add_option("--truth", options->truth, "A flight's folder, or a recording of one")
+      ->required()
+      ->type_name("DIR");
+  AddTalk(command, options->talk);
+  command.callback([options, &run] { run = [options] { return ScoreWith(*options); }; });
+}
+
+}  // namespace touchdown::scenarios

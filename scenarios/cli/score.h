@@ -1,0 +1,10 @@
+#pragma once
+
+#include "scenarios/cli/command.h"
+
+namespace touchdown::scenarios {
+
+/// `touchdown score --poses FILE --truth DIR`: anyone's poses of a flight against its truth.
+AddCommand AddScore;
+
+}  // namespace touchdown::scenarios
