@@ -13,6 +13,7 @@
 #include "scenarios/cli/fly.h"
 #include "scenarios/cli/interrupt.h"
 #include "scenarios/cli/pad.h"
+#include "scenarios/cli/report.h"
 #include "scenarios/cli/train.h"
 #include "scenarios/flight/interrupted.h"
 
@@ -23,7 +24,7 @@ using touchdown::scenarios::ExitStatus;
 using touchdown::scenarios::Run;
 
 AddCommand* const kCommands[] = {touchdown::scenarios::AddFly, touchdown::scenarios::AddPad,
-                                 touchdown::scenarios::AddTrain};
+                                 touchdown::scenarios::AddReport, touchdown::scenarios::AddTrain};
 
 int RunAndExplain(const Run& run) {
   try {

@@ -4,6 +4,8 @@
 
 #include "scenarios/flight/output_folder.h"
 #include "scenarios/report/contact_sheet.h"
+#include "scenarios/report/flight_files.h"
+#include "scenarios/report/flight_page.h"
 
 namespace touchdown::scenarios {
 
@@ -11,8 +13,8 @@ FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path
                            const StopRequested& stop_requested) {
   OutputFolder folder(
       place, {.files = {"result.json", "scenario.yaml", "flight.csv", "frames.csv", "tracking.csv", "truth.tum",
-                        "estimate.tum", "tracking.tum", "frame_timing.csv", "timing.json", "frames.png"},
-              .mark = "\"log_sha256\""});
+                        "estimate.tum", "tracking.tum", "frame_timing.csv", "timing.json", "frames.png", "report.html"},
+              .mark = kFlightMark});
   ContactSheet sheet(scenario.camera.model, scenario.time);
   std::vector<FlightObserver*> all(observers.begin(), observers.end());
   all.push_back(&sheet);
@@ -28,6 +30,7 @@ FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path
   folder.Write("timing.json", TimingJson(result.timing));
   if (const auto png = sheet.Png()) folder.Write("frames.png", *png);
   folder.Write("result.json", ResultJson(scenario, result));
+  folder.Write("report.html", FlightPage(ReadFlightFiles(folder.PathOf(""))));
   folder.Commit();
   return result;
 }
