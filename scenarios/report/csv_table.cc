@@ -42,7 +42,7 @@ CsvTable::CsvTable(const std::string& text, std::string name) : name_(std::move(
     if (line == kHeaderLine) {
       header_ = std::move(cells);
     } else if (cells.size() != header_.size()) {
-      const std::string_view at = header_[std::min(cells.size(), header_.size()) - 1];
+      const std::string_view at = header_[std::min(cells.size(), header_.size() - 1)];
       throw InputError(
           fmt::format("{}:{}: {}: the row has {} cells, the header {}", name_, line, at, cells.size(), header_.size()));
     } else {

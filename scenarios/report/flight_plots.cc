@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kBuckets = 700;
+constexpr std::size_t kBuckets = 1100;
 constexpr double kMissingFrame = 1.5;  // Of the camera's period, between two frames.
 constexpr double kMillimetres = 1000.0;
 
@@ -80,6 +80,14 @@ Series Difference(const Series& a, const Series& b, double unit = 1.0) {
   return difference;
 }
 
+/// Of `values` those at whose times `other` is there.
+Series WhereThere(Series values, const Series& other) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!other[i]) values[i] = std::nullopt;
+  }
+  return values;
+}
+
 /// The frames' sheet with an empty row wherever frames are missing, so that no line runs across.
 Sheet WithGaps(const Sheet& sheet, double period_s) {
   Sheet gapped;
@@ -100,12 +108,12 @@ Sheet WithGaps(const Sheet& sheet, double period_s) {
 /// One coordinate as it was, as it was believed and as it was asked for.
 Json CoordinateJson(const FlightSeries& flight, std::string_view section, std::string_view title, std::string_view unit,
                     Series PoseSeries::*coordinate) {
+  const Sheet frames{flight.frame_t_s, {{"vision", "vision", flight.vision.*coordinate}}};
   const Sheet ticks{flight.t_s,
                     {{"truth", "truth", flight.truth.*coordinate},
                      {"set-point", "set-point", flight.set_point.*coordinate},
                      {"estimate", "estimate", flight.estimate.*coordinate}}};
-  const Sheet frames{flight.frame_t_s, {{"vision", "vision", flight.vision.*coordinate}}};
-  return PlotJson(section, title, unit, {ticks, frames});
+  return PlotJson(section, title, unit, {frames, ticks});
 }
 
 std::vector<Curve> PositionErrors(const PoseSeries& of, const PoseSeries& from) {
@@ -134,17 +142,26 @@ Json StagesJson(const FlightSeries& flight) {
 }
 
 Json VisionTimeJson(const FlightSeries& flight, double frame_period_s) {
-  const Sheet sheet{flight.frame_t_s, {{"vision", "estimate", flight.vision_ms}}};
+  const Sheet sheet{flight.frame_t_s, {{"time", "estimate", flight.vision_ms}}};
   return PlotJson("Vision", "Vision time per frame", "ms", {WithGaps(sheet, frame_period_s)});
 }
 
+/// While the motors run: the 0 of before and after would hide what differs between them.
 Json RotorsJson(const FlightSeries& flight) {
   constexpr std::array<const char*, 4> kRoles = {"first", "second", "third", "fourth"};
   Sheet sheet{flight.t_s, {}};
   for (std::size_t i = 0; i < flight.command_rad_s.size(); ++i) {
-    sheet.curves.push_back({fmt::format("rotor {}", i), kRoles[i], flight.command_rad_s[i]});
+    sheet.curves.push_back(
+        {fmt::format("rotor {}", i), kRoles[i], WhereThere(flight.command_rad_s[i], flight.set_point.z_m)});
   }
   return PlotJson("Rotors", "Rotor commands", "rad/s", {sheet});
+}
+
+/// While the motors run: later nobody follows the estimate.
+std::vector<Curve> EstimateErrors(const FlightSeries& flight) {
+  std::vector<Curve> errors = PositionErrors(flight.estimate, flight.truth);
+  for (Curve& curve : errors) curve.values = WhereThere(std::move(curve.values), flight.set_point.z_m);
+  return errors;
 }
 
 Json PlotsJson(const FlightSeries& flight, double frame_period_s) {
@@ -163,7 +180,7 @@ Json PlotsJson(const FlightSeries& flight, double frame_period_s) {
                frames(PositionErrors(flight.vision, flight.frame_truth))),
       PlotJson("Errors", "Vision attitude, unfiltered, less truth", "deg",
                frames(AttitudeErrors(flight.vision, flight.frame_truth))),
-      PlotJson("Errors", "Estimated position less truth", "mm", ticks(PositionErrors(flight.estimate, flight.truth))),
+      PlotJson("Errors", "Estimated position less truth", "mm", ticks(EstimateErrors(flight))),
       PlotJson("Errors", "True position less set-point", "mm", ticks(PositionErrors(flight.truth, flight.set_point))),
       StagesJson(flight),
       VisionTimeJson(flight, frame_period_s),

@@ -58,6 +58,16 @@ void ChooseTwins(PoseSeries& poses, const Series& true_yaw_deg) {
   }
 }
 
+/// Takes away the poses of the rows for which `is_void` says so of the name.
+template <typename IsVoid>
+void Remove(PoseSeries& poses, const std::vector<std::string_view>& names, const IsVoid& is_void) {
+  for (Series* series : poses.all()) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (is_void(names[i])) (*series)[i] = std::nullopt;
+    }
+  }
+}
+
 /// The spans of equal names; a span lasts until the next row, the last and one before a gap for `period_s`.
 std::vector<Span> SpansOf(const std::vector<std::string_view>& names, const std::vector<double>& t_s, double period_s) {
   std::vector<Span> spans;
@@ -99,6 +109,7 @@ void ReadTicks(const FlightFiles& files, FlightSeries& flight) {
     if (yaw && flight.truth.yaw_deg[i]) yaw = Nearest(*yaw, *flight.truth.yaw_deg[i], 180.0);
   }
   const std::vector<std::string_view> phases = table.Texts("phase");
+  Remove(flight.set_point, phases, [](std::string_view phase) { return phase == "standby" || phase == "touchdown"; });
   const double longest_step_s = flight.t_s.empty() ? 0.0 : flight.t_s.back() - flight.t_s.front();
   flight.phases = SpansOf(phases, flight.t_s, longest_step_s);
   if (!flight.phases.empty()) flight.phases.back().to_s = flight.t_s.back();
@@ -122,12 +133,7 @@ void ReadFrames(const FlightFiles& files, double frame_period_s, FlightSeries& f
   UnwrapBy(flight.t_s, flight.truth.yaw_deg, flight.frame_t_s, flight.frame_truth.yaw_deg);
   ChooseTwins(flight.vision, flight.frame_truth.yaw_deg);
   const std::vector<std::string_view> statuses = table.Texts("status");
-  for (Series* series : {&flight.vision.x_m, &flight.vision.y_m, &flight.vision.z_m, &flight.vision.roll_deg,
-                         &flight.vision.pitch_deg, &flight.vision.yaw_deg}) {
-    for (std::size_t i = 0; i < statuses.size(); ++i) {
-      if (statuses[i] != "ok") (*series)[i] = std::nullopt;
-    }
-  }
+  Remove(flight.vision, statuses, [](std::string_view status) { return status != "ok"; });
   flight.statuses = SpansOf(statuses, flight.frame_t_s, frame_period_s);
   flight.vision_ms = ReadVisionTime(files, table.AllNumbers("tick"));
 }

@@ -14,6 +14,8 @@ namespace touchdown::scenarios {
 struct PoseSeries {
   Series x_m, y_m, z_m;
   Series roll_deg, pitch_deg, yaw_deg;
+
+  std::array<Series*, 6> all() { return {&x_m, &y_m, &z_m, &roll_deg, &pitch_deg, &yaw_deg}; }
 };
 
 /// A flight's tables, as they are drawn.
@@ -37,7 +39,8 @@ struct FlightSeries {
 
   // On the IMU's ticks.
   std::vector<double> t_s;
-  PoseSeries truth, estimate, set_point;
+  PoseSeries truth, estimate;
+  PoseSeries set_point;  ///< While the motors run.
   std::array<Series, 4> command_rad_s;
   std::vector<Span> phases;
   std::optional<Instant> touchdown;  ///< First contact of a landing.

@@ -9,7 +9,8 @@ const HEIGHT_PX = 168;
 const WIDTHS = { truth: 2, estimate: 1.5, "set-point": 1.5 };
 const DASHES = { "set-point": [6, 4] };
 const LEAST_SPAN = { m: 0.02, mm: 2, deg: 0.5, ms: 1, "rad/s": 20 }; // Less is not drawn as if it were much.
-const FROM_ZERO = ["ms", "rad/s"];
+const FROM_ZERO = ["ms"];
+const NAMED_FIRST = ["truth", "estimate", "set-point", "vision"];
 
 function styled(curve) {
   const stroke = () => colour(curve.role);
@@ -30,10 +31,9 @@ function valueRange(unit) {
 /** Draws `spec` as the program wrote it: sheets of series that share their times. */
 export function drawCurves(figure, spec, flight, view) {
   const curves = spec.sheets.flatMap((sheet) => sheet.series.map((series) => ({ ...series, times: sheet.t_s })));
-  // What lies on top is named first.
-  const named = [...curves].reverse();
+  const named = [...curves].sort((a, b) => NAMED_FIRST.indexOf(a.role) - NAMED_FIRST.indexOf(b.role));
   const legend = makeLegend(named, (index, seen) => chart.setSeries(curves.indexOf(named[index]) + 1, { show: seen }));
-  figure.append(html("figcaption", {}, html("span", { class: "title" }, spec.title), html("span", { class: "unit" }, spec.unit), legend.element));
+  figure.append(html("figcaption", {}, html("span", { class: "title" }, spec.title), legend.element));
   const chart = makeTimeChart(
     figure,
     {

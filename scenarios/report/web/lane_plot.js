@@ -8,16 +8,7 @@ const BAR_SHARE = 0.62; // Of a lane's height.
 const AROUND_PX = 34;
 const GOOD = "ok";
 
-/** A bar as a curve that goes out and back at its lane's height; null between bars. */
-function asCurve(lane, height) {
-  const times = [];
-  const values = [];
-  for (const [from, to] of lane.bars) {
-    times.push(from, to);
-    values.push(height, height);
-  }
-  return { times, values };
-}
+const titleOf = (lane) => words(lane.label).replace(/\bh\b/, "H");
 
 function drawBars(chart, lanes) {
   const { ctx, bbox } = chart;
@@ -59,7 +50,7 @@ export function drawLanes(figure, spec, flight, view) {
         axes: [
           timeAxis(),
           axis({ size: LEFT_PX, gap: 6, splits: () => lanes.map((lane, height) => height),
-            values: () => lanes.map((lane) => words(lane.label).replace("no component", "nothing")) }),
+            values: () => lanes.map((lane) => titleOf(lane)) }),
         ],
         series: [{}, { show: false }],
       },
@@ -70,7 +61,7 @@ export function drawLanes(figure, spec, flight, view) {
   chart.hooks.draw = [(self) => drawBars(self, lanes)];
   const showLane = () => {
     const lane = view.current === null ? null : laneAt(lanes, view.current);
-    now.textContent = view.current === null ? "" : words(lane?.label ?? "no frame");
+    now.textContent = view.current === null ? "" : lane ? titleOf(lane) : "no frame";
   };
   view.on("pointed", showLane);
   view.on("played", showLane);

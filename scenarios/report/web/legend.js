@@ -1,5 +1,6 @@
 // The legend of a plot: a button for each curve, with its value at the current time.
 import { html, svg } from "./dom.js";
+import { withMinus } from "./numbers.js";
 import { valueAt } from "./search.js";
 
 const REACH_S = 0.05;
@@ -17,7 +18,7 @@ function text(value) {
   if (value === null || value === undefined) return "–";
   const size = Math.abs(value);
   const digits = size >= 100 ? 1 : size >= 10 ? 2 : 3;
-  return value.toFixed(digits).replace("-", "−");
+  return withMinus(value.toFixed(digits));
 }
 
 /**

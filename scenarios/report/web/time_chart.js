@@ -3,14 +3,14 @@ import uPlot from "uplot";
 import { bandsOf } from "./bands.js";
 import { colour } from "./colours.js";
 import { html } from "./dom.js";
+import { decimals, withMinus } from "./numbers.js";
 
 const AXIS_FONT = '11px system-ui, -apple-system, "Segoe UI", sans-serif';
-const LEFT_PX = 64; // Of every plot, and of the timeline: --axis in the style sheet.
+const LEFT_PX = 84; // Of every plot, and of the timeline: --axis in the style sheet.
 const RIGHT_PX = 14;
 const LEAST_DRAG_PX = 4;
 
-const decimals = (step) => Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-const tick = (value, step) => value.toFixed(decimals(step)).replace("-", "−");
+const tick = (value, step) => withMinus(value.toFixed(decimals(step)));
 
 function axis(extra) {
   return {

@@ -3,6 +3,7 @@ import { phaseColour, words } from "./colours.js";
 import { html } from "./dom.js";
 import { spanAt } from "./search.js";
 
+const LAST_RIGHTWARD = 85; // Per cent of the strip: names of later events are written to the left of them.
 const AROUND = 0.08; // Of a phase's length, that is shown on both sides of it.
 
 function zoomTo(view, span) {
@@ -37,9 +38,10 @@ export function drawTimeline(place, flight, view) {
       const from = Math.max(percent(span.from_s), 0);
       const to = Math.min(percent(span.to_s), 100);
       block.hidden = to < from;
-      block.style.left = `${from}%`;
-      block.style.width = block.classList.contains("phase") ? `${to - from}%` : null;
-      block.style.minWidth = `${Math.max(to - from, 0)}%`;
+      if (block.classList.contains("phase")) block.style.width = `${to - from}%`;
+      block.classList.toggle("leftward", block.classList.contains("event") && from > LAST_RIGHTWARD);
+      block.style.left = block.classList.contains("leftward") ? null : `${from}%`;
+      block.style.right = block.classList.contains("leftward") ? `${100 - from}%` : null;
     }
     reset.disabled = view.range.from <= view.whole.from && view.range.to >= view.whole.to;
     showTime();

@@ -1,6 +1,7 @@
 // The way of the vehicle over the pad, seen from above: X to the right, Y up, the same scale for both.
 import { phaseColour, words } from "./colours.js";
 import { html, svg } from "./dom.js";
+import { decimals, withMinus } from "./numbers.js";
 import { nearestIndex, spanAt } from "./search.js";
 
 const MARGIN = 0.08; // Of the drawing's width, around what it shows.
@@ -41,17 +42,14 @@ function pathThrough(xs, ys, from = 0, to = xs.length) {
 }
 
 function padShapes(pad) {
-  const width = pad.sheet_length_m;
-  const height = pad.sheet_width_m;
-  const stroke = pad.h_stroke_m;
-  const rectangle = (x, y, w, h) => svg("rect", { class: "black", x: x - w / 2, y: y - h / 2, width: w, height: h });
-  const arm = (pad.h_width_m - stroke) / 2;
+  const { sheet_length_m: length, sheet_width_m: width, h_stroke_m: stroke } = pad;
+  const [x, y] = [pad.h_height_m / 2, pad.h_width_m / 2];
+  const bar = stroke / 2;
+  const letter = `M${-x} ${y}H${x}V${y - stroke}H${bar}V${stroke - y}H${x}V${-y}H${-x}V${stroke - y}H${-bar}V${y - stroke}H${-x}Z`;
   return [
-    svg("rect", { class: "sheet", x: -width / 2, y: -height / 2, width, height }),
+    svg("rect", { class: "sheet", x: -length / 2, y: -width / 2, width: length, height: width }),
     svg("circle", { class: "ring", r: pad.outer_radius_m - pad.ring_width_m / 2, "stroke-width": pad.ring_width_m }),
-    rectangle(0, arm, pad.h_height_m, stroke),
-    rectangle(0, -arm, pad.h_height_m, stroke),
-    rectangle(0, 0, stroke, pad.h_width_m),
+    svg("path", { class: "letter", d: letter }),
   ];
 }
 
@@ -67,8 +65,7 @@ function waysOf(phases, times, xs, ys) {
 function gridOf({ left, bottom, size }) {
   const step = roundStep(size / GRID_LINES);
   const unit = size / 100;
-  const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  const label = (value) => value.toFixed(decimals).replace("-", "−");
+  const label = (value) => withMinus(value.toFixed(decimals(step)));
   const parts = [];
   const text = (x, y, anchor, content) =>
     svg("text", { x, y: -y, "text-anchor": anchor, "font-size": 3.1 * unit, transform: "scale(1 -1)" }, content);

@@ -1,11 +1,14 @@
 // The program as a user meets it: exit status, what it says, and what it leaves behind.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/mount.h>
 
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -117,6 +120,128 @@ TEST_F(Program, LeavesAUsersFilesAndDrawsNoPadThatIsNone) {
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
   }
   EXPECT_THAT(Names(), testing::UnorderedElementsAreArray(before));
+}
+
+/// A file system of its own in a folder, of 64 MiB at most until it is filled.
+class SmallMount {
+ public:
+  explicit SmallMount(fs::path place) : place_(std::move(place)) {
+    is_there_ = mount("none", place_.c_str(), "tmpfs", 0, "size=64m") == 0;
+  }
+  ~SmallMount() {
+    if (is_there_) umount(place_.c_str());
+  }
+  SmallMount(const SmallMount&) = delete;
+  SmallMount& operator=(const SmallMount&) = delete;
+
+  bool is_there() const { return is_there_; }
+  void Fill() const { Remount(MS_REMOUNT, fmt::format("size={}k", UsedKilobytes() + 16)); }
+  void MakeReadOnly() const { Remount(MS_REMOUNT | MS_RDONLY, ""); }
+
+ private:
+  void Remount(unsigned long flags, const std::string& options) const {
+    ASSERT_EQ(mount("none", place_.c_str(), "tmpfs", flags, options.c_str()), 0);
+  }
+  std::uintmax_t UsedKilobytes() const {
+    const fs::space_info space = fs::space(place_);
+    return (space.capacity - space.free) / 1024;
+  }
+
+  fs::path place_;
+  bool is_there_ = false;
+};
+
+class ReportProgram : public Program {
+ protected:
+  void FlyInto(const std::string& place) const {
+    Put("short.yaml", std::string(kGoodScript) + "time_limit_s: 0.1\n");
+    ASSERT_EQ(Run({"fly", "short.yaml", "--out", place}).status, 1);
+  }
+  std::string Content(const fs::path& file) const {
+    std::ifstream stream(folder_ / file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  /// Makes the report of `place`, expects exit 2, one line, and the folder as it was; returns the line.
+  std::string ErrorOfReport(const std::string& place) const {
+    const std::string before = Content(fs::path(place) / "report.html");
+    const ProgramRun run = Run({"report", place});
+    EXPECT_EQ(run.status, 2) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(Content(fs::path(place) / "report.html"), before);
+    if (fs::is_directory(folder_ / place)) {
+      for (const auto& entry : fs::directory_iterator(folder_ / place)) {
+        EXPECT_THAT(entry.path().filename().string(), testing::Not(StartsWith(".")));
+      }
+    }
+    return run.err;
+  }
+};
+
+TEST_F(ReportProgram, RebuildsThePageThatTheFlightLeft) {
+  FlyInto("flight");
+  const std::string page = Content("flight/report.html");
+  EXPECT_THAT(page, HasSubstr("<title>short, seed 1: Failed</title>"));
+  fs::remove(folder_ / "flight" / "report.html");
+  const ProgramRun run = Run({"report", "flight"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.out, "flight/report.html\n");
+  EXPECT_EQ(Content("flight/report.html"), page);
+  EXPECT_EQ(Run({"report", "flight/"}).status, 0);
+}
+
+TEST_F(ReportProgram, RefusesWhatIsNoFlightsFolder) {
+  fs::create_directories(folder_ / "empty");
+  Put("file", "");
+  fs::create_directories(folder_ / "other");
+  std::ofstream(folder_ / "other" / "result.json") << "{}";
+  for (const char* place : {"none", "empty", "file", "other"}) {
+    EXPECT_THAT(ErrorOfReport(place), HasSubstr(std::string(place) + ": is no flight's folder"));
+  }
+}
+
+TEST_F(ReportProgram, NamesTheFileLineAndColumnThatAreDamaged) {
+  FlyInto("flight");
+  fs::resize_file(folder_ / "flight" / "flight.csv", 2000);
+  EXPECT_THAT(ErrorOfReport("flight"), HasSubstr("flight/flight.csv:"));
+  FlyInto("flight");
+  fs::remove(folder_ / "flight" / "frames.csv");
+  EXPECT_THAT(ErrorOfReport("flight"), HasSubstr("flight/frames.csv: cannot be read"));
+}
+
+TEST_F(ReportProgram, LeavesAUsersPage) {
+  FlyInto("flight");
+  std::ofstream(folder_ / "flight" / "report.html") << "<p>mine</p>";
+  EXPECT_THAT(ErrorOfReport("flight"), HasSubstr("is there already"));
+}
+
+TEST_F(ReportProgram, LeavesTheEarlierPageInAFullOrReadOnlyFolder) {
+  fs::create_directories(folder_ / "small");
+  const SmallMount small(folder_ / "small");
+  if (!small.is_there()) GTEST_SKIP() << "no right to mount";
+  FlyInto("small/flight");
+  small.Fill();
+  EXPECT_THAT(ErrorOfReport("small/flight"), HasSubstr("report.html: cannot be written"));
+  small.MakeReadOnly();
+  EXPECT_THAT(ErrorOfReport("small/flight"), HasSubstr("report.html: cannot be written"));
+}
+
+TEST_F(ReportProgram, LeavesNothingOfAFlightInAFullOrReadOnlyFolder) {
+  fs::create_directories(folder_ / "small");
+  const SmallMount small(folder_ / "small");
+  if (!small.is_there()) GTEST_SKIP() << "no right to mount";
+  Put("short.yaml", std::string(kGoodScript) + "time_limit_s: 0.1\n");
+  const auto error_of_flying = [&] {
+    const ProgramRun run = Run({"fly", "short.yaml", "--out", "small/flight"});
+    EXPECT_EQ(run.status, 2);
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_TRUE(fs::is_empty(folder_ / "small"));
+    return run.err;
+  };
+  small.Fill();
+  EXPECT_THAT(error_of_flying(), HasSubstr("small/flight: "));
+  small.MakeReadOnly();
+  EXPECT_THAT(error_of_flying(), HasSubstr("small/flight: "));
 }
 
 TEST_F(Program, ExitsWithTwoOnBadUsage) {
