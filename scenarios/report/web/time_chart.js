@@ -62,7 +62,9 @@ export function makeTimeChart(figure, { label, data, options }, flight, view) {
     frame,
   );
   follow(chart, view);
-  chart.over.addEventListener("click", (event) => view.seek(chart.posToVal(event.offsetX, "x")));
+  chart.over.addEventListener("click", (event) => {
+    view.seek(chart.posToVal(event.clientX - chart.over.getBoundingClientRect().left, "x"));
+  });
   listenToKeys(frame, view);
   return chart;
 }
@@ -87,7 +89,11 @@ function follow(chart, view) {
     chart.setScale("x", { min: view.range.from, max: view.range.to });
     showPlayed();
   });
+  let pressed = false; // While it is dragged on, the cursor is the hand's.
+  chart.over.addEventListener("mousedown", () => (pressed = true), { capture: true });
+  addEventListener("mouseup", () => (pressed = false));
   view.on("pointed", () => {
+    if (pressed) return;
     const left = view.pointed === null ? -10 : chart.valToPos(view.pointed, "x");
     chart.setCursor({ left, top: left < 0 ? -10 : 0 }, false);
   });

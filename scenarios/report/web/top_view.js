@@ -41,6 +41,11 @@ function pathThrough(xs, ys, from = 0, to = xs.length) {
   return path;
 }
 
+/** A path of round dots. */
+function dotsAt(xs, ys) {
+  return xs.map((x, i) => (x === null ? "" : `M${number(x)} ${number(ys[i])}h0`)).join("");
+}
+
 function padShapes(pad) {
   const { sheet_length_m: length, sheet_width_m: width, h_stroke_m: stroke } = pad;
   const [x, y] = [pad.h_height_m / 2, pad.h_width_m / 2];
@@ -107,15 +112,14 @@ export function drawTopView(place, flight, view) {
   const [xs, ys, yaws, set_xs, set_ys] = ticks.series.map((series) => series.values);
   const [seen_xs, seen_ys] = frames.series.map((series) => series.values);
   const box = extent(flight.pad, xs, ys);
-  const dots = seen_xs.map((x, i) => (x === null ? "" : `M${number(x)} ${number(seen_ys[i])}h0`)).join("");
   const arrow = box.size / 28;
   const vehicle = svg("path", { class: "vehicle", d: `M${arrow} 0L${-0.7 * arrow} ${0.6 * arrow}L${-0.35 * arrow} 0L${-0.7 * arrow} ${-0.6 * arrow}Z`, visibility: "hidden" });
   const start = xs.findIndex((x) => x !== null);
   const scene = svg("g", { transform: "scale(1 -1)" },
     ...(flight.pad ? padShapes(flight.pad) : []),
     gridOf(box),
-    svg("path", { class: "vision", d: dots }),
-    svg("path", { class: "set-point", d: pathThrough(set_xs, set_ys) + set_xs.map((x, i) => (x === null ? "" : `M${number(x)} ${number(set_ys[i])}h0`)).at(-1) }),
+    svg("path", { class: "vision", d: dotsAt(seen_xs, seen_ys) }),
+    svg("path", { class: "set-point", d: pathThrough(set_xs, set_ys) }),
     ...waysOf(flight.phases, ticks.t_s, xs, ys),
     ...(start < 0 ? [] : [svg("circle", { class: "start", cx: xs[start], cy: ys[start], r: box.size / 90 }, svg("title", {}, "start"))]),
     ...(flight.touchdown ? [cross(flight.touchdown.x_m, flight.touchdown.y_m, box.size / 45)] : []),
