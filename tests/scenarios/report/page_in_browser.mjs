@@ -190,7 +190,7 @@ test("the keyboard points, zooms, plays and goes back", async () => {
   await page.keyboard.press("Enter");
   assertNear(await page.evaluate(() => touchdown.view.played), pointed, 1e-6, "the time gone to");
   await page.keyboard.press(" ");
-  await page.waitForFunction((t) => touchdown.view.played > t + 0.2, pointed, { timeout: 20000 });
+  await page.waitForFunction((t) => touchdown.view.played > t + 0.2 && !document.getElementById("video").paused, pointed, { timeout: 8000 });
   await page.keyboard.press(" ");
   await page.waitForFunction(() => document.getElementById("video").paused);
   await page.keyboard.press("Escape");
@@ -205,10 +205,11 @@ test("the video stays in view beside the plots of a wide window", async () => {
 
 test("the button of the theme turns light into dark, plots too, and back", async () => {
   const looks = () =>
-    page.evaluate(() => {
-      const brightest = pixelsOf(touchdown.plots[0]).filter((_, i) => i % 4 < 3).reduce((a, b) => Math.max(a, b));
-      return { theme: document.documentElement.dataset.theme, paper: getComputedStyle(document.body).backgroundColor, brightest, stroke: touchdown.plots[0].series[3].stroke() };
-    });
+    page.evaluate(() => ({
+      theme: document.documentElement.dataset.theme,
+      paper: getComputedStyle(document.body).backgroundColor,
+      ink: touchdown.plots.map((chart) => pixelsOf(chart).reduce((sum, value) => sum + value, 0)),
+    }));
   const light = await looks();
   assert.equal(light.theme, "light");
   const button = page.getByRole("button", { name: /light and dark/ });
@@ -216,7 +217,7 @@ test("the button of the theme turns light into dark, plots too, and back", async
   const dark = await looks();
   assert.equal(dark.theme, "dark");
   assert.notEqual(dark.paper, light.paper);
-  assert.notEqual(dark.stroke, light.stroke);
+  dark.ink.forEach((ink, index) => assert.notEqual(ink, light.ink[index], `plot ${index}`));
   await button.click();
   assert.deepEqual(await looks(), light);
 });
