@@ -6,10 +6,10 @@
 
 namespace touchdown::scenarios {
 
-/// Flies a scenario and leaves its folder at `place`: scenario.yaml, result.json, the tables, timing.json and
-/// frames.png (docs/scenarios.md says what each holds; a flight without frames has no frames.png). The folder appears
-/// when everything is written, see OutputFolder. Throws InputError for a place that cannot be used, before the flight,
-/// and as Fly does.
+/// Flies a scenario and leaves its folder at `place`: scenario.yaml, result.json, the tables, timing.json,
+/// frames.png and report.html (docs/scenarios.md says what each holds; a flight without frames has no frames.png). The
+/// folder appears when everything is written, see OutputFolder. Throws InputError for a place that cannot be used,
+/// before the flight, and as Fly does.
 FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path& place, FlightObservers observers = {},
                            const StopRequested& stop_requested = nullptr);
 

@@ -6,7 +6,7 @@ import { html } from "./dom.js";
 import { decimals, withMinus } from "./numbers.js";
 
 const AXIS_FONT = '11px system-ui, -apple-system, "Segoe UI", sans-serif';
-const LEFT_PX = 84; // Of every plot, and of the timeline: --axis in the style sheet.
+const LEFT_PX = 90; // Of every plot, and of the timeline: --axis in the style sheet.
 const RIGHT_PX = 14;
 const LEAST_DRAG_PX = 4;
 

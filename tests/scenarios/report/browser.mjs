@@ -3,7 +3,7 @@ import { createRequire } from "node:module";
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
-const require = createRequire(resolve(process.env.NODE_MODULES, "package.json"));
+const require = createRequire(resolve(process.env.NODE_MODULES ?? "build/release/scenarios/report/web/node_modules", "package.json"));
 const { chromium } = require("playwright-core");
 
 /** `complaints` fills with whatever goes wrong on the page, `requests` with the addresses that it asks for. */

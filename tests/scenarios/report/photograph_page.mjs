@@ -1,6 +1,5 @@
 // Photographs a flight's page, as docs/images/report.png was made:
-//   NODE_MODULES=build/release/scenarios/report/web/node_modules \
-//     node tests/scenarios/report/photograph_page.mjs out/takeoff_hover_land/report.html docs/images/report.png light 1600 1000
+//   node tests/scenarios/report/photograph_page.mjs out/takeoff_hover_land/report.html docs/images/report.png light 1600 1000
 import { openPage } from "./browser.mjs";
 
 const [file, picture, theme = "light", width = "1600", height = ""] = process.argv.slice(2);
