@@ -18,8 +18,9 @@ build: deps
 	cmake --preset $(PRESET)
 	cmake --build --preset $(PRESET) -j $(JOBS)
 
-deps:  ## Install the packages of packages.txt that are missing
-	@missing=$$(for p in $(PACKAGES); do dpkg-query -W -f '$${db:Status-Status}\n' $$p 2>/dev/null | grep -qx installed || echo $$p; done); \
+deps:  ## Install the packages of packages.txt that neither are installed nor come with another
+	@there=$$(dpkg-query -W -f '$${db:Status-Status} $${Package} $${Provides}\n' | sed -n 's/^installed //p' | tr ' ,' '\n\n'); \
+	missing=$$(for p in $(PACKAGES); do printf '%s\n' $$there | grep -qx -- $$p || echo $$p; done); \
 	if [ -n "$$missing" ]; then \
 	  $(SUDO) apt-get update -q && $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $$missing; \
 	fi

@@ -55,7 +55,7 @@ const std::vector<LibraryRule>& LibraryRules() {
       {std::regex("estimator/.*\\.cc"), std::regex("opencv2/.*")},
       {std::regex("sim/.*"), std::regex("(mujoco|GL|EGL|opencv2|spdlog|fmt)/.*")},
       {std::regex("scenarios/.*"), std::regex("(opencv2|yaml-cpp|CLI|nlohmann|openssl|spdlog|fmt)/.*|pugixml\\.hpp")},
-      {std::regex("scenarios/report/.*\\.cc"), std::regex("cairo/.*")},
+      {std::regex("scenarios/report/.*\\.cc"), std::regex("(cairo|kainjow)/.*")},
       {std::regex("scenarios/report/video_.*\\.cc"), std::regex("lib(av[a-z]+|swscale)/.*")},
       {std::regex("scenarios/.*"), std::regex("((sys|gnu)/)?[a-z-]+\\.h")},  // The operating system's.
   };

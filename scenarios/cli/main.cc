@@ -14,6 +14,7 @@
 #include "scenarios/cli/fly.h"
 #include "scenarios/cli/interrupt.h"
 #include "scenarios/cli/pad.h"
+#include "scenarios/cli/report.h"
 #include "scenarios/cli/score.h"
 #include "scenarios/cli/train.h"
 #include "scenarios/flight/interrupted.h"
@@ -25,7 +26,8 @@ using touchdown::scenarios::ExitStatus;
 using touchdown::scenarios::Run;
 
 AddCommand* const kCommands[] = {touchdown::scenarios::AddEstimate, touchdown::scenarios::AddFly,
-                                 touchdown::scenarios::AddPad, touchdown::scenarios::AddScore, touchdown::scenarios::AddTrain};
+                                 touchdown::scenarios::AddPad,      touchdown::scenarios::AddReport,
+                                 touchdown::scenarios::AddScore,    touchdown::scenarios::AddTrain};
 
 int RunAndExplain(const Run& run) {
   try {

@@ -92,6 +92,7 @@ std::string ResultJson(const Scenario& scenario, const FlightResult& result) {
   json["seed"] = scenario.seed;
   json["estimator"] = scenario.estimator.name;
   json["outcome"] = Name(result.outcome);
+  json["reason"] = result.reason;
   json["verdict"] = Name(result.verdict);
   json["checks"] = nlohmann::ordered_json::array();
   for (const Check& check : result.checks) json["checks"].push_back(CheckJson(check));

@@ -114,15 +114,14 @@ PoseScore ScorePoses(const std::vector<TimedPose>& poses, const fs::path& truth)
   if (!is_flight && !recording) {
     throw InputError(fmt::format("{}: is no flight's folder, nor a recording", truth.string()));
   }
-  const std::vector<FrameRecord> pairs = Pair(
-      poses, is_flight ? ReadTumFile(truth / "truth.tum")
-                       : ReadEurocTruth(*recording / "state_groundtruth_estimate0" / "data.csv"));
+  const std::vector<FrameRecord> pairs =
+      Pair(poses, is_flight ? ReadTumFile(truth / "truth.tum")
+                            : ReadEurocTruth(*recording / "state_groundtruth_estimate0" / "data.csv"));
   if (pairs.empty()) {
     throw InputError(fmt::format("{}: its truth covers none of the poses, from {} to {} s", truth.string(),
                                  poses.front().t_s, poses.back().t_s));
   }
-  PoseScore score{
-      .metrics = PoseErrors(pairs), .poses = pairs.size(), .outside = poses.size() - pairs.size()};
+  PoseScore score{.metrics = PoseErrors(pairs), .poses = pairs.size(), .outside = poses.size() - pairs.size()};
   if (is_flight) score.metrics.merge(Detection(ReadFrames(truth, poses)));
   return score;
 }

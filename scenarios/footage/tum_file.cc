@@ -46,7 +46,8 @@ std::vector<TimedPose> ReadTumFile(const std::filesystem::path& file) {
     }
     try {
       const TimedPose pose = ParseLine(line);
-      if (!poses.empty() && pose.t_s <= poses.back().t_s) throw InputError("its time does not come after the one before");
+      if (!poses.empty() && pose.t_s <= poses.back().t_s)
+        throw InputError("its time does not come after the one before");
       poses.push_back(pose);
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}:{}: {}", file.string(), number, error.what()));

@@ -6,6 +6,8 @@
 #include "scenarios/flight/output_folder.h"
 #include "scenarios/footage/flight_recording.h"
 #include "scenarios/report/contact_sheet.h"
+#include "scenarios/report/flight_files.h"
+#include "scenarios/report/flight_page.h"
 #include "scenarios/report/flight_video.h"
 
 namespace touchdown::scenarios {
@@ -17,11 +19,11 @@ constexpr const char* kRecordingFolder = "recording";
 
 FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path& place, const FlightExtras& extras,
                            FlightObservers observers, const StopRequested& stop_requested) {
-  OutputFolder folder(
-      place, {.files = {"result.json", "scenario.yaml", "flight.csv", "frames.csv", "tracking.csv", "truth.tum",
-                        "estimate.tum", "tracking.tum", "frame_timing.csv", "timing.json", "frames.png", "flight.mp4"},
-              .mark = "\"log_sha256\"",
-              .subfolders = {{kRecordingFolder, IsOfFlightRecording}}});
+  OutputFolder folder(place, {.files = {"result.json", "scenario.yaml", "flight.csv", "frames.csv", "tracking.csv",
+                                        "truth.tum", "estimate.tum", "tracking.tum", "frame_timing.csv", "timing.json",
+                                        "frames.png", "flight.mp4", "report.html"},
+                              .mark = kFlightMark,
+                              .subfolders = {{kRecordingFolder, IsOfFlightRecording}}});
   ContactSheet sheet(scenario.camera.model, scenario.time);
   std::vector<FlightObserver*> all(observers.begin(), observers.end());
   all.push_back(&sheet);
@@ -43,6 +45,7 @@ FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path
   folder.Write("timing.json", TimingJson(result.timing));
   if (const auto png = sheet.Png()) folder.Write("frames.png", *png);
   folder.Write("result.json", ResultJson(scenario, result));
+  folder.Write("report.html", FlightPage(ReadFlightFiles(folder.PathOf(""))));
   folder.Commit();
   return result;
 }

@@ -13,7 +13,8 @@ struct FlightExtras {
 };
 
 /// Flies a scenario and leaves its folder at `place`: scenario.yaml, result.json, the tables, timing.json and
-/// frames.png (docs/scenarios.md says what each holds; a flight without frames has no pictures), and `extras`. The
+/// frames.png, report.html (docs/scenarios.md says what each holds; a flight without frames has no pictures), and
+/// `extras`. The
 /// folder appears when everything is written, see OutputFolder. Throws InputError for a place that cannot be used,
 /// before the flight, and as Fly does.
 FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path& place,

@@ -1,11 +1,14 @@
 // The program as a user meets it: exit status, what it says, and what it leaves behind.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/mount.h>
 
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -142,6 +145,128 @@ TEST_F(Program, LeavesAUsersFilesAndDrawsNoPadThatIsNone) {
   EXPECT_THAT(Names(), testing::UnorderedElementsAreArray(before));
 }
 
+/// A file system of its own in a folder, of 64 MiB at most until it is filled.
+class SmallMount {
+ public:
+  explicit SmallMount(fs::path place) : place_(std::move(place)) {
+    is_there_ = mount("none", place_.c_str(), "tmpfs", 0, "size=64m") == 0;
+  }
+  ~SmallMount() {
+    if (is_there_) umount(place_.c_str());
+  }
+  SmallMount(const SmallMount&) = delete;
+  SmallMount& operator=(const SmallMount&) = delete;
+
+  bool is_there() const { return is_there_; }
+  void Fill() const { Remount(MS_REMOUNT, fmt::format("size={}k", UsedKilobytes() + 16)); }
+  void MakeReadOnly() const { Remount(MS_REMOUNT | MS_RDONLY, ""); }
+
+ private:
+  void Remount(unsigned long flags, const std::string& options) const {
+    ASSERT_EQ(mount("none", place_.c_str(), "tmpfs", flags, options.c_str()), 0);
+  }
+  std::uintmax_t UsedKilobytes() const {
+    const fs::space_info space = fs::space(place_);
+    return (space.capacity - space.free) / 1024;
+  }
+
+  fs::path place_;
+  bool is_there_ = false;
+};
+
+class ReportProgram : public Program {
+ protected:
+  void FlyInto(const std::string& place) const {
+    Put("short.yaml", std::string(kGoodScript) + "time_limit_s: 0.1\n");
+    ASSERT_EQ(Run({"fly", "short.yaml", "--out", place}).status, 1);
+  }
+  std::string Content(const fs::path& file) const {
+    std::ifstream stream(folder_ / file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  /// Makes the report of `place`, expects exit 2, one line, and the folder as it was; returns the line.
+  std::string ErrorOfReport(const std::string& place) const {
+    const std::string before = Content(fs::path(place) / "report.html");
+    const ProgramRun run = Run({"report", place});
+    EXPECT_EQ(run.status, 2) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(Content(fs::path(place) / "report.html"), before);
+    if (fs::is_directory(folder_ / place)) {
+      for (const auto& entry : fs::directory_iterator(folder_ / place)) {
+        EXPECT_THAT(entry.path().filename().string(), testing::Not(StartsWith(".")));
+      }
+    }
+    return run.err;
+  }
+};
+
+TEST_F(ReportProgram, RebuildsThePageThatTheFlightLeft) {
+  FlyInto("flight");
+  const std::string page = Content("flight/report.html");
+  EXPECT_THAT(page, HasSubstr("<title>short, seed 1: Failed</title>"));
+  fs::remove(folder_ / "flight" / "report.html");
+  const ProgramRun run = Run({"report", "flight"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.out, "flight/report.html\n");
+  EXPECT_EQ(Content("flight/report.html"), page);
+  EXPECT_EQ(Run({"report", "flight/"}).status, 0);
+}
+
+TEST_F(ReportProgram, RefusesWhatIsNoFlightsFolder) {
+  fs::create_directories(folder_ / "empty");
+  Put("file", "");
+  fs::create_directories(folder_ / "other");
+  std::ofstream(folder_ / "other" / "result.json") << "{}";
+  for (const char* place : {"none", "empty", "file", "other"}) {
+    EXPECT_THAT(ErrorOfReport(place), HasSubstr(std::string(place) + ": is no flight's folder"));
+  }
+}
+
+TEST_F(ReportProgram, NamesTheFileLineAndColumnThatAreDamaged) {
+  FlyInto("flight");
+  fs::resize_file(folder_ / "flight" / "flight.csv", 2000);
+  EXPECT_THAT(ErrorOfReport("flight"), HasSubstr("flight/flight.csv:"));
+  FlyInto("flight");
+  fs::remove(folder_ / "flight" / "frames.csv");
+  EXPECT_THAT(ErrorOfReport("flight"), HasSubstr("flight/frames.csv: cannot be read"));
+}
+
+TEST_F(ReportProgram, LeavesAUsersPage) {
+  FlyInto("flight");
+  std::ofstream(folder_ / "flight" / "report.html") << "<p>mine</p>";
+  EXPECT_THAT(ErrorOfReport("flight"), HasSubstr("is there already"));
+}
+
+TEST_F(ReportProgram, LeavesTheEarlierPageInAFullOrReadOnlyFolder) {
+  fs::create_directories(folder_ / "small");
+  const SmallMount small(folder_ / "small");
+  if (!small.is_there()) GTEST_SKIP() << "no right to mount";
+  FlyInto("small/flight");
+  small.Fill();
+  EXPECT_THAT(ErrorOfReport("small/flight"), HasSubstr("report.html: cannot be written"));
+  small.MakeReadOnly();
+  EXPECT_THAT(ErrorOfReport("small/flight"), HasSubstr("report.html: cannot be written"));
+}
+
+TEST_F(ReportProgram, LeavesNothingOfAFlightInAFullOrReadOnlyFolder) {
+  fs::create_directories(folder_ / "small");
+  const SmallMount small(folder_ / "small");
+  if (!small.is_there()) GTEST_SKIP() << "no right to mount";
+  Put("short.yaml", std::string(kGoodScript) + "time_limit_s: 0.1\n");
+  const auto error_of_flying = [&] {
+    const ProgramRun run = Run({"fly", "short.yaml", "--out", "small/flight"});
+    EXPECT_EQ(run.status, 2);
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_TRUE(fs::is_empty(folder_ / "small"));
+    return run.err;
+  };
+  small.Fill();
+  EXPECT_THAT(error_of_flying(), HasSubstr("small/flight: "));
+  small.MakeReadOnly();
+  EXPECT_THAT(error_of_flying(), HasSubstr("small/flight: "));
+}
+
 TEST_F(Program, ExitsWithTwoOnBadUsage) {
   for (const std::vector<std::string>& arguments :
        std::vector<std::vector<std::string>>{{},
@@ -262,6 +387,75 @@ TEST_F(Program, LeavesNothingWhenInterrupted) {
     const ProgramRun run = Run({"fly", "good.yaml", "--out", "a/result"}, {signal, flies});
     EXPECT_EQ(run.status, 130) << signal;
     EXPECT_THAT(Names(), UnorderedElementsAre("good.yaml"));
+  }
+}
+
+TEST_F(Program, SaysNothingOrOnlyJsonWhenAsked) {
+  Put("short.yaml", std::string(kGoodScript) + "time_limit_s: 0.1\nexpect: gave_up\n");
+  const ProgramRun quiet = Run({"fly", "short.yaml", "--out", "a", "--quiet", "--video", "off"});
+  EXPECT_EQ(quiet.status, 0);
+  EXPECT_EQ(quiet.out + quiet.err, "");
+  const ProgramRun json = Run({"fly", "short.yaml", "--out", "b", "--json", "--video", "off"});
+  EXPECT_EQ(json.err, "");
+  std::ifstream result(folder_ / "b" / "result.json");
+  EXPECT_EQ(json.out, std::string(std::istreambuf_iterator<char>(result), {}));
+  EXPECT_THAT(json.out, HasSubstr("\"reason\": \""));
+}
+
+TEST_F(Program, WritesChecksAsJUnitAndSparesOtherFiles) {
+  Put("short.yaml", std::string(kGoodScript) + "time_limit_s: 0.1\n");
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(Run({"fly", "short.yaml", "--out", "a", "--junit", "ci/junit.xml", "--video", "off"}).status, 1);
+  }
+  std::ifstream junit(folder_ / "ci" / "junit.xml");
+  EXPECT_THAT(std::string(std::istreambuf_iterator<char>(junit), {}), HasSubstr("failures=\"1\""));
+  Put("mine.xml", "<mine/>");
+  const ProgramRun refused = Run({"fly", "short.yaml", "--out", "c", "--junit", "mine.xml"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, HasSubstr("mine.xml: is there already, and something else"));
+  EXPECT_FALSE(fs::exists(folder_ / "c"));
+}
+
+TEST_F(Program, EstimatesOnARecordingAndScoresIts) {
+  Put("short.yaml", "start: {airborne: true}\nscript: [{do: hover, duration_s: 0.5}]\n");
+  ASSERT_EQ(Run({"fly", "short.yaml", "--out", "a", "--record"}).status, 0);
+  const ProgramRun run = Run({"estimate", "a", "--out", "b", "--video"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("  ok "), HasSubstr("X_WB; files in b\n")));
+  for (const char* name : {"poses.csv", "poses.tum", "choices.csv", "summary.json", "estimate.mp4"}) {
+    EXPECT_TRUE(fs::exists(folder_ / "b" / name)) << name;
+  }
+  const ProgramRun score = Run({"score", "--poses", "b/poses.tum", "--truth", "a"});
+  EXPECT_EQ(score.status, 0) << score.err;
+  EXPECT_THAT(score.out, HasSubstr("estimate.xy_rmse_m"));
+
+  const ProgramRun pictures =
+      Run({"estimate", "a/recording/mav0/cam0/data", "--camera", "a/recording/camera.yaml", "--out", "c", "--quiet"});
+  EXPECT_EQ(pictures.status, 0);
+  EXPECT_EQ(pictures.out + pictures.err, "");
+}
+
+TEST_F(Program, RefusesFootageThatItCannotUseAndLeavesWhatWasThere) {
+  fs::create_directories(folder_ / "empty");
+  Put("camera.yaml", "width_px: 640\n");
+  Put("bad.yaml", "width_px: wide\n");
+  Put("film.mp4", "no film");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+      {{"empty", "--camera", "camera.yaml"}, "empty: no pictures in this folder"},
+      {{"none", "--camera", "camera.yaml"}, "none: no such file or folder"},
+      {{"film.mp4", "--camera", "camera.yaml"}, "film.mp4: no video that can be read"},
+      {{"film.mp4", "--camera", "bad.yaml"}, "film.mp4: no video that can be read"},
+      {{"empty", "--camera", "camera.yaml", "--estimator", "magic"}, "empty: no pictures"},
+  };
+  const std::vector<std::string> before = Names();
+  for (const auto& [input, error] : cases) {
+    std::vector<std::string> arguments{"estimate", "--out", "result"};
+    arguments.insert(arguments.end(), input.begin(), input.end());
+    const ProgramRun run = Run(arguments);
+    EXPECT_EQ(run.status, 2) << input[0];
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_THAT(run.err, HasSubstr(error));
+    EXPECT_EQ(Names(), before);
   }
 }
 

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "scenarios/cli/command.h"
+
+namespace touchdown::scenarios {
+
+/// `touchdown report DIR`: rebuilds the page of a flight from its folder's files.
+AddCommand AddReport;
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,23 @@
+# cmake -D TEMPLATE=file -D STYLE=file -D SCRIPT=file -D LICENCE=file -D OUT=file.cc -P embed.cmake: the files as the
+# functions that scenarios/report/page_assets.h declares. LICENCE is uPlot's, which must go where uPlot goes.
+function(define name bytes)
+  string(REGEX REPLACE "(..)" "'\\\\x\\1'," bytes "${bytes}")
+  set(code "${code}\nstd::string_view ${name}() {\n  static constexpr char kBytes[] = {${bytes}};\n  return {kBytes, sizeof(kBytes)};\n}\n" PARENT_SCOPE)
+endfunction()
+
+file(READ ${TEMPLATE} template HEX)
+file(READ ${STYLE} style HEX)
+file(READ ${SCRIPT} script HEX)
+file(READ ${LICENCE} licence)
+string(HEX "/* With uPlot:\n${licence}*/\n" licence)
+
+set(code "")
+define(PageTemplate ${template})
+define(PageStyle ${style})
+define(PageScript ${licence}${script})
+file(WRITE ${OUT} "#include \"scenarios/report/page_assets.h\"
+
+namespace touchdown::scenarios {
+${code}
+}  // namespace touchdown::scenarios
+")

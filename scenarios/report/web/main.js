@@ -1,0 +1,21 @@
+// The page of a flight: reads the data that the program left in it, and draws.
+import { drawPlots } from "./plots.js";
+import { prepareForPrint } from "./print.js";
+import { TimeView } from "./time_view.js";
+import { followTheme } from "./theme.js";
+import { drawTimeline } from "./timeline.js";
+import { drawTopView } from "./top_view.js";
+import { connectVideo } from "./video.js";
+
+const flight = JSON.parse(document.getElementById("flight").textContent);
+const view = new TimeView(flight.duration_s);
+
+drawTimeline(document.getElementById("timeline"), flight, view);
+drawTopView(document.getElementById("top-view"), flight, view);
+const plots = drawPlots(document.getElementById("plots"), flight, view);
+connectVideo(document.getElementById("video"), view);
+followTheme(document.getElementById("theme"), () => plots.redraw());
+prepareForPrint(plots);
+
+// For whoever wants to look closer in the browser's console, and for the tests.
+window.touchdown = { flight, view, plots: plots.charts };

@@ -1,0 +1,143 @@
+// The way of the vehicle over the pad, seen from above: X to the right, Y up, the same scale for both.
+import { phaseColour, words } from "./colours.js";
+import { html, svg } from "./dom.js";
+import { decimals, withMinus } from "./numbers.js";
+import { nearestIndex, spanAt } from "./search.js";
+
+const MARGIN = 0.08; // Of the drawing's width, around what it shows.
+const GRID_LINES = 5; // About as many.
+
+const number = (value) => Number(value.toFixed(4));
+
+/** The square, in metres, that shows the pad and the true way. */
+function extent(pad, xs, ys) {
+  const reach = pad ? [pad.sheet_length_m / 2, pad.sheet_width_m / 2] : [0.15, 0.15];
+  const points = (values, least) => [-least, least, ...values.filter((value) => value !== null)];
+  const [x, y] = [points(xs, reach[0]), points(ys, reach[1])];
+  const [left, right] = [Math.min(...x), Math.max(...x)];
+  const [bottom, top] = [Math.min(...y), Math.max(...y)];
+  const size = Math.max(right - left, top - bottom) * (1 + 2 * MARGIN);
+  return { left: (left + right - size) / 2, bottom: (bottom + top - size) / 2, size };
+}
+
+/** A step of 1, 2 or 5 times a power of ten. */
+function roundStep(rough) {
+  const power = 10 ** Math.floor(Math.log10(rough));
+  return power * [1, 2, 5, 10].find((factor) => factor * power >= rough);
+}
+
+/** A path through points; a null coordinate leaves a gap. */
+function pathThrough(xs, ys, from = 0, to = xs.length) {
+  let path = "";
+  let pen = "M";
+  for (let i = from; i < to; ++i) {
+    if (xs[i] === null || ys[i] === null) {
+      pen = "M";
+      continue;
+    }
+    path += `${pen}${number(xs[i])} ${number(ys[i])}`;
+    pen = "L";
+  }
+  return path;
+}
+
+/** A path of round dots. */
+function dotsAt(xs, ys) {
+  return xs.map((x, i) => (x === null ? "" : `M${number(x)} ${number(ys[i])}h0`)).join("");
+}
+
+function padShapes(pad) {
+  const { sheet_length_m: length, sheet_width_m: width, h_stroke_m: stroke } = pad;
+  const [x, y] = [pad.h_height_m / 2, pad.h_width_m / 2];
+  const bar = stroke / 2;
+  const letter = `M${-x} ${y}H${x}V${y - stroke}H${bar}V${stroke - y}H${x}V${-y}H${-x}V${stroke - y}H${-bar}V${y - stroke}H${-x}Z`;
+  return [
+    svg("rect", { class: "sheet", x: -length / 2, y: -width / 2, width: length, height: width }),
+    svg("circle", { class: "ring", r: pad.outer_radius_m - pad.ring_width_m / 2, "stroke-width": pad.ring_width_m }),
+    svg("path", { class: "letter", d: letter }),
+  ];
+}
+
+/** The true way, a path for each phase. */
+function waysOf(phases, times, xs, ys) {
+  return phases.map((phase) => {
+    const from = nearestIndex(times, phase.from_s);
+    const to = nearestIndex(times, phase.to_s) + 1;
+    return svg("path", { class: "way", style: `--phase: var(--${phaseColour(phase.name)})`, d: pathThrough(xs, ys, from, to) });
+  });
+}
+
+function gridOf({ left, bottom, size }) {
+  const step = roundStep(size / GRID_LINES);
+  const unit = size / 100;
+  const label = (value) => withMinus(value.toFixed(decimals(step)));
+  const parts = [];
+  const text = (x, y, anchor, content) =>
+    svg("text", { x, y: -y, "text-anchor": anchor, "font-size": 3.1 * unit, transform: "scale(1 -1)" }, content);
+  for (let i = Math.ceil(left / step); i * step < left + size; ++i) {
+    const x = i * step;
+    parts.push(svg("line", { x1: x, x2: x, y1: bottom, y2: bottom + size }));
+    if (x < left + 0.86 * size) parts.push(text(x + unit, bottom + unit, "start", label(x)));
+  }
+  for (let i = Math.ceil(bottom / step); i * step < bottom + size; ++i) {
+    const y = i * step;
+    parts.push(svg("line", { x1: left, x2: left + size, y1: y, y2: y }));
+    if (y > bottom + 6 * unit && y < bottom + 92 * unit) parts.push(text(left + unit, y + unit, "start", label(y)));
+  }
+  parts.push(text(left + size - unit, bottom + unit, "end", "x in m"), text(left + unit, bottom + size - 4 * unit, "start", "y in m"));
+  return svg("g", { class: "grid" }, ...parts);
+}
+
+function cross(x, y, reach) {
+  return svg("path", { class: "contact", d: `M${x - reach} ${y - reach}L${x + reach} ${y + reach}M${x - reach} ${y + reach}L${x + reach} ${y - reach}` },
+    svg("title", {}, "touchdown point"));
+}
+
+function keyOf(flight) {
+  const item = (mark, text) => html("li", {}, mark, text);
+  const swatch = (name, kind) => html("span", { class: `swatch ${kind}`, style: `--phase: var(--${name})` });
+  const seen = [...new Set(flight.phases.map((phase) => phase.name))];
+  const items = seen.map((name) => item(swatch(phaseColour(name), "line"), words(name)));
+  items.push(item(swatch("vision", "dot"), "vision"), item(swatch("set-point", "ringed"), "set-point"));
+  if (flight.touchdown) {
+    const { x_m, y_m } = flight.touchdown;
+    items.push(item(html("span", { class: "swatch crossed" }, "×"), `touchdown, ${(Math.hypot(x_m, y_m) * 1000).toFixed(1)} mm off the centre`));
+  }
+  return html("ul", { class: "key" }, ...items);
+}
+
+/** Draws the view, and keeps the vehicle in it at the view's time. */
+export function drawTopView(place, flight, view) {
+  const { ticks, frames } = flight.track;
+  const [xs, ys, yaws, set_xs, set_ys] = ticks.series.map((series) => series.values);
+  const [seen_xs, seen_ys] = frames.series.map((series) => series.values);
+  const box = extent(flight.pad, xs, ys);
+  const arrow = box.size / 28;
+  const vehicle = svg("path", { class: "vehicle", d: `M${arrow} 0L${-0.7 * arrow} ${0.6 * arrow}L${-0.35 * arrow} 0L${-0.7 * arrow} ${-0.6 * arrow}Z`, visibility: "hidden" });
+  const start = xs.findIndex((x) => x !== null);
+  const scene = svg("g", { transform: "scale(1 -1)" },
+    ...(flight.pad ? padShapes(flight.pad) : []),
+    gridOf(box),
+    svg("path", { class: "vision", d: dotsAt(seen_xs, seen_ys) }),
+    svg("path", { class: "set-point", d: pathThrough(set_xs, set_ys) }),
+    ...waysOf(flight.phases, ticks.t_s, xs, ys),
+    ...(start < 0 ? [] : [svg("circle", { class: "start", cx: xs[start], cy: ys[start], r: box.size / 90 }, svg("title", {}, "start"))]),
+    ...(flight.touchdown ? [cross(flight.touchdown.x_m, flight.touchdown.y_m, box.size / 45)] : []),
+    vehicle);
+  const picture = svg("svg", {
+    class: "top-view", role: "img", "aria-label": "The way of the vehicle over the pad, from above",
+    viewBox: `${box.left} ${-box.bottom - box.size} ${box.size} ${box.size}`,
+  }, scene);
+  place.append(picture, keyOf(flight));
+
+  const showVehicle = () => {
+    const i = view.current === null ? -1 : nearestIndex(ticks.t_s, view.current);
+    const there = i >= 0 && xs[i] !== null && ys[i] !== null;
+    vehicle.setAttribute("visibility", there ? "visible" : "hidden");
+    if (!there) return;
+    vehicle.style.setProperty("--phase", `var(--${phaseColour(spanAt(flight.phases, view.current)?.name ?? "standby")})`);
+    vehicle.setAttribute("transform", `translate(${xs[i]} ${ys[i]}) rotate(${yaws[i] ?? 0})`);
+  };
+  view.on("pointed", showVehicle);
+  view.on("played", showVehicle);
+}

@@ -1,0 +1,58 @@
+#include "scenarios/report/junit.h"
+
+#include <gtest/gtest.h>
+
+#include <pugixml.hpp>
+
+namespace touchdown::scenarios {
+namespace {
+
+Scenario Named() {
+  Scenario scenario;
+  scenario.name = "calm";
+  scenario.seed = 7;
+  return scenario;
+}
+
+FlightResult Result(Verdict verdict) {
+  FlightResult result;
+  result.verdict = verdict;
+  result.reason = "MuJoCo: <bad> & worse";
+  result.metrics["flight.sim_time_s"] = 12.5;
+  result.checks.push_back(
+      {.name = "outcome", .value = {}, .text = "landed", .unit = "", .limit = "landed", .pass = true});
+  result.checks.push_back(
+      {.name = "flight.touchdown_tilt_deg", .value = 11.5, .text = "", .unit = "deg", .limit = "<= 10", .pass = false});
+  return result;
+}
+
+TEST(Junit, HasACaseForEachCheckAndCountsThoseThatFailed) {
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_string(JunitXml(Named(), Result(Verdict::kFail)).c_str()));
+  const pugi::xml_node suite = document.child("testsuites").child("testsuite");
+  EXPECT_STREQ(suite.attribute("name").value(), "calm.seed7");
+  EXPECT_EQ(suite.attribute("tests").as_int(), 2);
+  EXPECT_EQ(suite.attribute("failures").as_int(), 1);
+  EXPECT_EQ(suite.attribute("errors").as_int(), 0);
+  EXPECT_EQ(suite.attribute("time").as_double(), 12.5);
+  const pugi::xml_node passed = suite.first_child(), failed = suite.last_child();
+  EXPECT_STREQ(passed.attribute("name").value(), "outcome");
+  EXPECT_FALSE(passed.first_child());
+  EXPECT_STREQ(failed.child("failure").attribute("message").value(), "is 11.5 deg, must be <= 10");
+}
+
+TEST(Junit, IsAnErrorOfEveryCaseWhenTheSimulationWentWrong) {
+  const std::string text = JunitXml(Named(), Result(Verdict::kError));
+  EXPECT_NE(text.find(kJunitMark), std::string::npos);
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_string(text.c_str()));
+  const pugi::xml_node suites = document.child("testsuites");
+  EXPECT_EQ(suites.attribute("errors").as_int(), 2);
+  EXPECT_EQ(suites.attribute("failures").as_int(), 0);
+  for (const pugi::xml_node& test : suites.first_child().children()) {
+    EXPECT_STREQ(test.child("error").attribute("message").value(), "MuJoCo: <bad> & worse");
+  }
+}
+
+}  // namespace
+}  // namespace touchdown::scenarios

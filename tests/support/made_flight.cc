@@ -1,0 +1,80 @@
+#include "tests/support/made_flight.h"
+
+#include <cmath>
+
+#include "scenarios/flight/fly.h"
+
+namespace touchdown::tests {
+namespace {
+
+using controller::Phase;
+using scenarios::FlightLog;
+using scenarios::FrameRecord;
+using scenarios::Scenario;
+using scenarios::TickRecord;
+
+constexpr models::Tick kImuPeriod = 6;
+constexpr models::Tick kCameraPeriod = 20;
+
+Phase PhaseAt(double share) {
+  if (share < 0.1) return Phase::kStandby;
+  if (share < 0.2) return Phase::kBlindClimb;
+  if (share < 0.8) return Phase::kHover;
+  return share < 0.9 ? Phase::kLanding : Phase::kTouchdown;
+}
+
+Eigen::Isometry3d PoseAt(double share) {
+  const bool on_the_ground = share < 0.1 || share >= 0.9;
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  X_WB.translation() << 0.1 * std::sin(20.0 * share), 0.05, on_the_ground ? 0.14 : 1.0;
+  return X_WB;
+}
+
+}  // namespace
+
+FlightLog MadeFlight(const Scenario& scenario, double duration_s) {
+  FlightLog log;
+  log.time = scenario.time;
+  log.end = scenario.time.FromSeconds(duration_s);
+  log.outcome = scenarios::Outcome::kLanded;
+  log.wall_s = 1.0;
+  const auto share = [&log](models::Tick tick) { return static_cast<double>(tick) / static_cast<double>(log.end); };
+  for (models::Tick tick = 0; tick <= log.end; tick += kImuPeriod) {
+    TickRecord& record = log.ticks.emplace_back();
+    record.truth.tick = tick;
+    record.truth.X_WB = PoseAt(share(tick));
+    record.truth.gear_in_contact = record.truth.X_WB.translation().z() < 0.5;
+    record.control.phase = PhaseAt(share(tick));
+    record.control.set_point_m << 0.0, 0.0, 1.0;
+    if (record.control.phase != Phase::kHover) continue;
+    record.estimate.motion.emplace();
+    record.estimate.motion->p_WB = record.truth.X_WB.translation();
+  }
+  for (models::Tick tick = 0; tick <= log.end; tick += kCameraPeriod) {
+    FrameRecord& frame = log.frames.emplace_back();
+    frame.mid_exposure = frame.delivered = tick;
+    frame.X_WB = PoseAt(share(tick));
+    frame.phase = PhaseAt(share(tick));
+    frame.vision_ms = 2.0;
+    if (frame.phase != Phase::kHover) continue;
+    frame.status = estimator::FrameStatus::kOk;
+    frame.pose.emplace();
+    frame.pose->X_WB = frame.X_WB;
+  }
+  return log;
+}
+
+scenarios::FlightFiles FilesOf(const Scenario& scenario, const FlightLog& log) {
+  const scenarios::FlightResult result = scenarios::JudgeFlight(scenario, log);
+  scenarios::FlightFiles files;
+  files.folder = "flight";
+  files.result_json = ResultJson(scenario, result);
+  files.scenario_yaml = ScenarioYaml(scenario);
+  files.flight_csv = result.tables.flight_csv;
+  files.frames_csv = result.tables.frames_csv;
+  files.frame_timing_csv = result.tables.frame_timing_csv;
+  files.timing_json = TimingJson(result.timing);
+  return files;
+}
+
+}  // namespace touchdown::tests
