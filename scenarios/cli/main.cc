@@ -3,8 +3,10 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <opencv2/core/utility.hpp>
+#include <opencv2/core/utils/logger.hpp>
 #include <stdexcept>
 #include <string>
 
@@ -52,6 +54,10 @@ int main(int argc, char** argv) {
   spdlog::set_default_logger(spdlog::stderr_color_mt("touchdown"));
   spdlog::set_pattern("%^%l%$: %v");
   touchdown::scenarios::CatchInterrupts();
+  // OpenCV and the libraries under it would tell of files that cannot be read in words of their own, beside ours.
+  setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
+  setenv("OPENCV_LOG_LEVEL", "OFF", 0);
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   cv::setNumThreads(1);  // A flight keeps to one core: many fly side by side.
 
   CLI::App app("A closed-loop testbed for vision-based quadrotor landing", "touchdown");

@@ -262,9 +262,36 @@ TEST_F(ReportProgram, LeavesNothingOfAFlightInAFullOrReadOnlyFolder) {
     return run.err;
   };
   small.Fill();
-  EXPECT_THAT(error_of_flying(), HasSubstr("small/flight: "));
+  EXPECT_THAT(error_of_flying(), HasSubstr("flight.mp4: No space left on device"));
   small.MakeReadOnly();
-  EXPECT_THAT(error_of_flying(), HasSubstr("small/flight: "));
+  EXPECT_THAT(error_of_flying(), HasSubstr("small/flight: Read-only file system"));
+}
+
+TEST_F(ReportProgram, LeavesEarlierPosesInAFullOrReadOnlyFolder) {
+  fs::create_directories(folder_ / "small");
+  const SmallMount small(folder_ / "small");
+  if (!small.is_there()) GTEST_SKIP() << "no right to mount";
+  Put("short.yaml", "start: {airborne: true}\nscript: [{do: hover, duration_s: 0.2}]\n");
+  ASSERT_EQ(Run({"fly", "short.yaml", "--out", "flight", "--record", "--video", "off"}).status, 0);
+  ASSERT_EQ(Run({"estimate", "flight", "--out", "small/poses"}).status, 0);
+  const auto poses = [this] {
+    std::ifstream stream(folder_ / "small" / "poses" / "poses.csv");
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  };
+  const std::string before = poses();
+  const auto expect_refused = [&](const std::vector<std::string>& arguments, const char* error) {
+    const ProgramRun run = Run(arguments);
+    EXPECT_EQ(run.status, 2);
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_THAT(run.err, HasSubstr(error));
+    EXPECT_EQ(poses(), before);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "small"), {}), 1) << "the poses alone";
+  };
+  small.Fill();
+  expect_refused({"estimate", "flight", "--out", "small/poses"}, "cannot be written");
+  expect_refused({"fly", "short.yaml", "--out", "small/other", "--record", "--video", "off"}, "cannot be written");
+  small.MakeReadOnly();
+  expect_refused({"estimate", "flight", "--out", "small/poses"}, "Read-only file system");
 }
 
 TEST_F(Program, ExitsWithTwoOnBadUsage) {

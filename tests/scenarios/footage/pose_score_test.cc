@@ -7,6 +7,7 @@
 
 #include "models/error.h"
 #include "scenarios/flight/fly.h"
+#include "scenarios/flight/pad_view.h"
 #include "tests/support/made_flight.h"
 #include "tests/support/temporary_folder.h"
 
@@ -23,6 +24,12 @@ Scenario Landing() {
 class PoseScoreTest : public ::testing::Test {
  protected:
   PoseScoreTest() {
+    const models::CameraModel& camera = scenario_.camera.model;
+    for (FrameRecord& frame : log_.frames) {
+      const Eigen::Isometry3d X_WC = frame.X_WB * scenario_.vehicle.X_BC();
+      frame.ring_in_view = WholeRingInView(camera, scenario_.pad, X_WC);
+      frame.true_pad_px = camera.Project(X_WC.inverse() * Eigen::Vector3d::Zero());
+    }
     const FlightResult result = JudgeFlight(scenario_, log_);
     folder_.Put("flight/scenario.yaml", ScenarioYaml(scenario_));
     folder_.Put("flight/frames.csv", result.tables.frames_csv);
