@@ -169,8 +169,9 @@ void PutTableOne(const Json& metrics, data& page) {
     double hovering;
     double autonomous;
   };
-  constexpr std::array<Row, 5> kTable = {{{"XY", "estimate.xy_rmse_m", 1e3, "mm", 38.8, 33.7},
+  constexpr std::array<Row, 6> kTable = {{{"XY", "estimate.xy_rmse_m", 1e3, "mm", 38.8, 33.7},
                                           {"Z", "estimate.z_rmse_m", 1e3, "mm", 5.7, 6.8},
+                                          {"3D", "estimate.xyz_rmse_m", 1e3, "mm", 39.2, 34.4},
                                           {"Roll", "estimate.roll_rmse_deg", 1.0, "deg", 1.3, 1.4},
                                           {"Pitch", "estimate.pitch_rmse_deg", 1.0, "deg", 1.4, 1.5},
                                           {"Yaw", "estimate.yaw_rmse_deg", 1.0, "deg", 4.8, 2.7}}};
