@@ -157,13 +157,13 @@ void RingFitConfig::Validate() const {
   if (least_coverage > 1.0) throw InputError("points cannot cover more than the whole ring");
 }
 
-std::optional<Ellipse> FitRing(std::vector<Eigen::Vector2d>& points, double px, const RingFitConfig& config) {
+std::optional<Ellipse> FitRing(std::vector<Eigen::Vector2d>& points, const RingFitConfig& config) {
   auto ellipse = FitEllipse(points);
   if (!ellipse) return std::nullopt;
-  if (RmsDistance(*ellipse, points) <= config.exact_rms_px * px) return ellipse;
+  if (RmsDistance(*ellipse, points) <= config.exact_rms_px) return ellipse;
   constexpr int kIterations = 5;
   for (int i = 0; i < kIterations && ellipse; ++i) {
-    const double limit = std::max(config.exact_rms_px * px, kFarOff * MedianDistance(*ellipse, points));
+    const double limit = std::max(config.exact_rms_px, kFarOff * MedianDistance(*ellipse, points));
     std::vector<Eigen::Vector2d> near;
     for (const Eigen::Vector2d& point : points) {
       if (std::abs(DistanceFrom(*ellipse, point)) <= limit) near.push_back(point);
@@ -173,7 +173,7 @@ std::optional<Ellipse> FitRing(std::vector<Eigen::Vector2d>& points, double px, 
     ellipse = FitEllipse(points);
   }
   if (!ellipse) return std::nullopt;
-  const double largest_rms = std::max(config.exact_rms_px * px, config.largest_rms_share * ellipse->semi_axes.y());
+  const double largest_rms = std::max(config.exact_rms_px, config.largest_rms_share * ellipse->semi_axes.y());
   if (RmsDistance(*ellipse, points) > largest_rms || Coverage(*ellipse, points) < config.least_coverage) {
     return std::nullopt;
   }

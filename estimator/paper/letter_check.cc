@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
+#include <optional>
 
 #include "models/angles.h"
 #include "models/error.h"
@@ -15,11 +14,62 @@ namespace {
 
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
+using Eigen::Vector3d;
 
 constexpr int kRadii = 20;
 constexpr int kAngles = 120;
 constexpr int kHalfTurn = kAngles / 2;  // An H looks the same after it.
-constexpr double kReach = 2.4;          // Of the grid, in standard deviations of the shape: an H's corners are within 2.
+constexpr double kReach = 2.4;  // Of the grid, in standard deviations of the shape: an H's corners are within 2.
+
+/// A shape's mean place and its spread, the covariance of its points.
+struct ShapeMoments {
+  Vector2d mean = Vector2d::Zero();
+  Matrix2d spread = Matrix2d::Identity();
+};
+
+/// The plane of a ring, its origin the ring's centre, as the components show it.
+class SeenPlane {
+ public:
+  SeenPlane(const CirclePose& ring_pose, const ComponentView& view)
+      : pose_(ring_pose), x_C_(ring_pose.n_C.unitOrthogonal()), y_C_(ring_pose.n_C.cross(x_C_)), view_(view) {}
+
+  /// In the plane, with the depth below the camera as third coordinate.
+  Vector3d PointAt(const Vector2d& pixel) const {
+    const Vector2d raw = view_.reduction * (pixel + Vector2d::Constant(0.5)) - Vector2d::Constant(0.5);
+    const Vector3d ray_C = view_.camera.NormalizedFromPixel(view_.undistort.At(raw)).homogeneous();
+    const Vector3d p_C = ray_C * (pose_.n_C.dot(pose_.p_CW) / pose_.n_C.dot(ray_C));
+    return {x_C_.dot(p_C - pose_.p_CW), y_C_.dot(p_C - pose_.p_CW), p_C.z()};
+  }
+
+  std::optional<Vector2d> PixelAt(const Vector2d& point) const {
+    const auto raw = view_.camera.Project(pose_.p_CW + point.x() * x_C_ + point.y() * y_C_);
+    if (!raw) return std::nullopt;
+    return (*raw + Vector2d::Constant(0.5)) / view_.reduction - Vector2d::Constant(0.5);
+  }
+
+ private:
+  const CirclePose& pose_;
+  Vector3d x_C_, y_C_;
+  const ComponentView& view_;
+};
+
+/// Of the component's pixels, laid back on the plane: one at depth z covers an area there that grows with z^3.
+ShapeMoments MomentsOn(const SeenPlane& plane, const ComponentSet& components, const Component& component) {
+  double area = 0.0;
+  Vector2d sum = Vector2d::Zero();
+  Matrix2d squares = Matrix2d::Zero();
+  for (const Run& run : components.RunsOf(component)) {
+    const Vector3d begin = plane.PointAt({run.u_begin - 0.5, run.v}), end = plane.PointAt({run.u_end - 0.5, run.v});
+    const Vector3d middle = 0.5 * (begin + end);
+    const Vector2d along = (end - begin).head<2>(), p = middle.head<2>();
+    const double weight = (run.u_end - run.u_begin) * std::pow(middle.z(), 3);
+    area += weight;
+    sum += weight * p;
+    squares += weight * (p * p.transpose() + along * along.transpose() / 12.0);
+  }
+  const Vector2d mean = sum / area;
+  return {mean, squares / area - mean * mean.transpose()};
+}
 
 /// The grid's points in a shape whose spread is the identity. Every ring covers the same area, so that all weigh alike.
 Vector2d GridPoint(int ring, int spoke) {
@@ -86,6 +136,7 @@ double Centre(std::vector<float>& samples) {
   return std::sqrt(squares);
 }
 
+/// `sample` at every point of the grid, stretched to the shape of these moments.
 template <typename Sample>
 std::vector<float> OnGrid(const ShapeMoments& moments, const Sample& sample) {
   const Matrix2d from_grid = SquareRoot(moments.spread);
@@ -112,22 +163,6 @@ double ProductAtTurn(const std::vector<float>& a, const std::vector<float>& b, i
 
 }  // namespace
 
-ShapeMoments MomentsOf(const ComponentSet& components, const Component& component) {
-  const Vector2d origin(component.u, component.v);
-  Vector2d sum = Vector2d::Zero();
-  Matrix2d squares = Matrix2d::Zero();
-  for (const Run& run : components.RunsOf(component)) {
-    const double n = run.u_end - run.u_begin;
-    const Vector2d middle = Vector2d(0.5 * (run.u_begin + run.u_end - 1), run.v) - origin;
-    sum += n * middle;
-    squares += n * middle * middle.transpose();
-    squares(0, 0) += n * n * n / 12.0;
-    squares(1, 1) += n / 12.0;
-  }
-  const Vector2d mean = sum / component.area;
-  return {origin + mean, squares / component.area - mean * mean.transpose()};
-}
-
 void LetterCheckConfig::Validate() const {
   if (!(least_resemblance > 0.0 && least_resemblance < 1.0)) {
     throw InputError("the least resemblance of a letter to the pad's H must be within (0, 1)");
@@ -139,33 +174,43 @@ void LetterCheckConfig::Validate() const {
 
 LetterCheck::LetterCheck(const models::LandingPad& pad, const LetterCheckConfig& config) : config_(config) {
   const ShapeMoments moments = MomentsOfH(pad);
-  const Vector2d spreads = moments.spread.diagonal().cwiseSqrt() / pad.outer_radius_m;
-  size_ratios_ = Vector2d(spreads.minCoeff(), spreads.maxCoeff());
-  expected_ = OnGrid(moments, [&](const Vector2d& p) { return p.norm() < pad.inner_radius_m() && pad.IsBlack(p) ? 1.0 : 0.0; });
+  const Vector2d sizes = moments.spread.diagonal().cwiseSqrt();
+  sizes_m_ = Vector2d(sizes.minCoeff(), sizes.maxCoeff());
+  expected_ =
+      OnGrid(moments, [&](const Vector2d& p) { return p.norm() < pad.inner_radius_m() && pad.IsBlack(p) ? 1.0 : 0.0; });
   expected_norm_ = Centre(expected_);
 }
 
-bool LetterCheck::Passes(const ComponentSet& components, const Component& letter, const ShapeMoments& moments,
-                         const Matrix2d& ring_shape) const {
-  if (std::getenv("CHECK")) std::fprintf(stderr, "CHECK %.3f %.3f %d %d\n", Resemblance(components, letter), SizeError(moments, ring_shape), letter.width, letter.height);
-  return SizeError(moments, ring_shape) <= config_.largest_size_error &&
-         Resemblance(components, letter) >= config_.least_resemblance;
-}
+LetterCheck::Fit LetterCheck::FitOn(const CirclePose& ring_pose, const ComponentSet& components,
+                                    const Component& letter, const ComponentView& view) const {
+  const SeenPlane plane(ring_pose, view);
+  const ShapeMoments moments = MomentsOn(plane, components, letter);
+  const Eigen::SelfAdjointEigenSolver<Matrix2d> eigen(moments.spread);
+  if (!(eigen.eigenvalues()(0) > 0.0)) return {};
+  const Eigen::Array2d ratios = eigen.eigenvalues().cwiseSqrt().array() / sizes_m_.array();
+  Fit fit{.size_error = std::max(ratios.maxCoeff(), 1.0 / ratios.minCoeff())};
 
-double LetterCheck::Resemblance(const ComponentSet& components, const Component& letter) const {
   const Mask mask(components, letter);
-  std::vector<float> seen = OnGrid(MomentsOf(components, letter), [&](const Vector2d& p) { return mask.At(p); });
+  bool all_seen = true;
+  std::vector<float> seen = OnGrid(moments, [&](const Vector2d& p) {
+    const auto pixel = plane.PixelAt(p);
+    all_seen = all_seen && pixel;
+    return pixel ? mask.At(*pixel) : 0.0;
+  });
   const double seen_norm = Centre(seen);
-  if (seen_norm == 0.0) return -1.0;
+  if (!all_seen || seen_norm == 0.0) return fit;
   double best = -1.0;
   for (int turn = 0; turn < kHalfTurn; ++turn) best = std::max(best, ProductAtTurn(expected_, seen, turn));
-  return best / (expected_norm_ * seen_norm);
+  fit.resemblance = best / (expected_norm_ * seen_norm);
+  return fit;
 }
 
-double LetterCheck::SizeError(const ShapeMoments& letter, const Matrix2d& ring_shape) const {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix2d> eigen(letter.spread, ring_shape);
-  const Eigen::Array2d error = (eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().array() / size_ratios_.array());
-  return std::max(error.maxCoeff(), 1.0 / error.minCoeff());
+bool LetterCheck::Passes(const std::array<CirclePose, 2>& ring_poses, const ComponentSet& components,
+                         const Component& letter, const ComponentView& view) const {
+  return std::any_of(ring_poses.begin(), ring_poses.end(), [&](const CirclePose& pose) {
+    const Fit fit = FitOn(pose, components, letter, view);
+    return fit.size_error <= config_.largest_size_error && fit.resemblance >= config_.least_resemblance;
+  });
 }
 
 }  // namespace touchdown::estimator

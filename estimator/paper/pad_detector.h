@@ -24,7 +24,7 @@ struct PadDetectorConfig {
   double center_tolerance = 0.15;
   /// A component counts as a circle or an H when this is its label, or its posterior at least so large.
   double least_posterior = 1.0;
-  int most_candidates = 6;           ///< So many pairs are handed on.
+  int most_candidates = 6;          ///< So many pairs are handed on.
   double pixel_tolerance_px = 1.5;  ///< Added to every bound: what a box is off by for being made of pixels.
 
   /// Throws InputError when size_tolerance is not at least 1, or another number is negative or not finite.

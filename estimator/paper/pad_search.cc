@@ -28,8 +28,6 @@ Vector2d Enlarged(const Vector2d& pixel, int n) {
   return n * (pixel + Vector2d::Constant(0.5)) - Vector2d::Constant(0.5);
 }
 
-ShapeMoments Enlarged(const ShapeMoments& moments, int n) { return {Enlarged(moments.mean, n), n * n * moments.spread}; }
-
 void Enlarge(int n, std::vector<FrameTrace::Component>& labelled) {
   for (auto& each : labelled) {
     for (int* length : {&each.u, &each.v, &each.width, &each.height}) *length *= n;
@@ -49,7 +47,12 @@ void PadSearchConfig::Validate() const {
 
 PadSearch::PadSearch(const models::CameraModel& camera, const models::LandingPad& pad, ComponentClassifier classify,
                      const PadSearchConfig& config)
-    : camera_(camera), pad_(pad), config_(config), undistort_(camera), letter_(pad), letter_check_(pad, config.letter_check) {
+    : camera_(camera),
+      pad_(pad),
+      config_(config),
+      undistort_(camera),
+      letter_(pad),
+      letter_check_(pad, config.letter_check) {
   const int usual = std::max(1, (std::max(camera.width_px, camera.height_px) + kUsualSide_px - 1) / kUsualSide_px);
   const auto look = [&](int reduction, const BinarizeConfig& binarize, double least_posterior) {
     if (std::min(camera.width_px, camera.height_px) < reduction) return;
@@ -60,11 +63,15 @@ PadSearch::PadSearch(const models::CameraModel& camera, const models::LandingPad
   constexpr double kLeastPosterior = 0.1;
   BinarizeConfig narrow = config.binarize;
   narrow.window_px = 41;
+  BinarizeConfig sensitive = config.binarize;
+  sensitive.relative_margin = 0.06;
+  sensitive.absolute_margin = 3.0;
   look(usual, config.binarize, config.pad_detector.least_posterior);
   look(2 * usual, config.binarize, kLeastPosterior);
   look(usual, narrow, kLeastPosterior);
   if (usual > 1) look(usual / 2, config.binarize, kLeastPosterior);
   look(usual, config.binarize, kLeastPosterior);
+  look(2 * usual, sensitive, kLeastPosterior);
 }
 
 PadSearch::Result PadSearch::Find(const models::ImageView& image) const {
@@ -104,11 +111,14 @@ std::optional<FoundPad> PadSearch::Fit(const Look& look, const models::ImageView
   for (auto* contour : {&contours.ring_outer, &contours.ring_inner, &contours.letter}) {
     for (Vector2d& point : *contour) point = undistort_.At(Enlarged(point, look.reduction));
   }
-  const auto ring_outer = FitRing(contours.ring_outer, look.reduction, config_.ring_fit);
+  const auto ring_outer = FitRing(contours.ring_outer, config_.ring_fit);
   const auto letter = FitEllipse(contours.letter);
   if (!ring_outer || !letter) return std::nullopt;
-  const ShapeMoments moments = Enlarged(MomentsOf(components, detected.letter), look.reduction);
-  if (!letter_check_.Passes(components, detected.letter, moments, ring_outer->Shape())) return std::nullopt;
+  const ComponentView view{camera_, undistort_, look.reduction};
+  const auto ring_poses = PosesOfCircle(NormalizedConic(*ring_outer, camera_), pad_.outer_radius_m);
+  if (!ring_poses || !letter_check_.Passes(*ring_poses, components, detected.letter, view)) {
+    return std::nullopt;
+  }
   const auto normalized_letter = Ellipse::FromConic(NormalizedConic(*letter, camera_));
   if (!normalized_letter) return std::nullopt;
   return FoundPad{*ring_outer, FitEllipse(contours.ring_inner), *letter, letter_.StrokeAngle(*normalized_letter),

@@ -50,8 +50,9 @@ class PadSearch {
 
   struct Result {
     std::optional<FoundPad> pad;
-    FrameStatus failed = FrameStatus::kNoComponent;  ///< The stage at which the first look failed; without meaning with a pad.
-    std::vector<FrameTrace::Component> labelled;     ///< Of the look that found the pad, or else of the first.
+    FrameStatus failed =
+        FrameStatus::kNoComponent;  ///< The stage at which the first look failed; without meaning with a pad.
+    std::vector<FrameTrace::Component> labelled;  ///< Of the look that found the pad, or else of the first.
   };
 
   Result Find(const models::ImageView& image) const;

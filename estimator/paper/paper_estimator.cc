@@ -100,8 +100,7 @@ std::optional<Eigen::Matrix<double, 6, 6>> PaperEstimator::Covariance(const Foun
 
   const double edge_sigma_px = RmsDistance(pad.ring_outer, pad.contours.ring_outer);
   const auto seen_at_pose = letter_.StrokeAngleSeenFrom((X_WB * setup_.X_BC).inverse());
-  const double not_rectified =
-      models::WrapToHalfPi(seen_at_pose.value_or(pad.stroke_angle) - pad.stroke_angle);
+  const double not_rectified = models::WrapToHalfPi(seen_at_pose.value_or(pad.stroke_angle) - pad.stroke_angle);
   const double stroke_sigma =
       StrokeSigma(pad.letter, pad.contours.letter.size(), edge_sigma_px, not_rectified, config_.covariance);
 
@@ -112,8 +111,8 @@ std::optional<Eigen::Matrix<double, 6, 6>> PaperEstimator::Covariance(const Foun
   };
   const Eigen::Isometry3d other_X_WB = BodyPoseFrom(ring_poses[1 - chosen], pad.stroke_angle);
   const double wrong = WrongBranchProbability(ring_poses, z_C, config_.covariance.gravity_sigma_rad);
-  auto covariance = PoseCovariance(pad.ring_outer, *ring_covariance, pad.stroke_angle, stroke_sigma, X_WB,
-                                   pose_of, config_.covariance);
+  auto covariance = PoseCovariance(pad.ring_outer, *ring_covariance, pad.stroke_angle, stroke_sigma, X_WB, pose_of,
+                                   config_.covariance);
   if (covariance) *covariance += WrongBranchCovariance(X_WB, other_X_WB, wrong);
   return covariance;
 }
