@@ -15,7 +15,7 @@ namespace touchdown::estimator {
 struct LetterCheckConfig {
   /// Least correlation with the described H. Smaller values let letters that are nearly an H pass, larger ones refuse
   /// an H under strong perspective, of few pixels or with a mark that touches it.
-  double least_resemblance = 0.79;
+  double least_resemblance = 0.82;
   /// How far the letter's size within the ring may leave the described one, as a factor, in any direction.
   double largest_size_error = 1.25;
 
