@@ -72,9 +72,19 @@ ShapeMoments MomentsOn(const SeenPlane& plane, const ComponentSet& components, c
 }
 
 /// The grid's points in a shape whose spread is the identity. Every ring covers the same area, so that all weigh alike.
-Vector2d GridPoint(int ring, int spoke) {
-  const double radius = kReach * std::sqrt((ring + 0.5) / kRadii), angle = 2.0 * models::kPi * spoke / kAngles;
-  return radius * Vector2d(std::cos(angle), std::sin(angle));
+const std::vector<Vector2d>& Grid() {
+  static const std::vector<Vector2d> grid = [] {
+    std::vector<Vector2d> points;
+    for (int ring = 0; ring < kRadii; ++ring) {
+      const double radius = kReach * std::sqrt((ring + 0.5) / kRadii);
+      for (int spoke = 0; spoke < kAngles; ++spoke) {
+        const double angle = 2.0 * models::kPi * spoke / kAngles;
+        points.push_back(radius * Vector2d(std::cos(angle), std::sin(angle)));
+      }
+    }
+    return points;
+  }();
+  return grid;
 }
 
 /// Points, in units of the pad, of the H's area: strokes and bar.
@@ -141,11 +151,9 @@ template <typename Sample>
 std::vector<float> OnGrid(const ShapeMoments& moments, const Sample& sample) {
   const Matrix2d from_grid = SquareRoot(moments.spread);
   std::vector<float> samples;
-  samples.reserve(kRadii * kAngles);
-  for (int ring = 0; ring < kRadii; ++ring) {
-    for (int spoke = 0; spoke < kAngles; ++spoke) {
-      samples.push_back(static_cast<float>(sample(moments.mean + from_grid * GridPoint(ring, spoke))));
-    }
+  samples.reserve(Grid().size());
+  for (const Vector2d& point : Grid()) {
+    samples.push_back(static_cast<float>(sample(moments.mean + from_grid * point)));
   }
   return samples;
 }
@@ -161,11 +169,23 @@ double ProductAtTurn(const std::vector<float>& a, const std::vector<float>& b, i
   return product;
 }
 
+/// Of the samples with their mirror image about the axis through spoke `axis`.
+double ProductWithMirrored(const std::vector<float>& samples, int axis) {
+  float product = 0.0F;
+  for (int ring = 0; ring < kRadii; ++ring) {
+    const float* row = samples.data() + ring * kAngles;
+    for (int spoke = 0; spoke < kAngles; ++spoke) product += row[spoke] * row[(2 * axis + kAngles - spoke) % kAngles];
+  }
+  return product;
+}
+
 }  // namespace
 
 void LetterCheckConfig::Validate() const {
-  if (!(least_resemblance > 0.0 && least_resemblance < 1.0)) {
-    throw InputError("the least resemblance of a letter to the pad's H must be within (0, 1)");
+  for (const double least : {least_resemblance, least_symmetry}) {
+    if (!(least > 0.0 && least < 1.0)) {
+      throw InputError("a letter's least resemblance to the pad's H, and its least symmetry, must be within (0, 1)");
+    }
   }
   if (!std::isfinite(largest_size_error) || largest_size_error < 1.0) {
     throw InputError("the largest error of a letter's size must be at least 1");
@@ -199,9 +219,16 @@ LetterCheck::Fit LetterCheck::FitOn(const CirclePose& ring_pose, const Component
   });
   const double seen_norm = Centre(seen);
   if (!all_seen || seen_norm == 0.0) return fit;
+  int best_turn = 0;
   double best = -1.0;
-  for (int turn = 0; turn < kHalfTurn; ++turn) best = std::max(best, ProductAtTurn(expected_, seen, turn));
+  for (int turn = 0; turn < kHalfTurn; ++turn) {
+    const double product = ProductAtTurn(expected_, seen, turn);
+    if (product > best) best_turn = turn;
+    best = std::max(best, product);
+  }
   fit.resemblance = best / (expected_norm_ * seen_norm);
+  fit.symmetry = std::min(ProductWithMirrored(seen, best_turn), ProductWithMirrored(seen, best_turn + kHalfTurn / 2)) /
+                 (seen_norm * seen_norm);
   return fit;
 }
 
@@ -209,7 +236,8 @@ bool LetterCheck::Passes(const std::array<CirclePose, 2>& ring_poses, const Comp
                          const Component& letter, const ComponentView& view) const {
   return std::any_of(ring_poses.begin(), ring_poses.end(), [&](const CirclePose& pose) {
     const Fit fit = FitOn(pose, components, letter, view);
-    return fit.size_error <= config_.largest_size_error && fit.resemblance >= config_.least_resemblance;
+    return fit.size_error <= config_.largest_size_error && fit.resemblance >= config_.least_resemblance &&
+           fit.symmetry >= config_.least_symmetry;
   });
 }
 

@@ -15,11 +15,13 @@ namespace touchdown::estimator {
 struct LetterCheckConfig {
   /// Least correlation with the described H. Smaller values let letters that are nearly an H pass, larger ones refuse
   /// an H under strong perspective, of few pixels or with a mark that touches it.
-  double least_resemblance = 0.82;
+  double least_resemblance = 0.80;
+  double least_symmetry = 0.75;
   /// How far the letter's size within the ring may leave the described one, as a factor, in any direction.
   double largest_size_error = 1.25;
 
-  /// Throws InputError when the resemblance is not within (0, 1), or the error not finite and at least 1.
+  /// Throws InputError when the resemblance or the symmetry is not within (0, 1), or the error not finite and at
+  /// least 1.
   void Validate() const;
 };
 
@@ -42,6 +44,10 @@ class LetterCheck {
     /// Correlation, at most 1, both brought to the same spread in all directions, which makes up for paper that is not
     /// quite flat, and turned to where they are most alike. -1 where part of the H's place is not seen.
     double resemblance = -1.0;
+    /// Correlation, at most 1, with its own mirror image about either axis of the H, the smaller one: what keeps an N,
+    /// an M or a U apart from an H whose strokes are as broad, where blur or few pixels leave little resemblance to
+    /// any.
+    double symmetry = -1.0;
     /// By how much its spread leaves the described one, as a factor, in the worse of the principal directions.
     double size_error = 1.0;
   };
