@@ -46,7 +46,7 @@ struct RingFitConfig {
   double exact_rms_px = 0.6;
   /// Else those far off are left out, and of the rest this is the most, over the ellipse's smaller semi-axis: paper
   /// that curls makes no ellipse.
-  double largest_rms_share = 0.03;
+  double largest_rms_share = 0.05;
   /// What share of the ellipse's circumference the rest must cover: where less is seen, something lies over the ring.
   double least_coverage = 0.85;
 

@@ -18,7 +18,7 @@ struct LetterCheckConfig {
   double least_resemblance = 0.80;
   double least_symmetry = 0.75;
   /// How far the letter's size within the ring may leave the described one, as a factor, in any direction.
-  double largest_size_error = 1.25;
+  double largest_size_error = 1.12;
 
   /// Throws InputError when the resemblance or the symmetry is not within (0, 1), or the error not finite and at
   /// least 1.

@@ -63,11 +63,15 @@ PadSearch::PadSearch(const models::CameraModel& camera, const models::LandingPad
   constexpr double kLeastPosterior = 0.1;
   BinarizeConfig narrow = config.binarize;
   narrow.window_px = 41;
+  BinarizeConfig sensitive = config.binarize;
+  sensitive.relative_margin = 0.06;
+  sensitive.absolute_margin = 3.0;
   look(usual, config.binarize, config.pad_detector.least_posterior);
   look(2 * usual, config.binarize, kLeastPosterior);
   look(usual, narrow, kLeastPosterior);
   if (usual > 1) look(usual / 2, config.binarize, kLeastPosterior);
   look(usual, config.binarize, kLeastPosterior);
+  look(usual, sensitive, kLeastPosterior);
 }
 
 PadSearch::Result PadSearch::Find(const models::ImageView& image) const {
