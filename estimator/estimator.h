@@ -21,7 +21,7 @@ enum class FrameStatus {
   kNoCircle,     ///< No component was classified as a circle that the image's border does not cut.
   kNoH,          ///< No component was classified as a letter H.
   kNoPair,       ///< No H satisfies the geometric constraint with a circle (Sec. IV-A.4).
-  kNoEllipse,    ///< The ring's outer boundary or the H gave no ellipse, or the ellipse gave no pose.
+  kNoEllipse,    ///< No pair's ring gave an ellipse and a pose with whose plane its letter is the described H.
   kOutlier,      ///< The pose jumps from the previous ones (Sec. IV-C.2).
 };
 
@@ -78,8 +78,8 @@ struct FrameEstimate {
   FrameStatus status = FrameStatus::kNoComponent;
   std::optional<VisionPose> pose;         ///< Present when kOk, and when kOutlier, where it must not be used.
   std::optional<PoseChoice> choice;       ///< Present when there is a pose.
-  std::optional<Eigen::Vector2d> pad_px;  ///< Centre of the detected pad, raw px; present from kNoEllipse on.
-  std::optional<PixelBox> ring_box;       ///< Encloses the detected ring, raw px; present with pad_px.
+  std::optional<Eigen::Vector2d> pad_px;  ///< Centre of the detected pad, raw px; present with a pose.
+  std::optional<PixelBox> ring_box;       ///< Encloses the detected ring, raw px; present with a pose.
   FrameTrace trace;
 };
 

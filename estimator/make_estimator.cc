@@ -14,7 +14,7 @@ using Maker = std::function<std::unique_ptr<Estimator>(const EstimatorConfig&, c
 
 std::unique_ptr<Estimator> MakePaperEstimator(const EstimatorConfig& config, const EstimatorSetup& setup) {
   PaperEstimatorConfig paper;
-  paper.edges.contour_points = config.paper.contour_points;
+  paper.search.edges.contour_points = config.paper.contour_points;
   return std::make_unique<PaperEstimator>(setup, paper);
 }
 

@@ -23,6 +23,9 @@ constexpr double kShortestReach_px = 1.0;
 constexpr double kProfileStep_px = 0.5;
 constexpr double kFarthestMove_px = 1.5;
 constexpr double kLeastContrast = 20.0;
+// Canny's thresholds and the least contrast are for pads of this contrast at least; for a fainter one, in little light,
+// they are as much lower.
+constexpr double kUsualContrast = 100.0;
 
 enum class Part : std::uint8_t { kNone, kRing, kLetter };
 
@@ -32,6 +35,7 @@ struct Patch {
   cv::Mat gradient_u, gradient_v;  // Sobel, 16 bit.
   cv::Mat edges;
   std::vector<Part> parts;
+  double faintness;  // 1, or less where the patch has little contrast.
 
   Part PartAt(int x, int y) const {
     if (x < 0 || y < 0 || x >= width || y >= height) return Part::kNone;
@@ -68,6 +72,13 @@ void Paint(const ComponentSet& components, const Component& component, Part part
   }
 }
 
+/// Of a picture of two grey values, about as much of each.
+double Contrast(const cv::Mat& grey) {
+  cv::Scalar mean, deviation;
+  cv::meanStdDev(grey, mean, deviation);
+  return 2.0 * deviation[0];
+}
+
 Patch MakePatch(const models::ImageView& image, const ComponentSet& components, const DetectedPad& detected,
                 const EdgeConfig& config) {
   const Component& ring = detected.ring;
@@ -80,7 +91,9 @@ Patch MakePatch(const models::ImageView& image, const ComponentSet& components, 
                        static_cast<std::size_t>(image.stride));
   cv::Sobel(patch.grey, patch.gradient_u, CV_16S, 1, 0);
   cv::Sobel(patch.grey, patch.gradient_v, CV_16S, 0, 1);
-  cv::Canny(patch.gradient_u, patch.gradient_v, patch.edges, config.canny_low, config.canny_high, true);
+  patch.faintness = std::min(1.0, Contrast(patch.grey) / kUsualContrast);
+  cv::Canny(patch.gradient_u, patch.gradient_v, patch.edges, patch.faintness * config.canny_low,
+            patch.faintness * config.canny_high, true);
   patch.parts.assign(static_cast<std::size_t>(patch.width) * static_cast<std::size_t>(patch.height), Part::kNone);
   Paint(components, ring, Part::kRing, patch);
   Paint(components, detected.letter, Part::kLetter, patch);
@@ -112,7 +125,7 @@ std::optional<Vector2d> SubpixelPlace(const Patch& patch, const Vector2d& pixel,
     if (!patch.Holds(dark_end) || !patch.Holds(bright_end)) return std::nullopt;
     const double dark = patch.GreyAt(dark_end), bright = patch.GreyAt(bright_end);
     const double contrast = bright - dark;
-    if (contrast < kLeastContrast) return std::nullopt;
+    if (contrast < patch.faintness * kLeastContrast) return std::nullopt;
     double above_dark = 0.5 * contrast;
     for (int i = 1 - half_count; i < half_count; ++i) {
       above_dark += patch.GreyAt(middle + i * kProfileStep_px * to_bright) - dark;

@@ -1,9 +1,12 @@
 #include "estimator/paper/ellipse_fit.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "models/angles.h"
+#include "models/error.h"
 
 namespace touchdown::estimator {
 namespace {
@@ -42,6 +45,30 @@ std::optional<Eigen::Matrix<double, 6, 1>> DirectFit(const Eigen::Matrix2Xd& poi
     *best << a1, T * a1;
   }
   return best;
+}
+
+/// Points further off than this many medians are left out: 2.5 sigma of a normal error.
+constexpr double kFarOff = 3.7;
+
+double MedianDistance(const Ellipse& ellipse, std::span<const Eigen::Vector2d> points) {
+  std::vector<double> distances;
+  for (const Eigen::Vector2d& point : points) distances.push_back(std::abs(DistanceFrom(ellipse, point)));
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
+}
+
+/// The share of the directions from the centre, the ellipse made a circle, in which there is a point.
+double Coverage(const Ellipse& ellipse, std::span<const Eigen::Vector2d> points) {
+  constexpr int kSectors = 36;
+  std::array<bool, kSectors> covered{};
+  const Eigen::Rotation2Dd to_axes(-ellipse.angle);
+  for (const Eigen::Vector2d& point : points) {
+    const Eigen::Vector2d p = (to_axes * (point - ellipse.center)).cwiseQuotient(ellipse.semi_axes);
+    const double turn = std::atan2(p.y(), p.x()) / (2.0 * models::kPi) + 0.5;
+    covered[static_cast<std::size_t>(std::clamp(turn * kSectors, 0.0, kSectors - 1.0))] = true;
+  }
+  return static_cast<double>(std::count(covered.begin(), covered.end(), true)) / kSectors;
 }
 
 }  // namespace
@@ -121,6 +148,45 @@ double RmsDistance(const Ellipse& ellipse, std::span<const Eigen::Vector2d> poin
     sum += distance * distance;
   }
   return std::sqrt(sum / static_cast<double>(points.size()));
+}
+
+void RingFitConfig::Validate() const {
+  for (const double value : {exact_rms_px, largest_rms_share, least_coverage}) {
+    if (!std::isfinite(value) || value <= 0.0) throw InputError("the ring fit's limits must be positive and finite");
+  }
+  if (least_coverage > 1.0) throw InputError("points cannot cover more than the whole ring");
+}
+
+std::optional<Ellipse> FitRing(std::vector<Eigen::Vector2d>& points, const RingFitConfig& config) {
+  auto ellipse = FitEllipse(points);
+  if (!ellipse) return std::nullopt;
+  if (RmsDistance(*ellipse, points) <= config.exact_rms_px) return ellipse;
+  constexpr int kIterations = 5;
+  for (int i = 0; i < kIterations && ellipse; ++i) {
+    const double limit = std::max(config.exact_rms_px, kFarOff * MedianDistance(*ellipse, points));
+    std::vector<Eigen::Vector2d> near;
+    for (const Eigen::Vector2d& point : points) {
+      if (std::abs(DistanceFrom(*ellipse, point)) <= limit) near.push_back(point);
+    }
+    if (near.size() == points.size()) break;
+    points = std::move(near);
+    ellipse = FitEllipse(points);
+  }
+  if (!ellipse) return std::nullopt;
+  const double largest_rms = std::max(config.exact_rms_px, config.largest_rms_share * ellipse->semi_axes.y());
+  if (RmsDistance(*ellipse, points) > largest_rms || Coverage(*ellipse, points) < config.least_coverage) {
+    return std::nullopt;
+  }
+  return ellipse;
+}
+
+Eigen::Matrix3d NormalizedConic(const Ellipse& ellipse, const models::CameraModel& camera) {
+  Eigen::Matrix3d K = Eigen::Matrix3d::Identity();
+  K(0, 0) = camera.fx_px;
+  K(1, 1) = camera.fy_px;
+  K(0, 2) = camera.cx_px;
+  K(1, 2) = camera.cy_px;
+  return K.transpose() * ellipse.Conic() * K;
 }
 
 }  // namespace touchdown::estimator

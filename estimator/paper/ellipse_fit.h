@@ -3,6 +3,9 @@
 #include <Eigen/Core>
 #include <optional>
 #include <span>
+#include <vector>
+
+#include "models/camera_model.h"
 
 namespace touchdown::estimator {
 
@@ -36,5 +39,26 @@ double DistanceFrom(const Ellipse& ellipse, const Eigen::Vector2d& point);
 
 /// Root mean square of DistanceFrom over the points, of which there must be at least one.
 double RmsDistance(const Ellipse& ellipse, std::span<const Eigen::Vector2d> points);
+
+struct RingFitConfig {
+  /// Points that lie no further from their ellipse than this, as a root mean square, are taken as they are: Canny's
+  /// whole pixels alone are off by 0.35 px.
+  double exact_rms_px = 0.6;
+  /// Else those far off are left out, and of the rest this is the most, over the ellipse's smaller semi-axis: paper
+  /// that curls makes no ellipse.
+  double largest_rms_share = 0.05;
+  /// What share of the ellipse's circumference the rest must cover: where less is seen, something lies over the ring.
+  double least_coverage = 0.85;
+
+  /// Throws InputError when a number is not finite and positive, or the coverage above 1.
+  void Validate() const;
+};
+
+/// The ellipse of a ring's outer boundary; of `points`, those stay that lie on it. nullopt when they make no ellipse,
+/// or not a whole one.
+std::optional<Ellipse> FitRing(std::vector<Eigen::Vector2d>& points, const RingFitConfig& config = {});
+
+/// From undistorted pixels of `camera` to normalized coordinates.
+Eigen::Matrix3d NormalizedConic(const Ellipse& ellipse, const models::CameraModel& camera);
 
 }  // namespace touchdown::estimator

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "models/error.h"
@@ -29,6 +28,9 @@ Eigen::Vector2d CenterOffset(const Component& a, const Component& b) {
 void PadDetectorConfig::Validate() const {
   if (!std::isfinite(size_tolerance) || size_tolerance < 1.0) {
     throw InputError("the pad detector's size tolerance must be at least 1");
+  }
+  if (!(least_posterior > 0.0 && least_posterior <= 1.0) || most_candidates < 1) {
+    throw InputError("the pad detector's least posterior must be in (0, 1], and it must hand on a candidate at least");
   }
   for (const double value : {center_tolerance, pixel_tolerance_px}) {
     if (!std::isfinite(value) || value < 0.0) {
@@ -65,6 +67,10 @@ bool PadDetector::MayBePad(const Component& ring, const Component& letter) const
   return size_fits && center_fits;
 }
 
+bool PadDetector::Counts(const Classification& seen, FrameTrace::Label label) const {
+  return seen.label == label || PosteriorOf(seen, label) >= config_.least_posterior;
+}
+
 PadDetector::Result PadDetector::Detect(const ComponentSet& components) const {
   Result result{FrameStatus::kNoComponent, {}};
   if (components.components.empty()) return result;
@@ -74,26 +80,32 @@ PadDetector::Result PadDetector::Detect(const ComponentSet& components) const {
     const Classification seen = classify_(components, component);
     const double posterior = PosteriorOf(seen, seen.label);
     result.labelled.push_back({component.u, component.v, component.width, component.height, seen.label, posterior});
-    if (seen.label == FrameTrace::Label::kCircle && !components.IsCutByBorder(component)) {
-      circles.push_back({&component, posterior});
+    if (Counts(seen, FrameTrace::Label::kCircle) && !components.IsCutByBorder(component)) {
+      circles.push_back({&component, PosteriorOf(seen, FrameTrace::Label::kCircle)});
     }
-    if (seen.label == FrameTrace::Label::kH) letters.push_back({&component, posterior});
+    if (Counts(seen, FrameTrace::Label::kH)) {
+      letters.push_back({&component, PosteriorOf(seen, FrameTrace::Label::kH)});
+    }
   }
   result.outcome = circles.empty() ? FrameStatus::kNoCircle : FrameStatus::kNoH;
   if (circles.empty() || letters.empty()) return result;
 
   result.outcome = FrameStatus::kNoPair;
-  std::optional<std::pair<double, double>> best;
+  std::vector<std::pair<std::pair<double, double>, DetectedPad>> pairs;
   for (const Candidate& ring : circles) {
     for (const Candidate& letter : letters) {
-      if (!MayBePad(*ring.component, *letter.component)) continue;
-      const std::pair score(ring.posterior * letter.posterior,
-                            -CenterOffset(*ring.component, *letter.component).norm());
-      if (best && score <= *best) continue;
-      best = score;
-      result.outcome = DetectedPad{*ring.component, *letter.component};
+      if (ring.component == letter.component || !MayBePad(*ring.component, *letter.component)) continue;
+      pairs.push_back({{ring.posterior * letter.posterior, -CenterOffset(*ring.component, *letter.component).norm()},
+                       {*ring.component, *letter.component}});
     }
   }
+  if (pairs.empty()) return result;
+  std::stable_sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<DetectedPad> candidates;
+  for (const auto& [score, pair] : pairs) {
+    if (static_cast<int>(candidates.size()) < config_.most_candidates) candidates.push_back(pair);
+  }
+  result.outcome = std::move(candidates);
   return result;
 }
 

@@ -22,6 +22,9 @@ struct PadDetectorConfig {
   /// How far the centres of both boxes may lie apart, as a share of the ring's box: near and tilted, perspective moves
   /// them by up to (R / 2d) sin(tilt), 0.15 for R = 90 mm at d = 0.23 m and 50 degrees.
   double center_tolerance = 0.15;
+  /// A component counts as a circle or an H when this is its label, or its posterior at least so large.
+  double least_posterior = 1.0;
+  int most_candidates = 6;          ///< So many pairs are handed on.
   double pixel_tolerance_px = 1.5;  ///< Added to every bound: what a box is off by for being made of pixels.
 
   /// Throws InputError when size_tolerance is not at least 1, or another number is negative or not finite.
@@ -40,14 +43,14 @@ class PadDetector {
   PadDetector(const models::LandingPad& pad, ComponentClassifier classify, const PadDetectorConfig& config = {});
 
   struct Result {
-    /// The pad, or which stage failed: kNoComponent, kNoCircle, kNoH or kNoPair.
-    std::variant<DetectedPad, FrameStatus> outcome;
+    /// What may be the pad, the likeliest first, or which stage failed: kNoComponent, kNoCircle, kNoH or kNoPair.
+    std::variant<std::vector<DetectedPad>, FrameStatus> outcome;
     std::vector<FrameTrace::Component> labelled;  ///< Every component, in the set's order.
   };
 
   /// A circle counts when it lies in the image whole: below the blind height "the circle is not fully visible"
-  /// (Sec. VI-B.1). The pair of a circle and an H that meets the geometric constraint; of several, the one with the
-  /// largest product of posteriors, and of equal ones the one with the nearest centres.
+  /// (Sec. VI-B.1). The pairs of a circle and an H that meet the geometric constraint, by the product of their
+  /// posteriors, and of equal ones the one with the nearest centres first.
   Result Detect(const ComponentSet& components) const;
 
   /// The geometric constraint on two bounding boxes: the H's lies within the ring's, and its size and centre are those
@@ -55,6 +58,8 @@ class PadDetector {
   bool MayBePad(const Component& ring, const Component& letter) const;
 
  private:
+  bool Counts(const Classification& seen, FrameTrace::Label label) const;
+
   ComponentClassifier classify_;
   PadDetectorConfig config_;
   double smallest_size_ratio_, largest_size_ratio_;

@@ -6,28 +6,17 @@
 #include <optional>
 
 #include "estimator/estimator.h"
-#include "estimator/paper/binarize.h"
-#include "estimator/paper/components.h"
 #include "estimator/paper/conic_pose.h"
-#include "estimator/paper/edges.h"
-#include "estimator/paper/ellipse_fit.h"
 #include "estimator/paper/letter_ellipse.h"
 #include "estimator/paper/outlier_gate.h"
-#include "estimator/paper/pad_detector.h"
+#include "estimator/paper/pad_search.h"
 #include "estimator/paper/pose_covariance.h"
-#include "estimator/paper/undistort_table.h"
 
 namespace touchdown::estimator {
 
 /// The settings of every step, with the values that the flights are flown with.
 struct PaperEstimatorConfig {
-  BinarizeConfig binarize;
-  ComponentsConfig components;
-  PadDetectorConfig pad_detector;
-  EdgeConfig edges;
-  /// Contour points that lie further from their ellipse than this, as a root mean square, are not the outer boundary of
-  /// a whole ring: something covers part of it. Canny's whole pixels alone are off by 0.35 px.
-  double largest_ring_rms_px = 0.6;
+  PadSearchConfig search;
   OutlierGateConfig outlier_gate;
   PoseCovarianceConfig covariance;
 
@@ -51,14 +40,6 @@ class PaperEstimator final : public Estimator {
   static ComponentClassifier NetworkClassifier();
 
  private:
-  struct PadEllipses {
-    Ellipse ring_outer;
-    std::optional<Ellipse> ring_inner;
-    Ellipse letter;
-    double stroke_angle;   // In the normalized image.
-    PadContours contours;  // Undistorted px.
-  };
-
   /// Which of the two poses of a circle is taken.
   struct Branch {
     std::size_t chosen;
@@ -67,20 +48,17 @@ class PaperEstimator final : public Estimator {
     Eigen::Vector3d vertical_C;  // Near which the pose's normal lies: the IMU's, or else the chosen pose's own.
   };
 
-  std::optional<PadEllipses> FitPad(const models::ImageView& image, const ComponentSet& components,
-                                    const DetectedPad& detected) const;
   Branch BranchByGravity(const std::array<CirclePose, 2>& ring_poses, const Eigen::Vector3d& gravity_B) const;
-  Branch BranchByPrint(const PadEllipses& ellipses, const std::array<CirclePose, 2>& ring_poses) const;
+  Branch BranchByPrint(const FoundPad& pad, const std::array<CirclePose, 2>& ring_poses) const;
   std::optional<std::array<CirclePose, 2>> BothPoses(const Ellipse& ring) const;
   Eigen::Isometry3d BodyPoseFrom(const CirclePose& ring_pose, double stroke_angle) const;
-  std::optional<Eigen::Matrix<double, 6, 6>> Covariance(const PadEllipses& ellipses,
+  std::optional<Eigen::Matrix<double, 6, 6>> Covariance(const FoundPad& pad,
                                                         const std::array<CirclePose, 2>& ring_poses,
                                                         const Branch& branch) const;
 
   EstimatorSetup setup_;
   PaperEstimatorConfig config_;
-  UndistortTable undistort_;
-  PadDetector detector_;
+  PadSearch search_;
   LetterEllipse letter_;
   OutlierGate gate_;
 };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "models/angles.h"
+#include "models/error.h"
 #include "models/random_stream.h"
 
 namespace touchdown::estimator {
@@ -157,6 +158,43 @@ TEST(Ellipse, MeasuresDistancesOfNearbyPointsAcrossIt) {
   EXPECT_NEAR(DistanceFrom(ellipse, {50.1, 20.0}), 0.1, 1e-3);
   EXPECT_NEAR(DistanceFrom(ellipse, {10.0, 44.8}), -0.2, 2e-3);
   EXPECT_NEAR(RmsDistance(ellipse, std::vector<Vector2d>{{50.1, 20.0}, {10.0, 44.9}}), 0.1, 1e-3);
+}
+
+/// Points on the outer boundary of a ring of 50 px, from one direction to another, that waves by `wave_px`.
+std::vector<Vector2d> RingPoints(double from_deg, double to_deg, double wave_px = 0.0) {
+  std::vector<Vector2d> points;
+  for (double deg = from_deg; deg < to_deg; deg += 1.0) {
+    const double angle = models::DegToRad(deg), radius = 50.0 + wave_px * std::sin(5.0 * angle);
+    points.emplace_back(100.0 + radius * std::cos(angle), 80.0 + radius * std::sin(angle));
+  }
+  return points;
+}
+
+TEST(FitRing, LeavesOutPointsThatAreNotOnTheRing) {
+  std::vector<Vector2d> points = RingPoints(0.0, 360.0);
+  for (int i = 0; i < 40; ++i) points.emplace_back(110.0 + 0.5 * i, 80.0 + 0.3 * i);
+  const auto ring = FitRing(points);
+  ASSERT_TRUE(ring);
+  EXPECT_EQ(points.size(), 360u);
+  EXPECT_NEAR(ring->semi_axes.x(), 50.0, 1e-6);
+  EXPECT_LT((ring->center - Vector2d(100.0, 80.0)).norm(), 1e-6);
+}
+
+TEST(FitRing, TakesCurledPaperButNotAnyOutline) {
+  std::vector<Vector2d> curled = RingPoints(0.0, 360.0, 1.5), wild = RingPoints(0.0, 360.0, 8.0);
+  EXPECT_TRUE(FitRing(curled));
+  EXPECT_FALSE(FitRing(wild));
+}
+
+TEST(FitRing, RefusesARingOfWhichPartIsHidden) {
+  std::vector<Vector2d> most = RingPoints(0.0, 330.0, 1.0), part = RingPoints(0.0, 270.0, 1.0);
+  EXPECT_TRUE(FitRing(most));
+  EXPECT_FALSE(FitRing(part));
+}
+
+TEST(FitRing, RefusesImpossibleSettings) {
+  EXPECT_THROW((RingFitConfig{.exact_rms_px = 0.0}.Validate()), InputError);
+  EXPECT_THROW((RingFitConfig{.least_coverage = 1.1}.Validate()), InputError);
 }
 
 }  // namespace

@@ -53,9 +53,11 @@ TEST(PadDetector, NamesTheFirstStageThatFailed) {
   EXPECT_EQ(status({ring, far_letter}), FrameStatus::kNoPair);
 
   const auto found = detector.Detect(SetOf({ring, far_letter, letter}));
-  ASSERT_TRUE(std::holds_alternative<DetectedPad>(found.outcome));
-  EXPECT_EQ(std::get<DetectedPad>(found.outcome).ring.u, 100);
-  EXPECT_EQ(std::get<DetectedPad>(found.outcome).letter.u, 131);
+  ASSERT_TRUE(std::holds_alternative<std::vector<DetectedPad>>(found.outcome));
+  const auto& candidates = std::get<std::vector<DetectedPad>>(found.outcome);
+  ASSERT_EQ(candidates.size(), 1u);
+  EXPECT_EQ(candidates[0].ring.u, 100);
+  EXPECT_EQ(candidates[0].letter.u, 131);
 }
 
 TEST(PadDetector, DoesNotTakeARingThatTheImageCutsOff) {
@@ -79,14 +81,29 @@ TEST(PadDetector, TracesEveryComponentWithItsLabelAndPosterior) {
   EXPECT_DOUBLE_EQ(result.labelled[1].probability, 0.7);
 }
 
-TEST(PadDetector, PrefersThePairThatTheNetworkIsSurestOf) {
+TEST(PadDetector, BringsThePairThatTheNetworkIsSurestOfFirst) {
   const PadDetector detector(models::LandingPad(), Knowing({{100, {Label::kCircle, 0.9}},
                                                             {130, {Label::kH, 0.6}},
                                                             {300, {Label::kCircle, 0.8}},
                                                             {330, {Label::kH, 0.9}}}));
   const auto result = detector.Detect(
       SetOf({Box(100, 100, 90, 90), Box(130, 120, 28, 50), Box(300, 100, 90, 90), Box(330, 120, 28, 50)}));
-  EXPECT_EQ(std::get<DetectedPad>(result.outcome).ring.u, 300);
+  const auto& candidates = std::get<std::vector<DetectedPad>>(result.outcome);
+  ASSERT_EQ(candidates.size(), 2u);
+  EXPECT_EQ(candidates[0].ring.u, 300);
+  EXPECT_EQ(candidates[1].ring.u, 100);
+}
+
+TEST(PadDetector, TakesLikelyPartsOfAnotherLabelWhenToldTo) {
+  const Component ring = Box(100, 100, 90, 90), letter = Box(131, 120, 28, 50);
+  // What is left of the posterior goes to the other two classes alike: 0.2 each.
+  const auto knowing = Knowing({{100, {Label::kCircle, 0.9}}, {131, {Label::kOther, 0.6}}});
+  EXPECT_EQ(std::get<FrameStatus>(PadDetector({}, knowing).Detect(SetOf({ring, letter})).outcome), FrameStatus::kNoH);
+  const PadDetector lenient({}, knowing, {.least_posterior = 0.15});
+  const auto found = lenient.Detect(SetOf({ring, letter}));
+  EXPECT_EQ(std::get<std::vector<DetectedPad>>(found.outcome).front().letter.u, 131);
+  const PadDetector stricter({}, knowing, {.least_posterior = 0.25});
+  EXPECT_EQ(std::get<FrameStatus>(stricter.Detect(SetOf({ring, letter})).outcome), FrameStatus::kNoH);
 }
 
 TEST(PadDetector, HoldsTheHAgainstTheRingsSizeAndCentre) {
@@ -149,6 +166,8 @@ TEST(PadDetector, KeepsThePadFromAnyHeightYawAndTiltUpTo50Degrees) {
 TEST(PadDetector, RefusesImpossibleSettings) {
   EXPECT_THROW((PadDetectorConfig{.size_tolerance = 0.9}.Validate()), InputError);
   EXPECT_THROW((PadDetectorConfig{.center_tolerance = -0.1}.Validate()), InputError);
+  EXPECT_THROW((PadDetectorConfig{.least_posterior = 0.0}.Validate()), InputError);
+  EXPECT_THROW((PadDetectorConfig{.most_candidates = 0}.Validate()), InputError);
   models::LandingPad pad;
   pad.outer_radius_m = 0.0;
   EXPECT_THROW(PadDetector(pad, kUnused), InputError);

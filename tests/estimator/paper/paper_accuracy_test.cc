@@ -31,7 +31,7 @@ constexpr int kPoses = 25;
 Accuracy AccuracyIn(const Conditions& conditions) {
   const EstimatorSetup setup{.camera = {}, .pad = {}, .X_BC = models::Vehicle().X_BC(), .time = {}};
   PaperEstimatorConfig config;
-  config.edges.contour_points = conditions.contour_points;
+  config.search.edges.contour_points = conditions.contour_points;
   models::RandomStream random(1, "tests.paper_accuracy");
   PaperEstimator estimator(setup, config);
   Accuracy sum;

@@ -227,8 +227,7 @@ TEST_F(PaperEstimatorTest, FindsNoEllipseWhereTheOutlineIsNone) {
   const FrameEstimate seen = estimator.Estimate(image.View(), 0, GravityIn(X_WB));
   EXPECT_EQ(seen.status, FrameStatus::kNoEllipse);
   EXPECT_FALSE(seen.pose);
-  ASSERT_TRUE(seen.pad_px);
-  EXPECT_LT((*seen.pad_px - Eigen::Vector2d(319.5, 239.5)).norm(), 3.0);
+  EXPECT_FALSE(seen.pad_px);
 }
 
 TEST_F(PaperEstimatorTest, CallsAJumpAnOutlierAndTellsItsPose) {

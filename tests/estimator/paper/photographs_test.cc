@@ -1,0 +1,45 @@
+// The figures that docs/footage.md states, on photographs that nobody looked at while the estimator was made.
+#include <gtest/gtest.h>
+
+#include <opencv2/core/utility.hpp>
+
+#include "tests/support/photograph_score.h"
+
+namespace touchdown::tests {
+namespace {
+
+constexpr std::uint64_t kFresh = 7'000'000;  ///< Seeds below were for development.
+constexpr double kBurntOut = 0.4;            ///< From here on glare can make toner as bright as paper.
+
+class Photographs : public testing::Test {
+ protected:
+  void SetUp() override { cv::setNumThreads(1); }
+};
+
+TEST_F(Photographs, ShowThePadThatTheEstimatorFinds) {
+  constexpr int kPads = 80;
+  int found = 0, seen = 0;
+  for (std::uint64_t seed = kFresh; seen < kPads; ++seed) {
+    const Photograph photo = PhotographPad(seed);
+    if (photo.conditions.glare > kBurntOut) continue;
+    ++seen;
+    found += Score(photo).found;
+  }
+  EXPECT_GE(found, 0.95 * kPads);
+}
+
+TEST_F(Photographs, OfOtherThingsShowNoPad) {
+  constexpr int kLookAlikes = 100;
+  for (std::uint64_t seed = kFresh; seed < kFresh + kLookAlikes; ++seed) {
+    const Photograph photo = PhotographLookAlike(seed);
+    EXPECT_FALSE(Score(photo).claims_pad) << photo.subject << ", seed " << seed;
+  }
+}
+
+TEST_F(Photographs, AreTheSameForTheSameSeed) {
+  EXPECT_EQ(PhotographPad(kFresh).image.pixels, PhotographPad(kFresh).image.pixels);
+  EXPECT_NE(PhotographPad(kFresh).image.pixels, PhotographPad(kFresh + 1).image.pixels);
+}
+
+}  // namespace
+}  // namespace touchdown::tests

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "estimator/estimator.h"
+#include "tests/support/photographed_pad.h"
+
+namespace touchdown::tests {
+
+/// What the estimator `paper` made of a photograph.
+struct PhotoScore {
+  estimator::FrameEstimate estimate;
+  bool claims_pad = false;      ///< It told where a pad is.
+  bool found = false;           ///< A pose, and centre and ring box are those of the pad.
+  double distance_error = 0.0;  ///< Of the camera from the pad, over the true distance; where there is a pose.
+};
+
+/// A fresh estimator on the single photograph, with gravity known and no earlier pose to be held against.
+PhotoScore Score(const Photograph& photo);
+
+}  // namespace touchdown::tests
