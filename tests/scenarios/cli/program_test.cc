@@ -255,7 +255,7 @@ TEST_F(ReportProgram, LeavesNothingOfAFlightInAFullOrReadOnlyFolder) {
   if (!small.is_there()) GTEST_SKIP() << "no right to mount";
   Put("short.yaml", std::string(kGoodScript) + "time_limit_s: 0.1\n");
   const auto error_of_flying = [&] {
-    const ProgramRun run = Run({"fly", "short.yaml", "--out", "small/flight"});
+    const ProgramRun run = Run({"fly", "short.yaml", "--out", "small/flight", "--quiet"});
     EXPECT_EQ(run.status, 2);
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     EXPECT_TRUE(fs::is_empty(folder_ / "small"));
@@ -288,10 +288,11 @@ TEST_F(ReportProgram, LeavesEarlierPosesInAFullOrReadOnlyFolder) {
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "small"), {}), 1) << "the poses alone";
   };
   small.Fill();
-  expect_refused({"estimate", "flight", "--out", "small/poses"}, "cannot be written");
-  expect_refused({"fly", "short.yaml", "--out", "small/other", "--record", "--video", "off"}, "cannot be written");
+  expect_refused({"estimate", "flight", "--out", "small/poses", "--quiet"}, "cannot be written");
+  expect_refused({"fly", "short.yaml", "--out", "small/other", "--record", "--video", "off", "--quiet"},
+                 "cannot be written");
   small.MakeReadOnly();
-  expect_refused({"estimate", "flight", "--out", "small/poses"}, "Read-only file system");
+  expect_refused({"estimate", "flight", "--out", "small/poses", "--quiet"}, "Read-only file system");
 }
 
 TEST_F(Program, ExitsWithTwoOnBadUsage) {
