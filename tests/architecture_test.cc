@@ -57,6 +57,8 @@ const std::vector<LibraryRule>& LibraryRules() {
       {std::regex("scenarios/.*"), std::regex("(opencv2|yaml-cpp|CLI|nlohmann|openssl|spdlog|fmt)/.*|pugixml\\.hpp")},
       {std::regex("scenarios/report/.*\\.cc"), std::regex("(cairo|kainjow)/.*")},
       {std::regex("scenarios/report/video_.*\\.cc"), std::regex("lib(av[a-z]+|swscale)/.*")},
+      {std::regex("scenarios/footage/(flight_bag\\.cc|bag_file\\.cc|bag_messages\\.h)"),
+       std::regex("(rosbag|ros|(std|sensor|geometry|tf2)_msgs|boost|console_bridge)/.*")},
       {std::regex("scenarios/.*"), std::regex("((sys|gnu)/)?[a-z-]+\\.h")},  // The operating system's.
   };
   return rules;
