@@ -178,6 +178,9 @@ TEST(Architecture, AllowsEachLibraryOnlyWhereItBelongs) {
   EXPECT_NE(FaultOf("controller/a.cc", "<fmt/format.h>"), "");
   EXPECT_NE(FaultOf("models/a.cc", "<unistd.h>"), "");
   EXPECT_EQ(FaultOf("sim/a.cc", "<mujoco/mujoco.h>"), "");
+  EXPECT_EQ(FaultOf("scenarios/footage/flight_bag.cc", "<rosbag/bag.h>"), "");
+  EXPECT_NE(FaultOf("scenarios/footage/flight_bag.h", "<rosbag/bag.h>"), "");
+  EXPECT_NE(FaultOf("scenarios/footage/footage.cc", "<sensor_msgs/Image.h>"), "");
   EXPECT_EQ(FaultOf("controller/a.cc", "<mujoco/mujoco.h>"),
             "controller/a.cc:2: <mujoco/mujoco.h> does not belong here");
 }

@@ -58,7 +58,8 @@ models::Image GreyImage(const ros1::Image& message) {
   constexpr std::uint32_t kLargestSide_px = 1 << 15;
   const std::uint64_t row = std::uint64_t{message.width} * CV_ELEM_SIZE(encoding.type);
   if (message.width == 0 || message.height == 0 || std::max(message.width, message.height) > kLargestSide_px ||
-      message.step < row || message.data.size() < std::uint64_t{message.step} * message.height) {
+      message.step < row || message.step % CV_ELEM_SIZE1(encoding.type) != 0 ||
+      message.data.size() < std::uint64_t{message.step} * message.height) {
     throw InputError(fmt::format("is no picture of {} x {} px", message.width, message.height));
   }
   if (message.is_bigendian && CV_MAT_DEPTH(encoding.type) == CV_16U) throw InputError("is of big-endian numbers");
@@ -90,7 +91,12 @@ std::optional<models::CameraModel> RectifiedCameraOf(const ros1::CameraInfo& inf
                              .fx_px = info.P[0],
                              .fy_px = info.P[5],
                              .cx_px = info.P[2],
-                             .cy_px = info.P[6]};
+                             .cy_px = info.P[6],
+                             .k1 = 0.0,
+                             .k2 = 0.0,
+                             .p1 = 0.0,
+                             .p2 = 0.0,
+                             .k3 = 0.0};
 }
 
 /// nullopt where it is not calibrated, or of another model than CameraModel's.
@@ -175,9 +181,8 @@ struct BagFile::Impl {
       return action();
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: {}", file.string(), error.what()));
-    } catch (const std::exception& error) {
-      throw InputError(
-          fmt::format("{}: no ROS bag that can be read, or one that is cut: {}", file.string(), error.what()));
+    } catch (const std::exception&) {  // The library's words quote a damaged bag's bytes.
+      throw InputError(fmt::format("{}: no ROS bag that can be read, or one that is cut", file.string()));
     }
   }
 
