@@ -117,6 +117,28 @@ TEST_F(FlownBag, IsRefusedWhereverItIsCut) {
   }
 }
 
+TEST_F(FlownBag, IsWrittenAndReadByTheProgramWhichKeepsEarlierPosesWhenOneIsCut) {
+  const auto run = [this](const std::vector<std::string>& arguments) {
+    return tests::RunProgram(TOUCHDOWN_PROGRAM, arguments, folder_.path());
+  };
+  folder_.Put("short.yaml", "script:\n  - {do: takeoff, height_m: 1}\n  - {do: land}\ntime_limit_s: 0.1\n");
+  EXPECT_EQ(run({"fly", "short.yaml", "--bag", "--video", "off", "--out", "flight"}).status, 1);
+  const tests::ProgramRun estimated =
+      run({"estimate", "flight/flight.bag", "--topic", "/camera/image_raw", "--out", "poses"});
+  EXPECT_EQ(estimated.status, 0) << estimated.err;
+  const std::string poses = folder_.Content("poses/poses.csv");
+  EXPECT_THAT(poses, StartsWith("frame,source"));
+
+  folder_.Put("cut.bag", folder_.Content("flight/flight.bag").substr(0, 100'000));
+  const tests::ProgramRun cut = run({"estimate", "cut.bag", "--out", "poses"});
+  EXPECT_EQ(cut.status, 2);
+  EXPECT_EQ(cut.err, "error: cut.bag: no ROS bag that can be read, or one that is cut\n");
+  EXPECT_EQ(folder_.Content("poses/poses.csv"), poses);
+  EXPECT_EQ(run({"estimate", "flight", "--topic", "/camera/image_raw", "--out", "poses"}).status, 2);
+  EXPECT_EQ(run({"fly", "short.yaml", "--video", "off", "--out", "flight"}).status, 1);
+  EXPECT_FALSE(fs::exists(folder_ / "flight" / "flight.bag"));
+}
+
 /// What writing a bag of a short flight throws.
 std::string ErrorOf(const Scenario& scenario, const fs::path& file) {
   try {
