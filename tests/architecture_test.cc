@@ -57,6 +57,8 @@ const std::vector<LibraryRule>& LibraryRules() {
       {std::regex("scenarios/.*"), std::regex("(opencv2|yaml-cpp|CLI|nlohmann|openssl|spdlog|fmt)/.*|pugixml\\.hpp")},
       {std::regex("scenarios/report/.*\\.cc"), std::regex("(cairo|kainjow)/.*")},
       {std::regex("scenarios/report/video_.*\\.cc"), std::regex("lib(av[a-z]+|swscale)/.*")},
+      {std::regex("scenarios/footage/(flight_bag\\.cc|bag_file\\.cc|bag_messages\\.h)"),
+       std::regex("(rosbag|ros|(std|sensor|geometry|tf2)_msgs|boost|console_bridge)/.*")},
       {std::regex("scenarios/.*"), std::regex("((sys|gnu)/)?[a-z-]+\\.h")},  // The operating system's.
   };
   return rules;
@@ -176,6 +178,9 @@ TEST(Architecture, AllowsEachLibraryOnlyWhereItBelongs) {
   EXPECT_NE(FaultOf("controller/a.cc", "<fmt/format.h>"), "");
   EXPECT_NE(FaultOf("models/a.cc", "<unistd.h>"), "");
   EXPECT_EQ(FaultOf("sim/a.cc", "<mujoco/mujoco.h>"), "");
+  EXPECT_EQ(FaultOf("scenarios/footage/flight_bag.cc", "<rosbag/bag.h>"), "");
+  EXPECT_NE(FaultOf("scenarios/footage/flight_bag.h", "<rosbag/bag.h>"), "");
+  EXPECT_NE(FaultOf("scenarios/footage/footage.cc", "<sensor_msgs/Image.h>"), "");
   EXPECT_EQ(FaultOf("controller/a.cc", "<mujoco/mujoco.h>"),
             "controller/a.cc:2: <mujoco/mujoco.h> does not belong here");
 }

@@ -34,6 +34,7 @@ struct Options {
   std::string input;
   std::string out;
   std::optional<std::string> camera, pad, imu, vehicle, estimator;
+  std::vector<std::string> topics;
   bool video = false;
   Talk talk;
 };
@@ -123,7 +124,7 @@ constexpr const char* kPosesMark = "frame,source,t_s,status,x_m";
 int EstimateWith(const Options& options) {
   OutputFolder folder(options.out, {.files = {"poses.csv", "poses.tum", "choices.csv", "summary.json", kVideoName},
                                     .mark = kPosesMark});
-  const std::unique_ptr<Footage> footage = OpenFootage(options.input);
+  const std::unique_ptr<Footage> footage = OpenFootage(options.input, options.topics);
   const FootageFacts& facts = footage->facts();
   const FootageSetup setup = SetupOf(options, facts);
 
@@ -164,7 +165,8 @@ int EstimateWith(const Options& options) {
 void AddEstimate(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
   CLI::App& command = *app.add_subcommand("estimate", "Run the estimator alone, on footage");
-  command.add_option("INPUT", options->input, "A folder of images, a video, or a recording in EuRoC's layout")
+  command
+      .add_option("INPUT", options->input, "A folder of images, a video, a recording in EuRoC's layout, or a ROS 1 bag")
       ->required();
   command.add_option("--out", options->out, "Folder for the poses")->required()->type_name("DIR");
   command
@@ -179,6 +181,10 @@ void AddEstimate(CLI::App& app, Run& run) {
       .add_option("--vehicle", options->vehicle,
                   "How camera and IMU are mounted: a vehicle's description (default: the recording's)")
       ->type_name("VEHICLE.yaml");
+  command
+      .add_option("--topic", options->topics, "Of a bag with several cameras or IMUs, a topic to take; may be repeated")
+      ->type_name("TOPIC")
+      ->allow_extra_args(false);
   command.add_option("--estimator", options->estimator, "Name of the estimator (default: paper)")->type_name("NAME");
   command.add_flag("--video", options->video, "Leave a film with what the estimator saw drawn into it, estimate.mp4");
   AddTalk(command, options->talk);

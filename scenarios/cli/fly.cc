@@ -33,6 +33,7 @@ struct Options {
   std::optional<std::string> junit;
   std::string video = "on";
   bool record = false;
+  bool bag = false;
   Talk talk;
 };
 
@@ -73,8 +74,8 @@ class FlightProgress final : public FlightObserver {
 FlightResult FlyWithProgress(const Scenario& scenario, const std::string& out, const Options& options) {
   FlightProgress progress(scenario, !options.talk.ForPeople());
   FlightObserver* const observers[] = {&progress};
-  return FlyIntoFolder(scenario, out, {.video = options.video == "on", .recording = options.record}, observers,
-                       InterruptRequested);
+  return FlyIntoFolder(scenario, out, {.video = options.video == "on", .recording = options.record, .bag = options.bag},
+                       observers, InterruptRequested);
 }
 
 std::vector<Override> OverridesOf(const Options& options) {
@@ -129,6 +130,7 @@ void AddFly(CLI::App& app, Run& run) {
       ->check(CLI::IsMember({"on", "off"}));
   command.add_flag("--record", options->record,
                    "Record frames, IMU and truth in EuRoC's layout, in the folder recording");
+  command.add_flag("--bag", options->bag, "Leave the flight as a ROS 1 bag too, flight.bag");
   command.add_option("--junit", options->junit, "File for the criteria as JUnit XML")->type_name("FILE");
   AddTalk(command, options->talk);
   command.callback([options, &run] { run = [options] { return FlyWith(*options); }; });

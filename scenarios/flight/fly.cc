@@ -69,13 +69,14 @@ FlightResult JudgeFlight(const Scenario& scenario, const FlightLog& log) {
   result.verdict = log.outcome == Outcome::kError ? Verdict::kError : passed ? Verdict::kPass : Verdict::kFail;
   result.timing = ComputeTiming(log);
   result.truth = TrueTrajectory(log);
+  result.tracked = TrackedTrajectory(log);
   result.tables = {.flight_csv = FlightCsv(log),
                    .frames_csv = FramesCsv(log),
                    .tracking_csv = TrackingCsv(log),
                    .frame_timing_csv = FrameTimingCsv(log),
                    .truth_tum = TumText(result.truth, log.time),
                    .estimate_tum = TumText(EstimatedTrajectory(log), log.time),
-                   .tracking_tum = TumText(TrackedTrajectory(log), log.time)};
+                   .tracking_tum = TumText(result.tracked, log.time)};
   result.log_sha256 = Sha256({&result.tables.flight_csv, &result.tables.frames_csv});
   return result;
 }

@@ -49,7 +49,8 @@ struct FlightResult {
   Timing timing;
   std::string log_sha256;  ///< Of flight.csv followed by frames.csv.
   FlightTables tables;
-  Trajectory truth;  ///< Of truth.tum.
+  Trajectory truth;    ///< Of truth.tum.
+  Trajectory tracked;  ///< Of tracking.tum.
 };
 
 /// Flies a scenario and judges the flight. Touches no file. Throws as FlyClosedLoop does.

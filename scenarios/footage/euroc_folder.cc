@@ -2,6 +2,7 @@
 
 #include "scenarios/flight/scenario.h"
 #include "scenarios/footage/euroc_sensor.h"
+#include "scenarios/footage/flight_facts.h"
 #include "scenarios/footage/image_folder.h"
 #include "scenarios/footage/imu_file.h"
 
@@ -34,24 +35,12 @@ EurocFolder::EurocFolder(const fs::path& mav0) : mav0_(mav0), frames_(ReadStampe
   }
   const fs::path scenario = fs::weakly_canonical(mav0).parent_path() / "scenario.yaml";
   if (Exists(scenario)) {
-    ReadScenario(scenario);
+    TellOfFlight(LoadScenario(scenario), facts_);
   } else {
     ReadSensors();
   }
   const fs::path imu = mav0 / "imu0" / "data.csv";
   if (Exists(imu)) facts_.imu = ReadImuFile(imu, facts_.time);
-}
-
-void EurocFolder::ReadScenario(const fs::path& file) {
-  const Scenario scenario = LoadScenario(file);
-  facts_.frame_order = estimator::FrameOrder::kFlight;
-  facts_.time = scenario.time;
-  facts_.latency = scenario.time.FromSeconds(scenario.camera.latency_s);
-  facts_.camera = scenario.camera.model;
-  facts_.pad = scenario.pad;
-  facts_.mounting = {scenario.vehicle.X_BC(), scenario.vehicle.X_BU()};
-  facts_.estimator = scenario.estimator;
-  facts_.attitude_estimator = scenario.attitude_estimator;
 }
 
 void EurocFolder::ReadSensors() {

@@ -26,7 +26,6 @@ class EurocFolder final : public Footage {
   std::optional<FootageFrame> Next() override;
 
  private:
-  void ReadScenario(const std::filesystem::path& file);
   void ReadSensors();
 
   std::filesystem::path mav0_;

@@ -3,17 +3,20 @@
 #include <fmt/format.h>
 
 #include "models/error.h"
+#include "scenarios/footage/bag_file.h"
 #include "scenarios/footage/euroc_folder.h"
 #include "scenarios/footage/image_folder.h"
 #include "scenarios/footage/video_file.h"
 
 namespace touchdown::scenarios {
 
-std::unique_ptr<Footage> OpenFootage(const std::filesystem::path& input) {
+std::unique_ptr<Footage> OpenFootage(const std::filesystem::path& input, const std::vector<std::string>& topics) {
   namespace fs = std::filesystem;
   std::error_code error;
   const fs::file_status status = fs::status(input, error);
   if (!fs::exists(status)) throw InputError(fmt::format("{}: no such file or folder", input.string()));
+  if (!fs::is_directory(status) && input.extension() == ".bag") return std::make_unique<BagFile>(input, topics);
+  if (!topics.empty()) throw InputError(fmt::format("{}: is no ROS bag, and has no topics", input.string()));
   if (!fs::is_directory(status)) return std::make_unique<VideoFile>(input);
   if (const auto recording = FindEurocFolder(input)) return std::make_unique<EurocFolder>(*recording);
   return std::make_unique<ImageFolder>(input);

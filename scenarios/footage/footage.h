@@ -67,8 +67,9 @@ class Footage {
   virtual std::optional<FootageFrame> Next() = 0;
 };
 
-/// Opens a folder of images (ImageFolder), a recording in EuRoC's layout (EurocFolder) or a video (VideoFile). Throws
-/// InputError, naming `input`, when it is none of these, or empty.
-std::unique_ptr<Footage> OpenFootage(const std::filesystem::path& input);
+/// Opens a folder of images (ImageFolder), a recording in EuRoC's layout (EurocFolder), a ROS bag (BagFile: its name
+/// ends in .bag) or a video (VideoFile). `topics` are to be chosen from a bag's. Throws InputError, naming `input`,
+/// when it is none of these, or empty, or has no topics to choose from.
+std::unique_ptr<Footage> OpenFootage(const std::filesystem::path& input, const std::vector<std::string>& topics = {});
 
 }  // namespace touchdown::scenarios

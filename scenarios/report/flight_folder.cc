@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scenarios/flight/output_folder.h"
+#include "scenarios/footage/flight_bag.h"
 #include "scenarios/footage/flight_recording.h"
 #include "scenarios/report/contact_sheet.h"
 #include "scenarios/report/flight_files.h"
@@ -21,7 +22,7 @@ FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path
                            FlightObservers observers, const StopRequested& stop_requested) {
   OutputFolder folder(place, {.files = {"result.json", "scenario.yaml", "flight.csv", "frames.csv", "tracking.csv",
                                         "truth.tum", "estimate.tum", "tracking.tum", "frame_timing.csv", "timing.json",
-                                        "frames.png", "flight.mp4", "report.html"},
+                                        "frames.png", "flight.mp4", "flight.bag", "report.html"},
                               .mark = kFlightMark,
                               .subfolders = {{kRecordingFolder, IsOfFlightRecording}}});
   ContactSheet sheet(scenario.camera.model, scenario.time);
@@ -31,9 +32,12 @@ FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path
   if (extras.video) all.push_back(&video.emplace(scenario, folder.PathOf("flight.mp4")));
   std::optional<FlightRecording> recording;
   if (extras.recording) all.push_back(&recording.emplace(scenario, folder.PathOf(kRecordingFolder)));
+  std::optional<FlightBag> bag;
+  if (extras.bag) all.push_back(&bag.emplace(scenario, folder.PathOf("flight.bag")));
   const FlightResult result = Fly(scenario, all, stop_requested);
   if (video) video->Finish();
   if (recording) recording->Finish(result.truth);
+  if (bag) bag->Finish(result);
   folder.Write("scenario.yaml", ScenarioYaml(scenario));
   folder.Write("flight.csv", result.tables.flight_csv);
   folder.Write("frames.csv", result.tables.frames_csv);

@@ -10,6 +10,7 @@ namespace touchdown::scenarios {
 struct FlightExtras {
   bool video = true;       ///< flight.mp4.
   bool recording = false;  ///< Frames, IMU and truth in the folder `recording`, see FlightRecording.
+  bool bag = false;        ///< The flight as a ROS bag, flight.bag, see FlightBag.
 };
 
 /// Flies a scenario and leaves its folder at `place`: scenario.yaml, result.json, the tables, timing.json and

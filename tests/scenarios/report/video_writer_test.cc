@@ -2,9 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <opencv2/core.hpp>
@@ -13,6 +11,7 @@
 #include <vector>
 
 #include "models/error.h"
+#include "tests/support/disk_of_size.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -147,24 +146,6 @@ TEST_F(VideoWriterTest, LeavesNothingOfAFilmThatIsNotFinished) {
   EXPECT_FALSE(fs::exists(file_));
 }
 
-/// No file of this process grows beyond a size, as on a disk that is full, until the end of the scope.
-class DiskOfSize {
- public:
-  explicit DiskOfSize(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~DiskOfSize() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-
- private:
-  rlimit before_{};
-  void (*handler_)(int);
-};
-
 /// What writing a noisy film of 3 s throws.
 std::string ErrorOfNoise(const fs::path& file) {
   const std::vector<cv::Mat3b> noise = NoisyPictures({640, 480});
@@ -184,7 +165,7 @@ TEST_F(VideoWriterTest, TellsOfAFullDiskAndLeavesNothing) {
   fs::remove(file_);
   // Full at the start, in the middle, and while the index is put to the front.
   for (const rlim_t bytes : {rlim_t{0}, rlim_t{50'000}, whole - 100}) {
-    const DiskOfSize disk(bytes);
+    const tests::DiskOfSize disk(bytes);
     EXPECT_EQ(ErrorOfNoise(file_), "video film.mp4: File too large") << bytes;
     EXPECT_FALSE(fs::exists(file_));
   }
