@@ -234,10 +234,16 @@ LetterCheck::Fit LetterCheck::FitOn(const CirclePose& ring_pose, const Component
 
 bool LetterCheck::Passes(const std::array<CirclePose, 2>& ring_poses, const ComponentSet& components,
                          const Component& letter, const ComponentView& view) const {
+  // A letter of so few pixels keeps little of its shape.
+  constexpr int kLegible_px = 12;
+  const bool legible = std::min(letter.width, letter.height) >= kLegible_px;
+  const double least_resemblance = legible ? config_.least_resemblance : 0.75 * config_.least_resemblance;
+  const double least_symmetry = legible ? config_.least_symmetry : 0.5 * config_.least_symmetry;
+  const double largest_size_error = legible ? config_.largest_size_error : 1.3 * config_.largest_size_error;
   return std::any_of(ring_poses.begin(), ring_poses.end(), [&](const CirclePose& pose) {
     const Fit fit = FitOn(pose, components, letter, view);
-    return fit.size_error <= config_.largest_size_error && fit.resemblance >= config_.least_resemblance &&
-           fit.symmetry >= config_.least_symmetry;
+    return fit.size_error <= largest_size_error && fit.resemblance >= least_resemblance &&
+           fit.symmetry >= least_symmetry;
   });
 }
 
