@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
+#include "estimator/paper/letter_outline.h"
 #include "models/error.h"
 
 namespace touchdown::estimator {
@@ -27,20 +28,16 @@ constexpr double kLeastContrast = 20.0;
 // they are as much lower.
 constexpr double kUsualContrast = 100.0;
 
-enum class Part : std::uint8_t { kNone, kRing, kLetter };
+constexpr double kAligned = 0.7;  // Cosine between an edge's gradient and the ring's normal.
 
+/// The grey values around the pad, with their edges.
 struct Patch {
   int u, v, width, height;
   cv::Mat grey;                    // The image's own pixels.
   cv::Mat gradient_u, gradient_v;  // Sobel, 16 bit.
   cv::Mat edges;
-  std::vector<Part> parts;
   double faintness;  // 1, or less where the patch has little contrast.
 
-  Part PartAt(int x, int y) const {
-    if (x < 0 || y < 0 || x >= width || y >= height) return Part::kNone;
-    return parts[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
-  }
   Vector2d GradientAt(int x, int y) const { return {gradient_u.at<short>(y, x), gradient_v.at<short>(y, x)}; }
 
   double GreyAt(const Vector2d& p) const {
@@ -65,13 +62,6 @@ double NarrowestStripe(const models::LandingPad& pad) {
   return std::min({pad.ring_width_m, pad.h_stroke_m, gap, between_strokes, beside_bar, margin});
 }
 
-void Paint(const ComponentSet& components, const Component& component, Part part, Patch& patch) {
-  for (const Run& run : components.RunsOf(component)) {
-    auto* row = patch.parts.data() + static_cast<std::ptrdiff_t>(run.v - patch.v) * patch.width;
-    std::fill(row + (run.u_begin - patch.u), row + (run.u_end - patch.u), part);
-  }
-}
-
 /// Of a picture of two grey values, about as much of each.
 double Contrast(const cv::Mat& grey) {
   cv::Scalar mean, deviation;
@@ -79,14 +69,12 @@ double Contrast(const cv::Mat& grey) {
   return 2.0 * deviation[0];
 }
 
-Patch MakePatch(const models::ImageView& image, const ComponentSet& components, const DetectedPad& detected,
-                const EdgeConfig& config) {
-  const Component& ring = detected.ring;
+Patch MakePatch(const models::ImageView& image, const PixelBox& ring_box, const EdgeConfig& config) {
   Patch patch;
-  patch.u = std::max(0, ring.u - kPatchMargin_px);
-  patch.v = std::max(0, ring.v - kPatchMargin_px);
-  patch.width = std::min(image.width, ring.u + ring.width + kPatchMargin_px) - patch.u;
-  patch.height = std::min(image.height, ring.v + ring.height + kPatchMargin_px) - patch.v;
+  patch.u = std::max(0, ring_box.u - kPatchMargin_px);
+  patch.v = std::max(0, ring_box.v - kPatchMargin_px);
+  patch.width = std::min(image.width, ring_box.u + ring_box.width + kPatchMargin_px) - patch.u;
+  patch.height = std::min(image.height, ring_box.v + ring_box.height + kPatchMargin_px) - patch.v;
   patch.grey = cv::Mat(patch.height, patch.width, CV_8UC1, const_cast<std::uint8_t*>(image.Row(patch.v) + patch.u),
                        static_cast<std::size_t>(image.stride));
   cv::Sobel(patch.grey, patch.gradient_u, CV_16S, 1, 0);
@@ -94,20 +82,45 @@ Patch MakePatch(const models::ImageView& image, const ComponentSet& components, 
   patch.faintness = std::min(1.0, Contrast(patch.grey) / kUsualContrast);
   cv::Canny(patch.gradient_u, patch.gradient_v, patch.edges, patch.faintness * config.canny_low,
             patch.faintness * config.canny_high, true);
-  patch.parts.assign(static_cast<std::size_t>(patch.width) * static_cast<std::size_t>(patch.height), Part::kNone);
-  Paint(components, ring, Part::kRing, patch);
-  Paint(components, detected.letter, Part::kLetter, patch);
   return patch;
 }
 
-Part PartOnDarkSide(const Patch& patch, const Vector2d& pixel, const Vector2d& to_bright) {
-  for (const double step : {0.0, 1.0, 2.0}) {
-    const Vector2d p = pixel - step * to_bright;
-    const Part part = patch.PartAt(static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y())));
-    if (part != Part::kNone) return part;
+enum class Part : std::uint8_t { kNone, kRing, kLetter };
+
+/// Which of the patch's pixels belong to the ring's component, and which to the letter's.
+class PaintedParts {
+ public:
+  PaintedParts(const Patch& patch, const ComponentSet& components, const DetectedPad& detected)
+      : patch_(patch),
+        parts_(static_cast<std::size_t>(patch.width) * static_cast<std::size_t>(patch.height), Part::kNone) {
+    Paint(components, detected.ring, Part::kRing);
+    Paint(components, detected.letter, Part::kLetter);
   }
-  return Part::kNone;
-}
+
+  Part OnDarkSide(const Vector2d& pixel, const Vector2d& to_bright) const {
+    for (const double step : {0.0, 1.0, 2.0}) {
+      const Vector2d p = pixel - step * to_bright;
+      const Part part = At(static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y())));
+      if (part != Part::kNone) return part;
+    }
+    return Part::kNone;
+  }
+
+ private:
+  void Paint(const ComponentSet& components, const Component& component, Part part) {
+    for (const Run& run : components.RunsOf(component)) {
+      auto* row = parts_.data() + static_cast<std::ptrdiff_t>(run.v - patch_.v) * patch_.width;
+      std::fill(row + (run.u_begin - patch_.u), row + (run.u_end - patch_.u), part);
+    }
+  }
+  Part At(int x, int y) const {
+    if (x < 0 || y < 0 || x >= patch_.width || y >= patch_.height) return Part::kNone;
+    return parts_[static_cast<std::size_t>(y) * static_cast<std::size_t>(patch_.width) + static_cast<std::size_t>(x)];
+  }
+
+  const Patch& patch_;
+  std::vector<Part> parts_;
+};
 
 /// The place along the gradient about which the window's mean is midway between its ends: where a window centred on it
 /// sees as much dark as bright. A blur that is the same on both sides does not move it, even when the window cuts its
@@ -136,6 +149,38 @@ std::optional<Vector2d> SubpixelPlace(const Patch& patch, const Vector2d& pixel,
   return pixel + move * to_bright;
 }
 
+/// Half the window across an edge: so far from it no other edge of the pad is met.
+double Reach(const PixelBox& ring_box, const models::LandingPad& pad) {
+  const double px_per_m = std::min(ring_box.width, ring_box.height) / (2.0 * pad.outer_radius_m);
+  return std::clamp(0.5 * NarrowestStripe(pad) * px_per_m, kShortestReach_px, kLongestReach_px);
+}
+
+enum class Contour : std::uint8_t { kNone, kRingOuter, kRingInner, kLetter };
+
+/// The patch's edge points; `contour_of` tells to which contour a pixel of the patch belongs, given the direction in
+/// which it is bright.
+template <typename ContourOf>
+PadContours Sorted(const Patch& patch, double reach, const EdgeConfig& config, const ContourOf& contour_of) {
+  PadContours contours;
+  for (int y = 1; y < patch.height - 1; ++y) {
+    const std::uint8_t* edge_row = patch.edges.ptr(y);
+    for (int x = 1; x < patch.width - 1; ++x) {
+      if (edge_row[x] == 0) continue;
+      const Vector2d pixel(x, y), to_bright = patch.GradientAt(x, y).normalized();
+      const Contour contour = contour_of(pixel, to_bright);
+      if (contour == Contour::kNone) continue;
+      const auto point =
+          config.contour_points == ContourPoints::kInteger ? pixel : SubpixelPlace(patch, pixel, to_bright, reach);
+      if (!point) continue;
+      auto& points = contour == Contour::kLetter      ? contours.letter
+                     : contour == Contour::kRingOuter ? contours.ring_outer
+                                                      : contours.ring_inner;
+      points.push_back(*point + Vector2d(patch.u, patch.v));
+    }
+  }
+  return contours;
+}
+
 }  // namespace
 
 void EdgeConfig::Validate() const {
@@ -146,31 +191,34 @@ void EdgeConfig::Validate() const {
 
 PadContours FindContours(const models::ImageView& image, const ComponentSet& components, const DetectedPad& detected,
                          const models::LandingPad& pad, const EdgeConfig& config) {
-  const Patch patch = MakePatch(image, components, detected, config);
   const Component& ring = detected.ring;
+  const PixelBox box{ring.u, ring.v, ring.width, ring.height};
+  const Patch patch = MakePatch(image, box, config);
+  const PaintedParts parts(patch, components, detected);
   const Vector2d center(ring.u - patch.u + 0.5 * (ring.width - 1), ring.v - patch.v + 0.5 * (ring.height - 1));
-  const double px_per_m = std::min(ring.width, ring.height) / (2.0 * pad.outer_radius_m);
-  const double narrowest_px = NarrowestStripe(pad) * px_per_m;
-  // So far from an edge no other edge of the pad is met.
-  const double reach = std::clamp(0.5 * narrowest_px, kShortestReach_px, kLongestReach_px);
+  return Sorted(patch, Reach(box, pad), config, [&](const Vector2d& pixel, const Vector2d& to_bright) {
+    const Part part = parts.OnDarkSide(pixel, to_bright);
+    if (part == Part::kNone) return Contour::kNone;
+    if (part == Part::kLetter) return Contour::kLetter;
+    return to_bright.dot(pixel - center) > 0.0 ? Contour::kRingOuter : Contour::kRingInner;
+  });
+}
 
-  PadContours contours;
-  for (int y = 1; y < patch.height - 1; ++y) {
-    const std::uint8_t* edge_row = patch.edges.ptr(y);
-    for (int x = 1; x < patch.width - 1; ++x) {
-      if (edge_row[x] == 0) continue;
-      const Vector2d pixel(x, y), to_bright = patch.GradientAt(x, y).normalized();
-      const Part part = PartOnDarkSide(patch, pixel, to_bright);
-      if (part == Part::kNone) continue;
-      auto& contour = part == Part::kLetter                 ? contours.letter
-                      : to_bright.dot(pixel - center) > 0.0 ? contours.ring_outer
-                                                            : contours.ring_inner;
-      const auto point =
-          config.contour_points == ContourPoints::kInteger ? pixel : SubpixelPlace(patch, pixel, to_bright, reach);
-      if (point) contour.push_back(*point + Vector2d(patch.u, patch.v));
-    }
-  }
-  return contours;
+PadContours FindContours(const models::ImageView& image, const PixelBox& ring_box, const SeenPlane& plane,
+                         const PrintPlace& place, const models::LandingPad& pad, const EdgeConfig& config) {
+  const Patch patch = MakePatch(image, ring_box, config);
+  const Vector2d origin(patch.u, patch.v);
+  constexpr double kNear = 0.4, kCurl = 0.06;  // Of the narrower stroke; of the radius.
+  const double near_m = kNear * std::min(pad.h_stroke_m, pad.ring_width_m);
+  const double near_ring_m = std::max(near_m, kCurl * pad.outer_radius_m);
+  return Sorted(patch, Reach(ring_box, pad), config, [&](const Vector2d& pixel, const Vector2d& to_bright) {
+    const Vector2d p = plane.PointAt(origin + pixel).head<2>();
+    const Vector2d outwards = (plane.PointAt(origin + pixel + to_bright).head<2>() - p).normalized();
+    const double radius = p.norm(), cos_outwards = outwards.dot(p) / radius;
+    if (cos_outwards > kAligned && std::abs(radius - pad.outer_radius_m) < near_ring_m) return Contour::kRingOuter;
+    if (cos_outwards < -kAligned && std::abs(radius - pad.inner_radius_m()) < near_m) return Contour::kRingInner;
+    return DistanceFromLetter(pad, place.OnPrint(p)) < near_m ? Contour::kLetter : Contour::kNone;
+  });
 }
 
 }  // namespace touchdown::estimator

@@ -6,6 +6,8 @@
 #include "estimator/paper/components.h"
 #include "estimator/paper/pad_detector.h"
 #include "estimator/paper/paper_options.h"
+#include "estimator/paper/print_match.h"
+#include "estimator/paper/seen_plane.h"
 #include "models/landing_pad.h"
 #include "models/signals.h"
 
@@ -34,5 +36,10 @@ struct PadContours {
 /// are left out.
 PadContours FindContours(const models::ImageView& image, const ComponentSet& components, const DetectedPad& detected,
                          const models::LandingPad& pad, const EdgeConfig& config = {});
+
+/// The same where the components are not those of the pad: an edge pixel belongs to the contour near which it lies when
+/// the print is at `place` of the ring's plane. `ring_box` encloses the ring.
+PadContours FindContours(const models::ImageView& image, const PixelBox& ring_box, const SeenPlane& plane,
+                         const PrintPlace& place, const models::LandingPad& pad, const EdgeConfig& config = {});
 
 }  // namespace touchdown::estimator

@@ -58,18 +58,36 @@ double MedianDistance(const Ellipse& ellipse, std::span<const Eigen::Vector2d> p
   return *middle;
 }
 
-/// The share of the directions from the centre, the ellipse made a circle, in which there is a point.
-double Coverage(const Ellipse& ellipse, std::span<const Eigen::Vector2d> points) {
-  constexpr int kSectors = 36;
-  std::array<bool, kSectors> covered{};
-  const Eigen::Rotation2Dd to_axes(-ellipse.angle);
-  for (const Eigen::Vector2d& point : points) {
-    const Eigen::Vector2d p = (to_axes * (point - ellipse.center)).cwiseQuotient(ellipse.semi_axes);
-    const double turn = std::atan2(p.y(), p.x()) / (2.0 * models::kPi) + 0.5;
-    covered[static_cast<std::size_t>(std::clamp(turn * kSectors, 0.0, kSectors - 1.0))] = true;
+/// In which directions from an ellipse's centre, the ellipse made a circle, there are points.
+class Directions {
+ public:
+  Directions(const Ellipse& ellipse, std::span<const Eigen::Vector2d> points) : ellipse_(ellipse) {
+    for (const Eigen::Vector2d& point : points) covered_[SectorOf(point)] = true;
   }
-  return static_cast<double>(std::count(covered.begin(), covered.end(), true)) / kSectors;
-}
+
+  double Coverage() const {
+    return static_cast<double>(std::count(covered_.begin(), covered_.end(), true)) / kSectors;
+  }
+
+  /// Whether there is a gap in the point's direction or beside it.
+  bool IsBesideGap(const Eigen::Vector2d& point) const {
+    const std::size_t sector = SectorOf(point);
+    return !covered_[(sector + 1) % kSectors] || !covered_[(sector + kSectors - 1) % kSectors];
+  }
+
+ private:
+  static constexpr std::size_t kSectors = 36;
+
+  std::size_t SectorOf(const Eigen::Vector2d& point) const {
+    const Eigen::Vector2d p =
+        (Eigen::Rotation2Dd(-ellipse_.angle) * (point - ellipse_.center)).cwiseQuotient(ellipse_.semi_axes);
+    const double turn = std::atan2(p.y(), p.x()) / (2.0 * models::kPi) + 0.5;
+    return static_cast<std::size_t>(std::clamp(turn * kSectors, 0.0, kSectors - 1.0));
+  }
+
+  const Ellipse& ellipse_;
+  std::array<bool, kSectors> covered_{};
+};
 
 }  // namespace
 
@@ -151,7 +169,7 @@ double RmsDistance(const Ellipse& ellipse, std::span<const Eigen::Vector2d> poin
 }
 
 void RingFitConfig::Validate() const {
-  for (const double value : {exact_rms_px, largest_rms_share, least_coverage}) {
+  for (const double value : {exact_px, largest_rms_share, least_coverage}) {
     if (!std::isfinite(value) || value <= 0.0) throw InputError("the ring fit's limits must be positive and finite");
   }
   if (least_coverage > 1.0) throw InputError("points cannot cover more than the whole ring");
@@ -159,11 +177,9 @@ void RingFitConfig::Validate() const {
 
 std::optional<Ellipse> FitRing(std::vector<Eigen::Vector2d>& points, const RingFitConfig& config) {
   auto ellipse = FitEllipse(points);
-  if (!ellipse) return std::nullopt;
-  if (RmsDistance(*ellipse, points) <= config.exact_rms_px) return ellipse;
   constexpr int kIterations = 5;
   for (int i = 0; i < kIterations && ellipse; ++i) {
-    const double limit = std::max(config.exact_rms_px, kFarOff * MedianDistance(*ellipse, points));
+    const double limit = std::max(config.exact_px, kFarOff * MedianDistance(*ellipse, points));
     std::vector<Eigen::Vector2d> near;
     for (const Eigen::Vector2d& point : points) {
       if (std::abs(DistanceFrom(*ellipse, point)) <= limit) near.push_back(point);
@@ -173,10 +189,14 @@ std::optional<Ellipse> FitRing(std::vector<Eigen::Vector2d>& points, const RingF
     ellipse = FitEllipse(points);
   }
   if (!ellipse) return std::nullopt;
-  const double largest_rms = std::max(config.exact_rms_px, config.largest_rms_share * ellipse->semi_axes.y());
-  if (RmsDistance(*ellipse, points) > largest_rms || Coverage(*ellipse, points) < config.least_coverage) {
-    return std::nullopt;
+  const Directions directions(*ellipse, points);
+  if (directions.Coverage() < config.least_coverage) return std::nullopt;
+  if (std::erase_if(points, [&](const Eigen::Vector2d& point) { return directions.IsBesideGap(point); }) > 0) {
+    ellipse = FitEllipse(points);
+    if (!ellipse) return std::nullopt;
   }
+  const double largest_rms = std::max(config.exact_px, config.largest_rms_share * ellipse->semi_axes.y());
+  if (RmsDistance(*ellipse, points) > largest_rms) return std::nullopt;
   return ellipse;
 }
 

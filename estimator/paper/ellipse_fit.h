@@ -41,11 +41,11 @@ double DistanceFrom(const Ellipse& ellipse, const Eigen::Vector2d& point);
 double RmsDistance(const Ellipse& ellipse, std::span<const Eigen::Vector2d> points);
 
 struct RingFitConfig {
-  /// Points that lie no further from their ellipse than this, as a root mean square, are taken as they are: Canny's
-  /// whole pixels alone are off by 0.35 px.
-  double exact_rms_px = 0.6;
-  /// Else those far off are left out, and of the rest this is the most, over the ellipse's smaller semi-axis: paper
-  /// that curls makes no ellipse.
+  /// Points no further from their ellipse than this are never left out: Canny's whole pixels alone are off by 0.35 px,
+  /// and by that much others must be off too to be told from them.
+  double exact_px = 0.3;
+  /// Of the points that are not left out, the largest root mean square, over the ellipse's smaller semi-axis: paper that
+  /// curls makes no ellipse.
   double largest_rms_share = 0.05;
   /// What share of the ellipse's circumference the rest must cover: where less is seen, something lies over the ring.
   double least_coverage = 0.85;
@@ -54,8 +54,8 @@ struct RingFitConfig {
   void Validate() const;
 };
 
-/// The ellipse of a ring's outer boundary; of `points`, those stay that lie on it. nullopt when they make no ellipse,
-/// or not a whole one.
+/// The ellipse of a ring's outer boundary; of `points`, those stay that lie on it, but for those beside a gap, where what
+/// covers the ring bends its edge. nullopt when they make no ellipse, or cover too little of it.
 std::optional<Ellipse> FitRing(std::vector<Eigen::Vector2d>& points, const RingFitConfig& config = {});
 
 /// From undistorted pixels of `camera` to normalized coordinates.

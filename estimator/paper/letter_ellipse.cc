@@ -3,46 +3,30 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
+#include "estimator/paper/letter_outline.h"
 #include "models/angles.h"
 #include "models/error.h"
 
 namespace touchdown::estimator {
 namespace {
 
-using Eigen::Vector2d;
-
-/// Points every millimetre along the outline of the H, in W.
-std::vector<Vector2d> Outline(const models::LandingPad& pad) {
-  const double x = pad.h_height_m / 2.0, y = pad.h_width_m / 2.0;
-  const double bar_x = pad.h_stroke_m / 2.0, inner_y = y - pad.h_stroke_m;
-  const std::vector<Vector2d> corners{
-      {x, y},   {x, inner_y},   {bar_x, inner_y},   {bar_x, -inner_y}, {x, -inner_y}, {x, -y},
-      {-x, -y}, {-x, -inner_y}, {-bar_x, -inner_y}, {-bar_x, inner_y}, {-x, inner_y}, {-x, y}};
-  constexpr double kSpacing_m = 0.001;
-  std::vector<Vector2d> outline;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vector2d from = corners[i], side = corners[(i + 1) % corners.size()] - from;
-    const int count = std::max(2, static_cast<int>(side.norm() / kSpacing_m));
-    for (int k = 0; k < count; ++k) outline.push_back(from + side * (static_cast<double>(k) / count));
-  }
-  return outline;
-}
-
 Ellipse FittedTo(const models::LandingPad& pad) {
   pad.Validate();
-  constexpr double kLeastElongation = 1.1;
-  const auto ellipse = FitEllipse(Outline(pad));
-  if (!ellipse || ellipse->semi_axes.x() < kLeastElongation * ellipse->semi_axes.y()) {
-    throw InputError("the pad's H is too nearly as wide as high: its ellipse has no direction");
-  }
+  constexpr double kSpacing_m = 0.001;
+  const auto ellipse = FitEllipse(LetterOutline(pad, std::min(kSpacing_m, 0.1 * pad.h_stroke_m)));
+  if (!ellipse) throw InputError("the pad's H is too thin to be seen as an ellipse");
   return *ellipse;
 }
 
 }  // namespace
 
 LetterEllipse::LetterEllipse(const models::LandingPad& pad) : in_pad_(FittedTo(pad)) {}
+
+bool LetterEllipse::HasDirection() const {
+  constexpr double kLeastElongation = 1.1;
+  return in_pad_.semi_axes.x() >= kLeastElongation * in_pad_.semi_axes.y();
+}
 
 double LetterEllipse::StrokeAngle(const Ellipse& seen) const {
   const bool major_axis_is_along_strokes = std::abs(std::cos(in_pad_.angle)) > std::abs(std::sin(in_pad_.angle));
@@ -54,7 +38,7 @@ std::optional<double> LetterEllipse::StrokeAngleSeenFrom(const Eigen::Isometry3d
   image_from_plane << X_CW.linear().leftCols<2>(), X_CW.translation();
   const Eigen::Matrix3d plane_from_image = image_from_plane.inverse();
   const auto seen = Ellipse::FromConic(plane_from_image.transpose() * in_pad_.Conic() * plane_from_image);
-  if (!seen) return std::nullopt;
+  if (!seen || !HasDirection()) return std::nullopt;
   return StrokeAngle(*seen);
 }
 

@@ -13,9 +13,11 @@ namespace touchdown::estimator {
 /// (Sec. IV-C.3).
 class LetterEllipse {
  public:
-  /// Throws InputError when the pad is impossible, or its H so nearly as wide as high that the ellipse has no
-  /// direction.
+  /// Throws InputError when the pad is impossible.
   explicit LetterEllipse(const models::LandingPad& pad);
+
+  /// Whether the ellipse tells the H's direction: not where the H is nearly as wide as high.
+  bool HasDirection() const;
 
   /// Direction of the H's long strokes in the image, from the major axis of the ellipse fitted to the H there: the same
   /// for an H that is higher than wide, across it for a wider one. From the first coordinate's axis towards the
@@ -23,7 +25,7 @@ class LetterEllipse {
   double StrokeAngle(const Ellipse& seen) const;
 
   /// The StrokeAngle of the H in the normalized image of a camera at X_CW: what Sec. IV-C.3 takes for the direction of
-  /// the strokes, perspective and all. nullopt where the H's ellipse is not seen as an ellipse.
+  /// the strokes, perspective and all. nullopt where the H's ellipse is not seen as an ellipse, or has no direction.
   std::optional<double> StrokeAngleSeenFrom(const Eigen::Isometry3d& X_CW) const;
 
  private:

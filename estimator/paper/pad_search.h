@@ -8,9 +8,11 @@
 #include "estimator/paper/components.h"
 #include "estimator/paper/edges.h"
 #include "estimator/paper/ellipse_fit.h"
-#include "estimator/paper/letter_check.h"
 #include "estimator/paper/letter_ellipse.h"
 #include "estimator/paper/pad_detector.h"
+#include "estimator/paper/print_match.h"
+#include "estimator/paper/ring_search.h"
+#include "estimator/paper/seen_plane.h"
 #include "estimator/paper/undistort_table.h"
 #include "models/camera_model.h"
 
@@ -22,8 +24,9 @@ struct PadSearchConfig {
   ComponentsConfig components;
   PadDetectorConfig pad_detector;
   EdgeConfig edges;
-  LetterCheckConfig letter_check;
   RingFitConfig ring_fit;
+  PrintMatchConfig print_match;
+  RingSearchConfig ring_search;
 
   /// Throws InputError when a setting is impossible.
   void Validate() const;
@@ -39,10 +42,10 @@ struct FoundPad {
   PixelBox ring_box;  ///< Raw px.
 };
 
-/// Finds the pad in an image: binarization, components, classification and geometric constraint (Sec. IV-A), then edges
-/// and ellipses (Sec. IV-B). Where the first look at the image shows no pad, it looks again in other ways: coarser, at
-/// which blur and noise vanish and broad strokes fit the threshold's window; with a smaller window, which follows
-/// shadows; finer, where the image is large. What any look finds must pass the same checks.
+/// Finds the pad in an image. First as the paper does: binarization, components, classification and geometric
+/// constraint (Sec. IV-A), then edges and ellipses (Sec. IV-B). Where components show no pad, because glare, blur or
+/// shadows break or join what the classifier would know, the ring is sought among the edges of the image. In both ways
+/// a ring is the pad's only if the print within it is the described one.
 class PadSearch {
  public:
   /// `camera`, `pad` and `config` must be valid.
@@ -51,32 +54,37 @@ class PadSearch {
 
   struct Result {
     std::optional<FoundPad> pad;
-    FrameStatus failed =
-        FrameStatus::kNoComponent;  ///< The stage at which the first look failed; without meaning with a pad.
-    std::vector<FrameTrace::Component> labelled;  ///< Of the look that found the pad, or else of the first.
+    FrameStatus failed = FrameStatus::kNoComponent;  ///< The stage at which the components' way failed; without meaning
+                                                     ///< with a pad.
+    std::vector<FrameTrace::Component> labelled;
   };
 
   Result Find(const models::ImageView& image) const;
 
  private:
-  /// A way to look at the image.
-  struct Look {
-    int reduction = 1;  ///< Side, px, of the square of which one pixel is made.
-    BinarizeConfig binarize;
-    PadDetector detector;
+  /// An image in which one pixel is a square of so many pixels of the camera.
+  struct Reduced {
+    models::ImageView image;
+    ReducedView view;
   };
 
-  Result FindBy(const Look& look, const models::ImageView& image) const;
-  std::optional<FoundPad> Fit(const Look& look, const models::ImageView& reduced, const ComponentSet& components,
-                              const DetectedPad& detected) const;
+  Result ByComponents(const Reduced& seen) const;
+  std::optional<FoundPad> Fit(const Reduced& seen, const ComponentSet& components, const DetectedPad& detected) const;
+  std::optional<FoundPad> ByEdges(const Reduced& seen) const;
+  std::optional<FoundPad> WithPrint(const Reduced& seen, const PixelBox& ring_box, const SeenPlane& plane,
+                                    const PrintPlace& place) const;
+  void Undistort(const ReducedView& view, PadContours& contours) const;
+  Ellipse Undistorted(const Ellipse& raw, const ReducedView& view) const;
+  double StrokeAngle(const SeenPlane& plane, const PrintPlace& place, const Ellipse& letter) const;
 
   models::CameraModel camera_;
   models::LandingPad pad_;
   PadSearchConfig config_;
   UndistortTable undistort_;
   LetterEllipse letter_;
-  LetterCheck letter_check_;
-  std::vector<Look> looks_;
+  PadDetector detector_;
+  PrintMatch print_;
+  int reduction_;  // Of large images.
 };
 
 }  // namespace touchdown::estimator

@@ -28,8 +28,7 @@ struct PaperEstimatorConfig {
 class PaperEstimator final : public Estimator {
  public:
   /// `classify` labels the components: the compiled-in network unless a test brings the truth. Throws InputError when
-  /// the camera, the pad or a setting is impossible, or the pad's H is so nearly as wide as high that its ellipse has
-  /// no direction.
+  /// the camera, the pad or a setting is impossible.
   explicit PaperEstimator(const EstimatorSetup& setup, const PaperEstimatorConfig& config = {},
                           ComponentClassifier classify = NetworkClassifier());
 

@@ -2,34 +2,16 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
+#include "estimator/paper/letter_outline.h"
 #include "models/angles.h"
 
 namespace touchdown::estimator {
 namespace {
 
 using Eigen::Vector2d;
-
-struct Segment {
-  Vector2d from, to;
-
-  double DistanceTo(const Vector2d& point) const {
-    const Vector2d along = to - from;
-    const double share = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    return (from + share * along - point).norm();
-  }
-};
-
-/// A quarter of the H's outline, where x and y are positive: the H is symmetric about both axes.
-std::array<Segment, 4> QuarterOutline(const models::LandingPad& pad) {
-  const double x = 0.5 * pad.h_height_m, y = 0.5 * pad.h_width_m;
-  const double bar_x = 0.5 * pad.h_stroke_m, inner_y = y - pad.h_stroke_m;
-  return {Segment{{0.0, y}, {x, y}}, Segment{{x, y}, {x, inner_y}}, Segment{{x, inner_y}, {bar_x, inner_y}},
-          Segment{{bar_x, inner_y}, {bar_x, 0.0}}};
-}
 
 /// Points of the normalized image, laid onto the plane of `pose`, from the circle's centre, in axes of the plane.
 std::vector<Vector2d> OnPlane(std::span<const Vector2d> points, const CirclePose& pose) {
@@ -45,14 +27,12 @@ std::vector<Vector2d> OnPlane(std::span<const Vector2d> points, const CirclePose
 }
 
 /// Sum of squares of the H's points from its outline when its X axis lies at `angle` in the plane.
-double LetterSquares(const std::vector<Vector2d>& points, double angle, const std::array<Segment, 4>& outline,
+double LetterSquares(const std::vector<Vector2d>& points, double angle, const models::LandingPad& pad,
                      double farthest_m) {
   const Eigen::Rotation2Dd to_pad(-angle);
   double sum = 0.0;
   for (const Vector2d& point : points) {
-    const Vector2d p = (to_pad * point).cwiseAbs();
-    double distance = farthest_m;
-    for (const Segment& side : outline) distance = std::min(distance, side.DistanceTo(p));
+    const double distance = std::min(farthest_m, DistanceFromLetter(pad, to_pad * point));
     sum += distance * distance;
   }
   return sum;
@@ -60,11 +40,10 @@ double LetterSquares(const std::vector<Vector2d>& points, double angle, const st
 
 /// The smallest LetterSquares over all angles: a coarse look around the half circle, then ever finer about the best.
 double BestLetterSquares(const std::vector<Vector2d>& points, const models::LandingPad& pad, double farthest_m) {
-  const std::array<Segment, 4> outline = QuarterOutline(pad);
   constexpr int kCoarseAngles = 36;
-  double best_angle = 0.0, best = LetterSquares(points, 0.0, outline, farthest_m);
+  double best_angle = 0.0, best = LetterSquares(points, 0.0, pad, farthest_m);
   const auto look_at = [&](double angle) {
-    const double squares = LetterSquares(points, angle, outline, farthest_m);
+    const double squares = LetterSquares(points, angle, pad, farthest_m);
     if (squares >= best) return;
     best = squares;
     best_angle = angle;

@@ -193,7 +193,7 @@ TEST(FitRing, RefusesARingOfWhichPartIsHidden) {
 }
 
 TEST(FitRing, RefusesImpossibleSettings) {
-  EXPECT_THROW((RingFitConfig{.exact_rms_px = 0.0}.Validate()), InputError);
+  EXPECT_THROW((RingFitConfig{.exact_px = 0.0}.Validate()), InputError);
   EXPECT_THROW((RingFitConfig{.least_coverage = 1.1}.Validate()), InputError);
 }
 

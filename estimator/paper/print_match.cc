@@ -1,0 +1,275 @@
+#include "estimator/paper/print_match.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <utility>
+
+#include "models/angles.h"
+#include "models/error.h"
+
+namespace touchdown::estimator {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr int kCells = RectifiedDisc::kCells;
+constexpr int kTexels = 256;
+constexpr double kSharp = 0.012, kBlurred = 0.03;  // Standard deviations, in inner radii.
+constexpr double kFarthestOffset = 0.1;            // In inner radii.
+constexpr double kLargestScale = 1.12;
+
+float Bilinear(const Cells& texels, double x, double y) {
+  x = std::clamp(x, 0.0, static_cast<double>(texels.cols()) - 1.001);
+  y = std::clamp(y, 0.0, static_cast<double>(texels.rows()) - 1.001);
+  const int i = static_cast<int>(x), j = static_cast<int>(y);
+  const auto a = static_cast<float>(x - i), b = static_cast<float>(y - j);
+  const float* upper = &texels(j, i);
+  const float* lower = &texels(j + 1, i);
+  return (1 - b) * ((1 - a) * upper[0] + a * upper[1]) + b * ((1 - a) * lower[0] + a * lower[1]);
+}
+
+/// What is printed within the ring.
+Cells DrawPrint(const models::LandingPad& pad) {
+  constexpr int kSamples = 3;
+  Cells print(kTexels, kTexels);
+  const double step = 2.0 * pad.inner_radius_m() / (kTexels * kSamples);
+  for (int row = 0; row < kTexels; ++row) {
+    for (int column = 0; column < kTexels; ++column) {
+      int black = 0;
+      for (int sample = 0; sample < kSamples * kSamples; ++sample) {
+        const Vector2d p_W(step * (kSamples * column + sample % kSamples + 0.5) - pad.inner_radius_m(),
+                           step * (kSamples * row + sample / kSamples + 0.5) - pad.inner_radius_m());
+        black += p_W.norm() < pad.inner_radius_m() && pad.IsBlack(p_W);
+      }
+      print(row, column) = static_cast<float>(black) / (kSamples * kSamples);
+    }
+  }
+  return print;
+}
+
+Cells Smoothed(const Cells& print, double sigma) {
+  Cells smoothed(kTexels, kTexels);
+  const cv::Mat1f source(kTexels, kTexels, const_cast<float*>(print.data()));
+  cv::Mat1f target(kTexels, kTexels, smoothed.data());
+  cv::GaussianBlur(source, target, {}, sigma * kTexels / 2.0, 0.0, cv::BORDER_CONSTANT);
+  return smoothed;
+}
+
+/// The parts of an H, each of which another letter may lack.
+enum Part { kBar, kFirstStroke, kFirstBetween = kFirstStroke + 4, kBeside = kFirstBetween + 2, kParts };
+
+std::optional<int> PartAt(const models::LandingPad& pad, double margin_m, const Vector2d& p_W) {
+  const double x = std::abs(p_W.x()), y = std::abs(p_W.y());
+  const double half_height = pad.h_height_m / 2.0, half_width = pad.h_width_m / 2.0, stroke = pad.h_stroke_m;
+  const double between = half_width - stroke, half_bar = stroke / 2.0;
+  if (x < half_bar - margin_m && y < between) return kBar;
+  if (x > half_bar && x < half_height - margin_m && y > between + margin_m && y < half_width - margin_m) {
+    return kFirstStroke + (p_W.x() > 0.0 ? 1 : 0) + (p_W.y() > 0.0 ? 2 : 0);
+  }
+  if (x > half_bar + margin_m && x < half_height && y < between - margin_m) return kFirstBetween + (p_W.x() > 0.0);
+  const bool on_box = x < half_height + margin_m && y < half_width + margin_m;
+  if (!on_box && x < half_height + stroke && y < half_width + stroke) return kBeside;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Vector2d PrintPlace::OnPlane(const Vector2d& p_W) const {
+  return offset_m + Eigen::Rotation2Dd(angle) * p_W.cwiseProduct(scale);
+}
+
+Vector2d PrintPlace::OnPrint(const Vector2d& p_plane) const {
+  return (Eigen::Rotation2Dd(-angle) * (p_plane - offset_m)).cwiseQuotient(scale);
+}
+
+void PrintMatchConfig::Validate() const {
+  for (const double share :
+       {least_between_strokes, least_bar, least_stroke, least_strokes, least_beside, least_contrast}) {
+    if (!(share > 0.0 && share <= 1.0)) throw InputError("a print's least shares must be within (0, 1]");
+  }
+}
+
+PrintMatch::PrintMatch(const models::LandingPad& pad, const PrintMatchConfig& config)
+    : pad_(pad),
+      config_(config),
+      reach_m_(std::min(0.98 * pad.inner_radius_m(), 1.15 * std::hypot(pad.h_height_m, pad.h_width_m) / 2.0 +
+                                                         kFarthestOffset * pad.inner_radius_m())),
+      print_(Smoothed(DrawPrint(pad), kSharp)),
+      blurred_(Smoothed(DrawPrint(pad), kBlurred)) {}
+
+std::optional<PrintPlace> PrintMatch::Find(const models::ImageView& image, const SeenPlane& plane,
+                                           const std::optional<PrintPlace>& guess) const {
+  const auto disc = RectifiedDisc::Of(image, plane, reach_m_);
+  if (!disc) return std::nullopt;
+  const double ring_contrast = RingContrast(image, plane, *disc);
+  constexpr double kLeastContrast = 5.0;
+  if (ring_contrast < kLeastContrast) return std::nullopt;
+  const auto passes = [&](const PrintPlace& place) { return Passes(At(*disc, place), ring_contrast); };
+  if (guess && passes(*guess)) return guess;
+
+  constexpr double kNoiseShare = 0.15, kLeastLikeness = 0.3;
+  const Cells levelled = disc->Levelled(kNoiseShare * ring_contrast);
+  const PrintPlace turned = Turned(levelled, *disc);
+  if (Likeness(levelled, *disc, turned, 1) < kLeastLikeness) return std::nullopt;
+  const PrintPlace refined = Refined(levelled, *disc, turned);
+  if (!passes(refined)) return std::nullopt;
+  return refined;
+}
+
+PrintMatch::Seen PrintMatch::At(const RectifiedDisc& disc, const PrintPlace& place) const {
+  const double margin_m = std::min(0.25 * pad_.h_stroke_m, 0.1 * pad_.h_stroke_m + 0.5 * disc.cell_m());
+  constexpr float kSurelyWhite = 0.1F, kSurelyBlack = 0.9F;
+  Cells black(kCells, kCells), white(kCells, kCells), expected(kCells, kCells);
+  Eigen::ArrayXXi parts = Eigen::ArrayXXi::Constant(kCells, kCells, -1);
+  for (int row = 0; row < kCells; ++row) {
+    for (int column = 0; column < kCells; ++column) {
+      const Vector2d p = disc.PointOf(column, row), p_W = place.OnPrint(p);
+      expected(row, column) = BlackAt(print_, p_W);
+      const bool inside = p.norm() < reach_m_;
+      black(row, column) = inside && expected(row, column) > kSurelyBlack;
+      white(row, column) = inside && expected(row, column) < kSurelyWhite;
+      if (inside) parts(row, column) = PartAt(pad_, margin_m, p_W).value_or(-1);
+    }
+  }
+  const Cells paper = RectifiedDisc::LocalMean(disc.grey(), white);
+  const Cells ink = RectifiedDisc::LocalMean(disc.grey(), black);
+  Seen seen;
+  seen.contrast = ((paper - ink) * black).sum() / std::max(1.0F, black.sum());
+
+  constexpr double kDark = 0.45, kFaintest = 0.1;  // Of the way from paper to ink; of the mean contrast.
+  std::array<double, kParts> right{}, all{};
+  for (int row = 0; row < kCells; ++row) {
+    for (int column = 0; column < kCells; ++column) {
+      const int part = parts(row, column);
+      if (part < 0) continue;
+      const double contrast = std::max<double>(paper(row, column) - ink(row, column), kFaintest * seen.contrast);
+      const bool is_dark = paper(row, column) - disc.grey()(row, column) > kDark * contrast;
+      const auto i = static_cast<std::size_t>(part);
+      all[i] += 1.0;
+      right[i] += is_dark == (expected(row, column) > 0.5F);
+    }
+  }
+  const auto share = [&](int part) {
+    const auto i = static_cast<std::size_t>(part);
+    return all[i] > 0.0 ? right[i] / all[i] : 0.0;
+  };
+  seen.bar = share(kBar);
+  seen.between_strokes = std::min(share(kFirstBetween), share(kFirstBetween + 1));
+  seen.stroke = 1.0;
+  for (int i = 0; i < 4; ++i) {
+    seen.stroke = std::min(seen.stroke, share(kFirstStroke + i));
+    seen.strokes += share(kFirstStroke + i) / 4.0;
+  }
+  seen.beside = share(kBeside);
+  return seen;
+}
+
+bool PrintMatch::Passes(const Seen& seen, double ring_contrast) const {
+  return seen.contrast >= config_.least_contrast * ring_contrast &&
+         seen.between_strokes >= config_.least_between_strokes && seen.bar >= config_.least_bar &&
+         seen.stroke >= config_.least_stroke && seen.strokes >= config_.least_strokes &&
+         seen.beside >= config_.least_beside;
+}
+
+/// Correlation, -1 to 1, of every stride-th cell with the print.
+double PrintMatch::Likeness(const Cells& levelled, const RectifiedDisc& disc, const PrintPlace& place,
+                            int stride) const {
+  const Eigen::Matrix2d to_print =
+      place.scale.cwiseInverse().asDiagonal() * Eigen::Rotation2Dd(-place.angle).toRotationMatrix();
+  double count = 0.0, a = 0.0, aa = 0.0, b = 0.0, bb = 0.0, ab = 0.0;
+  for (int row = 0; row < kCells; row += stride) {
+    for (int column = 0; column < kCells; column += stride) {
+      const Vector2d p = disc.PointOf(column, row);
+      if (p.squaredNorm() > reach_m_ * reach_m_) continue;
+      const double seen = levelled(row, column), print = BlackAt(blurred_, to_print * (p - place.offset_m));
+      count += 1.0;
+      a += seen;
+      aa += seen * seen;
+      b += print;
+      bb += print * print;
+      ab += seen * print;
+    }
+  }
+  const double variances = (aa - a * a / count) * (bb - b * b / count);
+  return variances > 0.0 ? (ab - a * b / count) / std::sqrt(variances) : -1.0;
+}
+
+PrintPlace PrintMatch::Turned(const Cells& levelled, const RectifiedDisc& disc) const {
+  constexpr int kAngles = 45, kCoarse = 2;
+  PrintPlace best;
+  double most = -2.0;
+  for (int i = 0; i < kAngles; ++i) {
+    const PrintPlace place{.angle = models::kPi * i / kAngles};
+    const double likeness = Likeness(levelled, disc, place, kCoarse);
+    if (likeness > most) std::tie(best, most) = std::pair(place, likeness);
+  }
+  return best;
+}
+
+/// The place of the greatest likeness near `start`, a coordinate after the other in ever smaller steps.
+PrintPlace PrintMatch::Refined(const Cells& levelled, const RectifiedDisc& disc, const PrintPlace& start) const {
+  const double radius = pad_.inner_radius_m(), farthest = kFarthestOffset * radius;
+  const auto moved = [&](PrintPlace place, int coordinate, double step) {
+    constexpr double kTurn = 0.05, kShift = 0.03, kStretch = 0.05;
+    if (coordinate == 0) place.angle += kTurn * step;
+    if (coordinate == 1) place.offset_m.x() += kShift * radius * step;
+    if (coordinate == 2) place.offset_m.y() += kShift * radius * step;
+    if (coordinate == 3) place.scale.x() += kStretch * step;
+    if (coordinate == 4) place.scale.y() += kStretch * step;
+    place.offset_m = place.offset_m.cwiseMax(-farthest).cwiseMin(farthest);
+    place.scale = place.scale.cwiseMax(1.0 / kLargestScale).cwiseMin(kLargestScale);
+    return place;
+  };
+  PrintPlace best = start;
+  for (const double step : {1.0, 0.5, 0.25, 0.125}) {
+    const int stride = step >= 0.5 ? 2 : 1;
+    double most = Likeness(levelled, disc, best, stride);
+    constexpr int kRounds = 3;
+    constexpr double kLeastGain = 1e-3;
+    for (int round = 0; round < kRounds; ++round) {
+      const double before = most;
+      for (int coordinate = 0; coordinate < 5; ++coordinate) {
+        for (const double sign : {-1.0, 1.0}) {
+          const PrintPlace place = moved(best, coordinate, sign * step);
+          const double likeness = Likeness(levelled, disc, place, stride);
+          if (likeness > most) std::tie(best, most) = std::pair(place, likeness);
+        }
+      }
+      if (most < before + kLeastGain) break;
+    }
+  }
+  return best;
+}
+
+/// Between the paper within the ring and the middle of the ring's black.
+double PrintMatch::RingContrast(const models::ImageView& image, const SeenPlane& plane,
+                                const RectifiedDisc& disc) const {
+  constexpr int kPoints = 60;
+  constexpr double kPaper = 0.7;
+  const auto quantile = [](std::vector<float>& values, double share) {
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+  };
+  std::vector<float> ring, inside(disc.grey().data(), disc.grey().data() + disc.grey().size());
+  const double middle = pad_.outer_radius_m - 0.5 * pad_.ring_width_m;
+  for (int i = 0; i < kPoints; ++i) {
+    const double angle = 2.0 * models::kPi * i / kPoints;
+    const auto pixel = plane.PixelAt(middle * Vector2d(std::cos(angle), std::sin(angle)));
+    if (!pixel) return 0.0;
+    const long u = std::lround(pixel->x()), v = std::lround(pixel->y());
+    if (u < 0 || v < 0 || u >= image.width || v >= image.height) return 0.0;
+    ring.push_back(image.Row(static_cast<int>(v))[u]);
+  }
+  return quantile(inside, kPaper) - quantile(ring, 0.5);
+}
+
+float PrintMatch::BlackAt(const Cells& print, const Vector2d& p_W) const {
+  const double texels_per_m = kTexels / (2.0 * pad_.inner_radius_m()), middle = 0.5 * (kTexels - 1);
+  return Bilinear(print, middle + texels_per_m * p_W.x(), middle + texels_per_m * p_W.y());
+}
+
+}  // namespace touchdown::estimator

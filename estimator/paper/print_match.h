@@ -1,0 +1,75 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "estimator/paper/rectified_disc.h"
+#include "estimator/paper/seen_plane.h"
+#include "models/landing_pad.h"
+#include "models/signals.h"
+
+namespace touchdown::estimator {
+
+/// Where the print within a ring lies on the ring's plane: p_plane = offset + R(angle) diag(scale) p_W. Offset and
+/// scale make up for paper that is not flat.
+struct PrintPlace {
+  double angle = 0.0;  ///< Of W's X axis, from the plane's first coordinate's axis towards the second's.
+  Eigen::Vector2d offset_m = Eigen::Vector2d::Zero();
+  Eigen::Vector2d scale = Eigen::Vector2d::Ones();
+
+  Eigen::Vector2d OnPlane(const Eigen::Vector2d& p_W) const;
+  Eigen::Vector2d OnPrint(const Eigen::Vector2d& p_plane) const;
+};
+
+/// Shares, 0 to 1, of the H's parts that must be seen as described: dark or bright against the print around them.
+/// Larger ones refuse an H under glare, smaller ones let other letters pass.
+struct PrintMatchConfig {
+  double least_between_strokes =
+      0.93;                     ///< Of the white above and of that below the bar: an N, M, X or 8 has black there.
+  double least_bar = 0.5;       ///< Of the bar: a U or II has none.
+  double least_stroke = 0.25;   ///< Of each of the four half strokes: glare may hide most of one,
+  double least_strokes = 0.75;  ///< but of all four together only so much.
+  double least_beside = 0.6;    ///< Of the white beside the H, where marks that nobody described may be.
+  /// Least contrast of the H over that of the ring.
+  double least_contrast = 0.2;
+
+  /// Throws InputError when a share is not within (0, 1].
+  void Validate() const;
+};
+
+/// Whether what lies within a ring is the print of the pad as described, letter and marks, and where: the geometric
+/// constraint of Sec. IV-A.4 on grey values instead of boxes, on the plane that the ring's ellipse tells. It does not
+/// ask that the letter hangs together: glare may break it, blur may join it with a mark.
+class PrintMatch {
+ public:
+  /// `pad` and `config` must be valid.
+  explicit PrintMatch(const models::LandingPad& pad, const PrintMatchConfig& config = {});
+
+  /// The print on the plane of a ring; nullopt when what is seen there is not the print. Where it is at `guess`, this
+  /// is told; it is searched otherwise.
+  std::optional<PrintPlace> Find(const models::ImageView& image, const SeenPlane& plane,
+                                 const std::optional<PrintPlace>& guess = std::nullopt) const;
+
+  /// How much of the H is as described at a place.
+  struct Seen {
+    double between_strokes = 0.0, bar = 0.0, stroke = 0.0, strokes = 0.0, beside = 0.0;  ///< As in the configuration.
+    double contrast = 0.0;                                                               ///< Of 255.
+  };
+  Seen At(const RectifiedDisc& disc, const PrintPlace& place) const;
+
+ private:
+  bool Passes(const Seen& seen, double ring_contrast) const;
+  double Likeness(const Cells& levelled, const RectifiedDisc& disc, const PrintPlace& place, int stride) const;
+  PrintPlace Turned(const Cells& levelled, const RectifiedDisc& disc) const;
+  PrintPlace Refined(const Cells& levelled, const RectifiedDisc& disc, const PrintPlace& start) const;
+  double RingContrast(const models::ImageView& image, const SeenPlane& plane, const RectifiedDisc& disc) const;
+  float BlackAt(const Cells& print, const Eigen::Vector2d& p_W) const;
+
+  models::LandingPad pad_;
+  PrintMatchConfig config_;
+  double reach_m_;         // Of the disc that is looked at.
+  Cells print_, blurred_;  // Black, 0 to 1, over the square within +- kPrintReach of W's origin.
+};
+
+}  // namespace touchdown::estimator
