@@ -23,11 +23,16 @@ void LandingPad::Validate() const {
   if (2.0 * outer_radius_m > std::min(sheet_length_m, sheet_width_m)) {
     throw InputError("the pad's ring must fit on its sheet");
   }
+  for (const PadMark& mark : marks) mark.Validate(inner_radius_m());
 }
 
 bool LandingPad::IsBlack(const Eigen::Vector2d& p_W) const {
   const double radius = p_W.norm();
   if (radius >= inner_radius_m() && radius <= outer_radius_m) return true;
+  return IsLetter(p_W) || std::any_of(marks.begin(), marks.end(), [&](const PadMark& mark) { return mark.Holds(p_W); });
+}
+
+bool LandingPad::IsLetter(const Eigen::Vector2d& p_W) const {
   const double x = std::abs(p_W.x()), y = std::abs(p_W.y());
   const bool on_stroke = x <= h_height_m / 2.0 && y <= h_width_m / 2.0 && y >= h_width_m / 2.0 - h_stroke_m;
   const bool on_bar = x <= h_stroke_m / 2.0 && y <= h_width_m / 2.0;

@@ -2,13 +2,16 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <vector>
+
+#include "models/pad_mark.h"
 
 namespace touchdown::models {
 
 /// The landing pad (Sec. III-B): a black ring around a black letter H, centred on a white sheet.
 ///
 /// Frame W lies at the pad's centre, Z up. The H's long strokes run along X, its cross-bar along Y, and the
-/// sheet's long side along X.
+/// sheet's long side along X. A pad may bear marks beside its H; the built-in one has none.
 struct LandingPad {
   double outer_radius_m = 0.090;
   double ring_width_m = 0.016;
@@ -17,21 +20,26 @@ struct LandingPad {
   double h_stroke_m = 0.016;
   double sheet_length_m = 0.297;  ///< Along X; A4.
   double sheet_width_m = 0.210;   ///< Along Y.
+  std::vector<PadMark> marks;     ///< Within the ring; they may touch or overlap the H.
 
   double inner_radius_m() const { return outer_radius_m - ring_width_m; }
 
   /// Throws InputError, without a file name, when a size is not finite and positive, the H does not fit inside
-  /// the ring with a white gap, or the ring does not fit on the sheet.
+  /// the ring with a white gap, the ring does not fit on the sheet, or a mark is refused by PadMark::Validate for the
+  /// ring's inner radius.
   void Validate() const;
 
-  /// Whether the point of the sheet's plane, in W, lies on black.
+  /// Whether the point of the sheet's plane, in W, lies on black: on the ring, on the H or on a mark.
   bool IsBlack(const Eigen::Vector2d& p_W) const;
+
+  /// Whether the point of the sheet's plane, in W, lies on the H.
+  bool IsLetter(const Eigen::Vector2d& p_W) const;
 
   friend bool operator==(const LandingPad&, const LandingPad&) = default;
 };
 
-/// A body's pose in W, or its twin: the pad looks the same from a pose turned by 180 degrees about W's Z axis
-/// (Sec. IV-C.3). The one whose yaw is nearer to `yaw`, rad, is returned.
+/// A body's pose in W, or its twin: ring and H look the same from a pose turned by 180 degrees about W's Z axis
+/// (Sec. IV-C.3), whatever marks the pad bears. The one whose yaw is nearer to `yaw`, rad, is returned.
 Eigen::Isometry3d NearerTwin(const Eigen::Isometry3d& X_WB, double yaw);
 
 }  // namespace touchdown::models

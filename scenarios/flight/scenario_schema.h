@@ -16,6 +16,7 @@ void Describe(ConfigVisitor& v, Criterion& criterion);
 void Describe(ConfigVisitor& v, models::Vehicle& vehicle);
 void Describe(ConfigVisitor& v, models::CameraModel& model);
 void Describe(ConfigVisitor& v, models::LandingPad& pad);
+void Describe(ConfigVisitor& v, models::PadMark& mark);
 void Describe(ConfigVisitor& v, sim::ImuConfig& config);
 void Describe(ConfigVisitor& v, sim::TrackingSystemConfig& config);
 void Describe(ConfigVisitor& v, sim::SceneConfig& config);

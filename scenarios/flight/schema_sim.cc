@@ -73,7 +73,31 @@ void Describe(ConfigVisitor& v, models::LandingPad& c) {
   v.Number({"h_stroke_m", "Width of the H's strokes."}, c.h_stroke_m, kMetre, kPositive);
   v.Number({"sheet_length_m", "Of the white sheet, along X."}, c.sheet_length_m, kMetre, kPositive);
   v.Number({"sheet_width_m", "Of the white sheet, along Y."}, c.sheet_width_m, kMetre, kPositive);
+  v.List(
+      {"marks", "What else is printed in black within the ring; it may touch or overlap the H."}, c.marks.size(),
+      [&c](std::size_t count) { c.marks.assign(count, {}); },
+      [&c](ConfigVisitor& item, std::size_t index) {
+        Describe(item, c.marks[index]);
+        item.Check("", [&c, index] { c.marks[index].Validate(c.inner_radius_m()); });
+      });
   v.Check("", [&c] { c.Validate(); });
+}
+
+void Describe(ConfigVisitor& v, models::PadMark& m) {
+  v.Choice({"shape", "What it is.", true}, m.shape, models::PadMark::kShapeNames);
+  v.Number({"x_m", "Of its centre, in W.", true}, m.centre_m.x(), kMetre, kAny);
+  v.Number({"y_m", "Of its centre, in W.", true}, m.centre_m.y(), kMetre, kAny);
+  switch (m.shape) {
+    case models::PadMark::Shape::kDisc:
+      v.Number({"diameter_m", "Across it (disc only).", true}, m.diameter_m, kMetre, kPositive);
+      break;
+    case models::PadMark::Shape::kBar:
+      v.Number({"length_m", "Along angle_deg (bar only).", true}, m.length_m, kMetre, kPositive);
+      v.Number({"width_m", "Across its length (bar only).", true}, m.width_m, kMetre, kPositive);
+      v.Number({"angle_deg", "Of its length, from W's X towards Y (bar only)."}, m.angle, kDegree,
+               Between(-180.0, 180.0));
+      break;
+  }
 }
 
 void Describe(ConfigVisitor& v, sim::ImuConfig& c) {

@@ -233,11 +233,27 @@ Json EventsJson(const std::vector<Event>& events, double duration_s) {
   return json;
 }
 
+Json MarkJson(const models::PadMark& mark) {
+  Json json = {{"shape", models::PadMark::kShapeNames[static_cast<std::size_t>(mark.shape)]},
+               {"x_m", mark.centre_m.x()},
+               {"y_m", mark.centre_m.y()}};
+  if (mark.shape == models::PadMark::Shape::kDisc) {
+    json["diameter_m"] = mark.diameter_m;
+  } else {
+    json["length_m"] = mark.length_m;
+    json["width_m"] = mark.width_m;
+    json["angle_deg"] = models::RadToDeg(mark.angle);
+  }
+  return json;
+}
+
 Json PadJson(const models::LandingPad& pad) {
+  Json marks = Json::array();
+  for (const models::PadMark& mark : pad.marks) marks.push_back(MarkJson(mark));
   return {{"outer_radius_m", pad.outer_radius_m}, {"ring_width_m", pad.ring_width_m},
           {"h_height_m", pad.h_height_m},         {"h_width_m", pad.h_width_m},
           {"h_stroke_m", pad.h_stroke_m},         {"sheet_length_m", pad.sheet_length_m},
-          {"sheet_width_m", pad.sheet_width_m}};
+          {"sheet_width_m", pad.sheet_width_m},   {"marks", std::move(marks)}};
 }
 
 }  // namespace

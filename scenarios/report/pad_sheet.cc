@@ -84,7 +84,24 @@ class Drawing {
     cairo_rectangle(cairo(), -0.5 * width, -0.5 * height, stroke, height);
     cairo_rectangle(cairo(), 0.5 * width - stroke, -0.5 * height, stroke, height);
     cairo_rectangle(cairo(), stroke - 0.5 * width, -0.5 * stroke, width - 2.0 * stroke, stroke);
+    for (const models::PadMark& mark : pad_.marks) AddMark(mark);
     cairo_fill(cairo());
+    cairo_restore(cairo());
+  }
+
+  /// To the path that holds ring and H, so that no seam shows where they touch.
+  void AddMark(const models::PadMark& mark) {
+    cairo_save(cairo());
+    cairo_translate(cairo(), -Mm(mark.centre_m.y()), -Mm(mark.centre_m.x()));
+    if (mark.shape == models::PadMark::Shape::kDisc) {
+      cairo_new_sub_path(cairo());
+      cairo_arc(cairo(), 0.0, 0.0, 0.5 * Mm(mark.diameter_m), 0.0, 2.0 * models::kPi);
+      cairo_close_path(cairo());
+    } else {
+      cairo_rotate(cairo(), -mark.angle);
+      const double length = Mm(mark.length_m), width = Mm(mark.width_m);
+      cairo_rectangle(cairo(), -0.5 * width, -0.5 * length, width, length);
+    }
     cairo_restore(cairo());
   }
 

@@ -69,8 +69,8 @@ Sheet PadSheet(const models::LandingPad& pad, bool ring) {
   for (int row = 0; row < size.height; ++row) {
     for (int column = 0; column < size.width; ++column) {
       const Eigen::Vector2d p_W = sheet.PointAt(column + 0.5, row + 0.5);
-      const bool on_ring = p_W.norm() > 0.5 * (pad.inner_radius_m() + std::hypot(pad.h_height_m, pad.h_width_m) / 2.0);
-      if (on_ring == ring && pad.IsBlack(p_W)) sheet.ink(row, column) = 255;
+      const bool on_ring = p_W.norm() >= pad.inner_radius_m() && pad.IsBlack(p_W);
+      if (ring ? on_ring : pad.IsLetter(p_W)) sheet.ink(row, column) = 255;
     }
   }
   return sheet;

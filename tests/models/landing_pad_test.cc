@@ -69,6 +69,51 @@ TEST(LandingPad, HasTheInkOfRingAndH) {
   EXPECT_NEAR(black, ring + letter, 0.01 * (ring + letter));
 }
 
+/// A disc beside the H, and a bar that lies over the end of one of its strokes.
+LandingPad MarkedPad() {
+  LandingPad pad;
+  pad.marks = {{.shape = PadMark::Shape::kDisc, .centre_m = {0.02, 0.05}, .diameter_m = 0.01},
+               {.shape = PadMark::Shape::kBar, .centre_m = {0.05, 0.02}, .length_m = 0.03, .width_m = 0.004}};
+  return pad;
+}
+
+TEST(LandingPad, IsBlackOnItsMarksToo) {
+  const LandingPad pad = MarkedPad(), plain;
+  EXPECT_NO_THROW(pad.Validate());
+  EXPECT_NE(pad, plain);
+  for (double x = -0.1; x <= 0.1; x += 0.0007) {
+    for (double y = -0.1; y <= 0.1; y += 0.0007) {
+      const Eigen::Vector2d p(x, y);
+      const bool on_mark = (p - Eigen::Vector2d(0.02, 0.05)).norm() <= 0.005 ||
+                           (std::abs(x - 0.05) <= 0.015 && std::abs(y - 0.02) <= 0.002);
+      EXPECT_EQ(pad.IsBlack(p), plain.IsBlack(p) || on_mark) << p.transpose();
+    }
+  }
+}
+
+TEST(LandingPad, TellsItsLetterFromRingAndMarks) {
+  const LandingPad pad = MarkedPad(), plain;
+  EXPECT_TRUE(pad.IsLetter({0.0, 0.0}));
+  EXPECT_TRUE(pad.IsLetter({0.049, 0.02})) << "under the bar";
+  EXPECT_FALSE(pad.IsLetter({0.051, 0.02})) << "on the bar alone";
+  EXPECT_FALSE(pad.IsLetter({0.02, 0.05})) << "on the disc";
+  EXPECT_FALSE(pad.IsLetter({0.08, 0.0})) << "on the ring";
+  for (double x = -0.05; x <= 0.05; x += 0.0037) {
+    for (double y = -0.05; y <= 0.05; y += 0.0037) EXPECT_EQ(pad.IsLetter({x, y}), plain.IsBlack({x, y}));
+  }
+}
+
+TEST(LandingPadValidate, RefusesAMarkThatIsNotWithinItsRing) {
+  LandingPad pad = MarkedPad();
+  pad.marks[0].centre_m = {0.0, 0.069};
+  EXPECT_THROW(pad.Validate(), InputError);
+  pad = MarkedPad();
+  pad.ring_width_m = 0.022;
+  EXPECT_THROW(pad.Validate(), InputError) << "the wider ring covers the end of the bar";
+  pad.marks.clear();
+  EXPECT_NO_THROW(pad.Validate());
+}
+
 TEST(LandingPadValidate, RefusesWhatCannotBePrinted) {
   const std::vector<std::function<void(LandingPad&)>> faults = {
       [](LandingPad& p) { p.outer_radius_m = 0.0; },

@@ -27,8 +27,27 @@ TEST(PrintPad, InksTheAreaOfTheRingAndTheLetter) {
   EXPECT_NEAR(InkedArea(PrintPad(pad, 1024, 512), pad), ring + letter, 0.001 * (ring + letter));
 }
 
+/// Two marks that touch nothing.
+models::LandingPad MarkedPad() {
+  models::LandingPad pad;
+  pad.marks = {{.shape = models::PadMark::Shape::kDisc, .centre_m = {0.02, 0.05}, .diameter_m = 0.01},
+               {.shape = models::PadMark::Shape::kBar,
+                .centre_m = {-0.02, 0.05},
+                .length_m = 0.02,
+                .width_m = 0.004,
+                .angle = models::DegToRad(30.0)}};
+  return pad;
+}
+
+TEST(PrintPad, InksTheMarks) {
+  const models::LandingPad pad = MarkedPad();
+  const double marks = InkedArea(PrintPad(pad, 2048, 1448), pad) - InkedArea(PrintPad({}, 2048, 1448), {});
+  const double disc = models::kPi * 0.005 * 0.005, bar = 0.02 * 0.004;
+  EXPECT_NEAR(marks, disc + bar, 0.01 * (disc + bar));
+}
+
 TEST(PrintPad, AgreesWithTheModelAwayFromEdges) {
-  const models::LandingPad pad;
+  const models::LandingPad pad = MarkedPad();
   const cv::Mat1b print = PrintPad(pad, 512, 256);
   int grey = 0;
   for (int row = 0; row < print.rows; ++row) {

@@ -46,6 +46,11 @@ function dotsAt(xs, ys) {
   return xs.map((x, i) => (x === null ? "" : `M${number(x)} ${number(ys[i])}h0`)).join("");
 }
 
+function markShape({ shape, x_m: x, y_m: y, diameter_m: diameter, length_m: length, width_m: width, angle_deg: angle }) {
+  if (shape === "disc") return svg("circle", { class: "mark", cx: x, cy: y, r: diameter / 2 });
+  return svg("rect", { class: "mark", x: -length / 2, y: -width / 2, width: length, height: width, transform: `translate(${x} ${y}) rotate(${angle})` });
+}
+
 function padShapes(pad) {
   const { sheet_length_m: length, sheet_width_m: width, h_stroke_m: stroke } = pad;
   const [x, y] = [pad.h_height_m / 2, pad.h_width_m / 2];
@@ -55,6 +60,7 @@ function padShapes(pad) {
     svg("rect", { class: "sheet", x: -length / 2, y: -width / 2, width: length, height: width }),
     svg("circle", { class: "ring", r: pad.outer_radius_m - pad.ring_width_m / 2, "stroke-width": pad.ring_width_m }),
     svg("path", { class: "letter", d: letter }),
+    ...pad.marks.map(markShape),
   ];
 }
 

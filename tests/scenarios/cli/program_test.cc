@@ -115,6 +115,22 @@ TEST_F(Program, DrawsThePadToPrintAndDescribesIt) {
   EXPECT_EQ(Run({"fly", "fly.yaml", "--out", "result"}).status, 1);
 }
 
+TEST_F(Program, DrawsFliesAndLooksForAPadWithMarks) {
+  Put("mine.yaml", "marks: [{shape: bar, x_m: 0, y_m: 0.05, length_m: 0.02, width_m: 0.004, angle_deg: 30}]\n");
+  ASSERT_EQ(Run({"pad", "--out", "pad.pdf", "--pad", "mine.yaml"}).status, 0);
+  Put("short.yaml", "start: {airborne: true}\nscript: [{do: hover, duration_s: 0.1}]\npad: pad.yaml\n");
+  EXPECT_EQ(Run({"fly", "short.yaml", "--out", "a", "--record", "--video", "off"}).status, 0);
+  EXPECT_EQ(Run({"pad", "--out", "a/recording/pad.svg", "--pad", "mine.yaml"}).status, 0)
+      << "its pad.yaml says the same";
+  EXPECT_EQ(Run({"estimate", "a", "--pad", "pad.yaml", "--out", "b"}).status, 0);
+
+  Put("mine.yaml", "marks:\n  - {shape: disc, x_m: 0, y_m: 0.05}\n");
+  const ProgramRun refused = Run({"estimate", "a", "--pad", "mine.yaml", "--out", "c"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, EndsWith("mine.yaml:2: marks.0.diameter_m: must be given\n"));
+  EXPECT_FALSE(fs::exists(folder_ / "c"));
+}
+
 TEST_F(Program, LeavesAPadsDescriptionThatWasEdited) {
   ASSERT_EQ(Run({"pad", "--out", "pad.pdf"}).status, 0);
   Put("pad.yaml", "ring_width_m: 0.012\n");

@@ -122,6 +122,54 @@ TEST(Scenario, NamesTheKeyThatWasMeant) {
   EXPECT_THAT(ErrorOf(With("camera: {noise_sgima: 3}\n")), HasSubstr("did you mean noise_sigma?"));
 }
 
+constexpr const char* kMarks = R"(pad:
+  marks:
+    - {shape: disc, x_m: 0.02, y_m: 0.05, diameter_m: 0.01}
+    - {shape: bar, x_m: -0.02, y_m: 0.05, length_m: 0.02, width_m: 0.004, angle_deg: 30}
+)";
+
+TEST(Scenario, ReadsThePadsMarks) {
+  const models::PadMark disc{.shape = models::PadMark::Shape::kDisc, .centre_m = {0.02, 0.05}, .diameter_m = 0.01};
+  const models::PadMark bar{.shape = models::PadMark::Shape::kBar,
+                            .centre_m = {-0.02, 0.05},
+                            .length_m = 0.02,
+                            .width_m = 0.004,
+                            .angle = 30.0 * (models::kPi / 180.0)};
+  EXPECT_EQ(Parse(With(kMarks)).pad.marks, (std::vector{disc, bar}));
+  EXPECT_EQ(Parse(With("")).pad.marks.size(), 0u);
+  EXPECT_EQ(Parse(With(kMarks), {"pad.marks.0.x_m=0.03"}).pad.marks[0].centre_m.x(), 0.03);
+}
+
+TEST(Scenario, RefusesAMarkThatIsNoneAndNamesItsLineAndKey) {
+  // What of the marks is replaced, by what, and what the error must say.
+  const struct {
+    std::string written, instead, error;
+  } cases[] = {
+      {"shape: disc", "shape: star", "f.yaml:6: pad.marks.0.shape: must be one of disc, bar, is 'star'"},
+      {"shape: disc, ", "", "f.yaml:6: pad.marks.0.shape: must be given"},
+      {"x_m: 0.02, ", "", "f.yaml:6: pad.marks.0.x_m: must be given"},
+      {", diameter_m: 0.01", "", "f.yaml:6: pad.marks.0.diameter_m: must be given"},
+      {"diameter_m: 0.01", "diameter_m: -0.01", "f.yaml:6: pad.marks.0.diameter_m: must be above 0, is -0.01"},
+      {"diameter_m: 0.01", "diameter_m: 0.01, angle_deg: 3", "f.yaml:6: pad.marks.0.angle_deg: unknown key"},
+      {"diameter_m: 0.01", "radius_m: 0.01", "f.yaml:6: pad.marks.0.diameter_m: must be given"},
+      {"length_m: 0.02, ", "", "f.yaml:7: pad.marks.1.length_m: must be given"},
+      {", width_m: 0.004", "", "f.yaml:7: pad.marks.1.width_m: must be given"},
+      {"width_m: 0.004", "width_m: 0.004, diameter_m: 1", "f.yaml:7: pad.marks.1.diameter_m: unknown key"},
+      {"angle_deg: 30", "angle_deg: 300", "f.yaml:7: pad.marks.1.angle_deg: must be from -180 to 180, is 300"},
+      {"x_m: -0.02", "x_m: 0.06", "f.yaml:7: pad.marks.1: a pad's mark must lie wholly within its ring"},
+  };
+  for (const auto& [written, instead, error] : cases) {
+    std::string text = kMarks;
+    ASSERT_NE(text.find(written), std::string::npos) << written;
+    text.replace(text.find(written), written.size(), instead);
+    EXPECT_THAT(ErrorOf(With(text)), StartsWith(error));
+  }
+  EXPECT_THAT(ErrorOf(With("pad: {marks: 3}\n")), StartsWith("f.yaml:4: pad.marks: must be a list"));
+  EXPECT_THAT(ErrorOf(With(kMarks), {"pad.ring_width_m=0.032"}), StartsWith("f.yaml:6: pad.marks.0: "));
+  EXPECT_THAT(ErrorOf(With(kMarks), {"pad.marks.0.shape=bar"}), HasSubstr("pad.marks.0: the sizes of a pad's mark"));
+  EXPECT_THAT(ErrorOf(With(kMarks), {"pad.marks.2.x_m=0"}), HasSubstr("pad.marks.2: unknown key"));
+}
+
 TEST(Scenario, NamesTheOverrideThatIsWrong) {
   EXPECT_THAT(ErrorOf(With(""), {"camera.fps=60"}), StartsWith("--set camera.fps=60: camera.fps: unknown key"));
   EXPECT_THAT(ErrorOf(With(""), {"camera.rate_hz=fast"}), HasSubstr("camera.rate_hz: must be a whole number"));
@@ -331,11 +379,22 @@ TEST_F(ScenarioWithFiles, ReadsPadAndVehicleBesideItAndResolvesThemInPlace) {
   EXPECT_EQ(ParseScenario(ScenarioYaml(scenario), "f", "/nowhere").pad, scenario.pad);
 }
 
+TEST_F(ScenarioWithFiles, WritesAPadsMarksAsItReadsThem) {
+  const models::LandingPad pad = Parse(With(kMarks), {"pad.marks.1.angle_deg=-12.345678901234567"}).pad;
+  Put("pad.yaml", PadYaml(pad));
+  EXPECT_EQ(LoadPad(folder_ / "pad.yaml"), pad);
+  const Scenario scenario = Load("pad: pad.yaml\n");
+  EXPECT_EQ(scenario.pad, pad);
+  EXPECT_EQ(ParseScenario(ScenarioYaml(scenario), "f", "/nowhere").pad, pad);
+}
+
 TEST_F(ScenarioWithFiles, NamesTheFileAndTheKeyThatNamedIt) {
   EXPECT_THAT(LoadError("pad: none.yaml\n"),
               AllOf(HasSubstr("flight.yaml:4: pad: "), HasSubstr("none.yaml: no such file")));
   Put("pad.yaml", "\nradius: 1\n");
   EXPECT_THAT(LoadError("pad: pad.yaml\n"), HasSubstr("pad.yaml:2: pad.radius: unknown key"));
+  Put("pad.yaml", "marks:\n  - shape: disc\n    x_m: 0.07\n    y_m: 0\n    diameter_m: 0.01\n");
+  EXPECT_THAT(LoadError("pad: pad.yaml\n"), HasSubstr("pad.yaml:2: pad.marks.0: a pad's mark must lie wholly"));
 }
 
 TEST(ScenarioReference, ListsKeysOfEveryKind) {
@@ -353,6 +412,8 @@ TEST(ScenarioReference, ListsKeysOfEveryKind) {
   EXPECT_THAT(reference, has("start.x_m", "m", "0"));
   EXPECT_THAT(reference, has("estimator.contour_points", "-", "subpixel"));
   EXPECT_THAT(reference, has("scene.pad", "-", "true"));
+  EXPECT_THAT(reference, has("pad.marks.N.diameter_m", "m", "required"));
+  EXPECT_THAT(reference, has("pad.marks.N.angle_deg", "deg", "0"));
   for (const ScenarioKey& key : reference) EXPECT_THAT(key.doc, EndsWith(".")) << key.path;
 }
 

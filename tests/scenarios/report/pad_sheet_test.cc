@@ -99,6 +99,33 @@ TEST(PadSheet, MeasuresWhatThePadIsInThePrint) {
   EXPECT_NEAR(raster.InkEnd(stroke + 20.0 * down, -right), 8.0, 0.05);
 }
 
+TEST(PadSheet, MeasuresWhatTheMarksAreInThePrint) {
+  LandingPad pad;
+  pad.marks = {{.shape = models::PadMark::Shape::kDisc, .centre_m = {0.02, 0.05}, .diameter_m = 0.01},
+               {.shape = models::PadMark::Shape::kBar,
+                .centre_m = {-0.02, 0.05},
+                .length_m = 0.02,
+                .width_m = 0.004,
+                .angle = models::DegToRad(30.0)},
+               {.shape = models::PadMark::Shape::kBar, .centre_m = {0.05, 0.02}, .length_m = 0.03, .width_m = 0.004}};
+  const Raster raster(pad);
+  const auto on_page = [](const Vector2d& p_W) { return Vector2d(105.0 - 1000.0 * p_W.y(), 148.5 - 1000.0 * p_W.x()); };
+  const auto direction = [](double degrees) {
+    const double angle = models::DegToRad(degrees);
+    return Vector2d(-std::sin(angle), -std::cos(angle));
+  };
+  const Vector2d disc = on_page({0.02, 0.05}), bar = on_page({-0.02, 0.05}), over_stroke = on_page({0.05, 0.02});
+  for (double degrees = 0.0; degrees < 360.0; degrees += 5.0) {
+    EXPECT_NEAR(raster.InkEnd(disc, direction(degrees)), 5.0, 0.05) << degrees;
+  }
+  for (const double half_turn : {0.0, 180.0}) {
+    EXPECT_NEAR(raster.InkEnd(bar, direction(30.0 + half_turn)), 10.0, 0.05);
+    EXPECT_NEAR(raster.InkEnd(bar, direction(120.0 + half_turn)), 2.0, 0.05);
+  }
+  EXPECT_NEAR(raster.InkEnd(over_stroke, direction(0.0)), 15.0, 0.05) << "beyond the stroke";
+  EXPECT_NEAR(raster.InkEnd(over_stroke, direction(180.0)), 100.0, 0.05) << "over the stroke, which stays black";
+}
+
 TEST(PadSheet, HasARulerOfAHundredMillimetres) {
   const Raster raster((LandingPad()));
   std::vector<double> ticks_mm;

@@ -1,5 +1,6 @@
 // What a reader does with a flight's page, in a real browser: node page_in_browser.mjs FLIGHT [OTHER]...
-// FLIGHT is the page of a flight with its video; each OTHER one of a flight that has less to show.
+// FLIGHT is the page of a flight with its video; each OTHER one of a flight that has less to show, the first of them over
+// a pad with a disc of 10 mm at (0.02, 0.05) and a bar of 20 x 4 mm at (-0.02, 0.05), turned by 30 degrees.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { openPage } from "./browser.mjs";
@@ -252,6 +253,37 @@ test("it prints on light pages that hold the plots", async () => {
 });
 
 test("nothing that was done drew a complaint", () => assert.deepEqual(complaints, []));
+
+test("the pad's marks are drawn where they lie", async () => {
+  const { page: marked } = await open(otherPages[0]);
+  const points = await marked.evaluate(() => {
+    const [disc, bar] = document.querySelectorAll(".top-view .mark");
+    const toPad = document.querySelector(".top-view .ring").getScreenCTM().inverse();
+    const onPad = (element, x, y) => {
+      const point = new DOMPoint(x, y).matrixTransform(element.getScreenCTM()).matrixTransform(toPad);
+      return [point.x, point.y];
+    };
+    const of = (element, name) => element[name].baseVal.value;
+    return {
+      discCentre: onPad(disc, of(disc, "cx"), of(disc, "cy")),
+      discRim: onPad(disc, of(disc, "cx") + of(disc, "r"), of(disc, "cy")),
+      barStart: onPad(bar, of(bar, "x"), 0),
+      barEnd: onPad(bar, of(bar, "x") + of(bar, "width"), 0),
+      barSide: onPad(bar, 0, of(bar, "y")),
+    };
+  });
+  const [along, across] = [[Math.cos(Math.PI / 6), 0.5], [-0.5, Math.cos(Math.PI / 6)]];
+  const expected = {
+    discCentre: [0.02, 0.05],
+    discRim: [0.025, 0.05],
+    barStart: [-0.02 - 0.01 * along[0], 0.05 - 0.01 * along[1]],
+    barEnd: [-0.02 + 0.01 * along[0], 0.05 + 0.01 * along[1]],
+    barSide: [-0.02 - 0.002 * across[0], 0.05 - 0.002 * across[1]],
+  };
+  for (const [name, point] of Object.entries(expected)) {
+    point.forEach((value, i) => assertNear(points[name][i], value, 1e-5, `${name} ${"xy"[i]}`));
+  }
+});
 
 for (const other of otherPages) {
   test(`${other} opens without a complaint`, async () => {

@@ -45,6 +45,13 @@ TEST_F(PageInABrowser, DoesWhatItsReaderAsks) {
   const fs::path flight = folder_ / "flight";
   FlyIntoFolder(scenario, flight);
 
+  Scenario marked = scenario;
+  marked.pad.marks = {{.shape = models::PadMark::Shape::kDisc, .centre_m = {0.02, 0.05}, .diameter_m = 0.01},
+                      {.shape = models::PadMark::Shape::kBar,
+                       .centre_m = {-0.02, 0.05},
+                       .length_m = 0.02,
+                       .width_m = 0.004,
+                       .angle = models::DegToRad(30.0)}};
   FlightLog without_frames = tests::MadeFlight(scenario, 2.0);
   without_frames.frames.clear();
   FlightLog nothing;
@@ -52,7 +59,7 @@ TEST_F(PageInABrowser, DoesWhatItsReaderAsks) {
   const tests::ProgramRun run = tests::RunProgram(
       TOUCHDOWN_NODE,
       {"--test-reporter=spec", std::string(TOUCHDOWN_SOURCE_DIR) + "/tests/scenarios/report/page_in_browser.mjs",
-       (flight / "report.html").string(), PageOf("whole.html", scenario, tests::MadeFlight(scenario, 2.0)),
+       (flight / "report.html").string(), PageOf("marked.html", marked, tests::MadeFlight(marked, 2.0)),
        PageOf("without_frames.html", scenario, without_frames), PageOf("nothing.html", scenario, nothing)},
       folder_);
   EXPECT_EQ(run.status, 0) << run.out << run.err;
