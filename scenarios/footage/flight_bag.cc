@@ -19,20 +19,14 @@ namespace fs = std::filesystem;
 
 constexpr const char *kWorldFrame = "world", *kBodyFrame = "base_link", *kCameraFrame = "camera", *kImuFrame = "imu";
 
-ros1::Point PointOf(const Eigen::Vector3d& p) {
-  ros1::Point point;
-  point.x = p.x();
-  point.y = p.y();
-  point.z = p.z();
-  return point;
-}
-
-ros1::Vector3 VectorOf(const Eigen::Vector3d& v) {
-  ros1::Vector3 vector;
-  vector.x = v.x();
-  vector.y = v.y();
-  vector.z = v.z();
-  return vector;
+/// A Point or a Vector3.
+template <typename Message>
+Message XyzOf(const Eigen::Vector3d& v) {
+  Message message;
+  message.x = v.x();
+  message.y = v.y();
+  message.z = v.z();
+  return message;
 }
 
 ros1::Quaternion QuaternionOf(const Eigen::Matrix3d& R) {
@@ -47,7 +41,7 @@ ros1::Quaternion QuaternionOf(const Eigen::Matrix3d& R) {
 
 ros1::Pose PoseOf(const Eigen::Isometry3d& X) {
   ros1::Pose pose;
-  pose.position = PointOf(X.translation());
+  pose.position = XyzOf<ros1::Point>(X.translation());
   pose.orientation = QuaternionOf(X.linear());
   return pose;
 }
@@ -80,7 +74,7 @@ ros1::TransformStamped Transform(const ros::Time& stamp, const char* parent, con
   ros1::TransformStamped transform;
   transform.header = HeaderOf(stamp, parent);
   transform.child_frame_id = child;
-  transform.transform.translation = VectorOf(X.translation());
+  transform.transform.translation = XyzOf<ros1::Vector3>(X.translation());
   transform.transform.rotation = QuaternionOf(X.linear());
   return transform;
 }
@@ -239,8 +233,8 @@ void FlightBag::OnImu(const models::ImuSample& sample, bool at_rest) {
     impl_->was_at_rest = at_rest;
   }
   impl_->imu.header.stamp = stamp;
-  impl_->imu.angular_velocity = VectorOf(sample.w_WU_U);
-  impl_->imu.linear_acceleration = VectorOf(sample.specific_force_U);
+  impl_->imu.angular_velocity = XyzOf<ros1::Vector3>(sample.w_WU_U);
+  impl_->imu.linear_acceleration = XyzOf<ros1::Vector3>(sample.specific_force_U);
   impl_->Put("/imu/data_raw", stamp, impl_->imu);
 }
 

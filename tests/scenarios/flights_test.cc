@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <future>
@@ -16,6 +15,7 @@
 #include "scenarios/flight/fly.h"
 #include "scenarios/flight/scenario.h"
 #include "scenarios/report/flight_folder.h"
+#include "tests/support/docs_picture.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -46,18 +46,8 @@ cv::Mat FilmAt(const fs::path& file, double time_s) {
   return picture;
 }
 
-/// Holds what was drawn against a picture of the docs, or makes the picture.
-void ExpectPicture(const std::string& name, const cv::Mat& drawn) {
-  const fs::path picture = fs::path(TOUCHDOWN_SOURCE_DIR) / "docs" / "images" / name;
-  if (std::getenv("TOUCHDOWN_WRITE_DOCS") != nullptr) {
-    fs::create_directories(picture.parent_path());
-    ASSERT_TRUE(cv::imwrite(picture.string(), drawn, {cv::IMWRITE_JPEG_QUALITY, 82}));
-  }
-  const cv::Mat kept = cv::imread(picture.string());
-  ASSERT_EQ(kept.size(), drawn.size());
-  // JPEG alone is off by 2; a frame's time that shifts by one by 5 and more. Other CPUs draw the same flight.
-  EXPECT_LT(cv::norm(kept, drawn, cv::NORM_L1) / static_cast<double>(drawn.total() * 3), 8.0);
-}
+/// JPEG alone is off by 2; a frame's time that shifts by one by 5 and more. Other CPUs draw the same flight.
+constexpr double kSamePicture = 8.0;
 
 /// The README's picture is this flight's contact sheet, made smaller, and the tour's one of its film. To remake them:
 ///   TOUCHDOWN_WRITE_DOCS=1 build/release/tests/scenarios/scenarios_flights_test --gtest_filter=*README*
@@ -73,8 +63,8 @@ TEST(Flights, TakeoffHoverLandPassesAndLooksAsInTheREADME) {
   cv::resize(cv::imread((place / "frames.png").string()), sheet, {1280, 720}, 0, 0, cv::INTER_AREA);
   const cv::Mat picture = FilmAt(place / "flight.mp4", 7.0);
   fs::remove_all(place);
-  ExpectPicture("takeoff_hover_land.jpg", sheet);
-  ExpectPicture("film.jpg", picture);
+  tests::ExpectPicture("takeoff_hover_land.jpg", sheet, kSamePicture);
+  tests::ExpectPicture("film.jpg", picture, kSamePicture);
 }
 
 TEST(Flights, DisturbedHoverPasses) { ExpectPass(Fly(Flight("disturbed_hover"))); }

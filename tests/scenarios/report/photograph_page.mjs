@@ -1,9 +1,11 @@
-// Photographs a flight's page, as docs/images/report.png was made:
-//   node tests/scenarios/report/photograph_page.mjs out/takeoff_hover_land/report.html docs/images/report.png light 1600 1000
+// The picture of a flight's page for the docs: node photograph_page.mjs PAGE PICTURE
+import assert from "node:assert/strict";
 import { openPage } from "./browser.mjs";
 
-const [file, picture, theme = "light", width = "1600", height = ""] = process.argv.slice(2);
-const { page, browser } = await openPage(file, { theme, width: Number(width), height: Number(height || 1000) });
+const [file, picture] = process.argv.slice(2);
+const { page, browser, complaints } = await openPage(file, { theme: "light", width: 1600, height: 1500 });
+await page.waitForFunction(() => document.getElementById("video").readyState >= 2, null, { timeout: 20000 });
 await page.waitForTimeout(400);
-await page.screenshot({ path: picture, fullPage: height === "" });
+await page.screenshot({ path: picture });
 await browser.close();
+assert.deepEqual(complaints, []);

@@ -1,0 +1,86 @@
+// `touchdown estimate`, and `score` on what it leaves, as a user meets them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <iterator>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/support/program_fixture.h"
+#include "tests/support/small_mount.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using tests::ProgramRun;
+using tests::SmallMount;
+
+class EstimateCommand : public tests::ProgramFixture {};
+
+TEST_F(EstimateCommand, EstimatesOnARecordingAndScoresIts) {
+  folder_.Put("short.yaml", "start: {airborne: true}\nscript: [{do: hover, duration_s: 0.5}]\n");
+  ASSERT_EQ(Run({"fly", "short.yaml", "--out", "a", "--record"}).status, 0);
+  const ProgramRun run = Run({"estimate", "a", "--out", "b", "--video"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("  ok "), HasSubstr("X_WB; files in b\n")));
+  for (const char* name : {"poses.csv", "poses.tum", "choices.csv", "summary.json", "estimate.mp4"}) {
+    EXPECT_TRUE(fs::exists(folder_ / "b" / name)) << name;
+  }
+  const ProgramRun score = Run({"score", "--poses", "b/poses.tum", "--truth", "a"});
+  EXPECT_EQ(score.status, 0) << score.err;
+  EXPECT_THAT(score.out, HasSubstr("estimate.xy_rmse_m"));
+
+  const ProgramRun pictures =
+      Run({"estimate", "a/recording/mav0/cam0/data", "--camera", "a/recording/camera.yaml", "--out", "c", "--quiet"});
+  EXPECT_EQ(pictures.status, 0);
+  EXPECT_EQ(pictures.out + pictures.err, "");
+}
+
+TEST_F(EstimateCommand, RefusesFootageThatItCannotUseAndLeavesWhatWasThere) {
+  fs::create_directories(folder_ / "empty");
+  folder_.Put("camera.yaml", "width_px: 640\n");
+  folder_.Put("bad.yaml", "width_px: wide\n");
+  folder_.Put("film.mp4", "no film");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+      {{"empty", "--camera", "camera.yaml"}, "empty: no pictures in this folder"},
+      {{"none", "--camera", "camera.yaml"}, "none: no such file or folder"},
+      {{"film.mp4", "--camera", "camera.yaml"}, "film.mp4: no video that can be read"},
+      {{"film.mp4", "--camera", "bad.yaml"}, "film.mp4: no video that can be read"},
+      {{"empty", "--camera", "camera.yaml", "--estimator", "magic"}, "empty: no pictures"},
+  };
+  const std::set<std::string> before = Names();
+  for (const auto& [input, error] : cases) {
+    std::vector<std::string> arguments{"estimate", "--out", "result"};
+    arguments.insert(arguments.end(), input.begin(), input.end());
+    EXPECT_THAT(ErrorOf(arguments), HasSubstr(error));
+    EXPECT_EQ(Names(), before);
+  }
+}
+
+TEST_F(EstimateCommand, LeavesEarlierPosesInAFullOrReadOnlyFolder) {
+  fs::create_directories(folder_ / "small");
+  const SmallMount small(folder_ / "small");
+  if (!small.is_there()) GTEST_SKIP() << "no right to mount";
+  folder_.Put("short.yaml", "start: {airborne: true}\nscript: [{do: hover, duration_s: 0.2}]\n");
+  ASSERT_EQ(Run({"fly", "short.yaml", "--out", "flight", "--record", "--video", "off"}).status, 0);
+  ASSERT_EQ(Run({"estimate", "flight", "--out", "small/poses"}).status, 0);
+  const std::string before = folder_.Content("small/poses/poses.csv");
+  const auto expect_refused = [&](const char* error) {
+    EXPECT_THAT(ErrorOf({"estimate", "flight", "--out", "small/poses", "--quiet"}), HasSubstr(error));
+    EXPECT_EQ(folder_.Content("small/poses/poses.csv"), before);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "small"), {}), 1) << "the poses alone";
+  };
+  small.Fill();
+  expect_refused("cannot be written");
+  small.MakeReadOnly();
+  expect_refused("Read-only file system");
+}
+
+}  // namespace
+}  // namespace touchdown::scenarios

@@ -1,0 +1,54 @@
+// The program before and after its commands: its help, bad usage, and output that cannot be written.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/support/program_fixture.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+using tests::ProgramRun;
+
+class Program : public tests::ProgramFixture {};
+
+TEST_F(Program, TellsItsVersionAndItsHelp) {
+  const ProgramRun version = Run({"--version"});
+  EXPECT_EQ(version.status, 0);
+  EXPECT_THAT(version.out, HasSubstr("0."));
+  const ProgramRun help = Run({"fly", "--help"});
+  EXPECT_EQ(help.status, 0);
+  EXPECT_THAT(help.out, AllOf(HasSubstr("--set"), HasSubstr("--seed"), HasSubstr("--estimator"), HasSubstr("--video"),
+                              HasSubstr("--out")));
+}
+
+TEST_F(Program, ExitsWithTwoOnBadUsage) {
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{},
+                                             {"flie"},
+                                             {"fly"},
+                                             {"fly", "a.yaml", "--sed", "1"},
+                                             {"fly", "a.yaml", "--estimator"},
+                                             {"fly", "a.yaml", "--video", "maybe"},
+                                             {"fly", "a.yaml", "b.yaml"}}) {
+    EXPECT_THAT(ErrorOf(arguments), StartsWith("error: "));
+  }
+  EXPECT_THAT(Names(), IsEmpty());
+}
+
+TEST_F(Program, ExitsWithThreeWhenItsOutputCannotBeWritten) {
+  folder_.Put("short.yaml", kTakeoffAndLanding + "time_limit_s: 0.01\n");
+  const ProgramRun run = tests::RunProgram(
+      "/bin/sh", {"-c", "exec \"$0\" fly short.yaml --out result > /dev/full", TOUCHDOWN_PROGRAM}, folder_.path());
+  EXPECT_EQ(run.status, 3);
+  EXPECT_EQ(run.err, "error: internal error: the standard output cannot be written\n");
+}
+
+}  // namespace
+}  // namespace touchdown::scenarios

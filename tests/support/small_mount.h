@@ -1,0 +1,42 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <sys/mount.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+
+namespace touchdown::tests {
+
+/// A file system of its own in a folder, of 64 MiB at most until it is filled.
+class SmallMount {
+ public:
+  explicit SmallMount(std::filesystem::path place) : place_(std::move(place)) {
+    is_there_ = mount("none", place_.c_str(), "tmpfs", 0, "size=64m") == 0;
+  }
+  ~SmallMount() {
+    if (is_there_) umount(place_.c_str());
+  }
+  SmallMount(const SmallMount&) = delete;
+  SmallMount& operator=(const SmallMount&) = delete;
+
+  bool is_there() const { return is_there_; }
+  void Fill() const { Remount(MS_REMOUNT, "size=" + std::to_string(UsedKilobytes() + 16) + "k"); }
+  void MakeReadOnly() const { Remount(MS_REMOUNT | MS_RDONLY, ""); }
+
+ private:
+  void Remount(unsigned long flags, const std::string& options) const {
+    ASSERT_EQ(mount("none", place_.c_str(), "tmpfs", flags, options.c_str()), 0);
+  }
+  std::uintmax_t UsedKilobytes() const {
+    const std::filesystem::space_info space = std::filesystem::space(place_);
+    return (space.capacity - space.free) / 1024;
+  }
+
+  std::filesystem::path place_;
+  bool is_there_ = false;
+};
+
+}  // namespace touchdown::tests
