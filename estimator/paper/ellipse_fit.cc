@@ -65,9 +65,7 @@ class Directions {
     for (const Eigen::Vector2d& point : points) covered_[SectorOf(point)] = true;
   }
 
-  double Coverage() const {
-    return static_cast<double>(std::count(covered_.begin(), covered_.end(), true)) / kSectors;
-  }
+  double Coverage() const { return static_cast<double>(std::count(covered_.begin(), covered_.end(), true)) / kSectors; }
 
   /// Whether there is a gap in the point's direction or beside it.
   bool IsBesideGap(const Eigen::Vector2d& point) const {

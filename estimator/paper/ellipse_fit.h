@@ -44,8 +44,8 @@ struct RingFitConfig {
   /// Points no further from their ellipse than this are never left out: Canny's whole pixels alone are off by 0.35 px,
   /// and by that much others must be off too to be told from them.
   double exact_px = 0.3;
-  /// Of the points that are not left out, the largest root mean square, over the ellipse's smaller semi-axis: paper that
-  /// curls makes no ellipse.
+  /// Of the points that are not left out, the largest root mean square, over the ellipse's smaller semi-axis: paper
+  /// that curls makes no ellipse.
   double largest_rms_share = 0.05;
   /// What share of the ellipse's circumference the rest must cover: where less is seen, something lies over the ring.
   double least_coverage = 0.85;
@@ -54,8 +54,8 @@ struct RingFitConfig {
   void Validate() const;
 };
 
-/// The ellipse of a ring's outer boundary; of `points`, those stay that lie on it, but for those beside a gap, where what
-/// covers the ring bends its edge. nullopt when they make no ellipse, or cover too little of it.
+/// The ellipse of a ring's outer boundary; of `points`, those stay that lie on it, but for those beside a gap, where
+/// what covers the ring bends its edge. nullopt when they make no ellipse, or cover too little of it.
 std::optional<Ellipse> FitRing(std::vector<Eigen::Vector2d>& points, const RingFitConfig& config = {});
 
 /// From undistorted pixels of `camera` to normalized coordinates.

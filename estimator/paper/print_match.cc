@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
@@ -28,6 +29,24 @@ float Bilinear(const Cells& texels, double x, double y) {
   const auto a = static_cast<float>(x - i), b = static_cast<float>(y - j);
   const float* upper = &texels(j, i);
   const float* lower = &texels(j + 1, i);
+  return (1 - b) * ((1 - a) * upper[0] + a * upper[1]) + b * ((1 - a) * lower[0] + a * lower[1]);
+}
+
+float Quantile(std::vector<float> values, double share) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// Interpolated bilinearly; nullopt outside the image.
+std::optional<float> GreyAt(const models::ImageView& image, const Vector2d& pixel) {
+  if (!(pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() < image.width - 1 && pixel.y() < image.height - 1)) {
+    return std::nullopt;
+  }
+  const int u = static_cast<int>(pixel.x()), v = static_cast<int>(pixel.y());
+  const auto a = static_cast<float>(pixel.x() - u), b = static_cast<float>(pixel.y() - v);
+  const std::uint8_t* upper = image.Row(v) + u;
+  const std::uint8_t* lower = image.Row(v + 1) + u;
   return (1 - b) * ((1 - a) * upper[0] + a * upper[1]) + b * ((1 - a) * lower[0] + a * lower[1]);
 }
 
@@ -87,7 +106,7 @@ Vector2d PrintPlace::OnPrint(const Vector2d& p_plane) const {
 
 void PrintMatchConfig::Validate() const {
   for (const double share :
-       {least_between_strokes, least_bar, least_stroke, least_strokes, least_beside, least_contrast}) {
+       {least_ring, least_between_strokes, least_bar, least_stroke, least_strokes, least_beside, least_contrast}) {
     if (!(share > 0.0 && share <= 1.0)) throw InputError("a print's least shares must be within (0, 1]");
   }
 }
@@ -104,18 +123,20 @@ std::optional<PrintPlace> PrintMatch::Find(const models::ImageView& image, const
                                            const std::optional<PrintPlace>& guess) const {
   const auto disc = RectifiedDisc::Of(image, plane, reach_m_);
   if (!disc) return std::nullopt;
-  const double ring_contrast = RingContrast(image, plane, *disc);
-  constexpr double kLeastContrast = 5.0;
-  if (ring_contrast < kLeastContrast) return std::nullopt;
-  const auto passes = [&](const PrintPlace& place) { return Passes(At(*disc, place), ring_contrast); };
+  const SeenRing ring = RingAt(image, plane);
+  constexpr double kFaintest = 5.0;
+  if (ring.contrast < kFaintest || ring.share < config_.least_ring) return std::nullopt;
+  const auto passes = [&](const PrintPlace& place) { return Passes(At(*disc, place), ring.contrast); };
   if (guess && passes(*guess)) return guess;
 
   constexpr double kNoiseShare = 0.15, kLeastLikeness = 0.3;
-  const Cells levelled = disc->Levelled(kNoiseShare * ring_contrast);
+  const Cells levelled = disc->Levelled(kNoiseShare * ring.contrast);
   const PrintPlace turned = Turned(levelled, *disc);
   if (Likeness(levelled, *disc, turned, 1) < kLeastLikeness) return std::nullopt;
   const PrintPlace refined = Refined(levelled, *disc, turned);
-  if (!passes(refined)) return std::nullopt;
+  constexpr double kLargestSize = 1.1;
+  const double size = std::sqrt(refined.scale.prod());
+  if (size > kLargestSize || size < 1.0 / kLargestSize || !passes(refined)) return std::nullopt;
   return refined;
 }
 
@@ -131,7 +152,8 @@ PrintMatch::Seen PrintMatch::At(const RectifiedDisc& disc, const PrintPlace& pla
       const bool inside = p.norm() < reach_m_;
       black(row, column) = inside && expected(row, column) > kSurelyBlack;
       white(row, column) = inside && expected(row, column) < kSurelyWhite;
-      if (inside) parts(row, column) = PartAt(pad_, margin_m, p_W).value_or(-1);
+      const bool is_sure = black(row, column) + white(row, column) > 0.0F;
+      if (is_sure) parts(row, column) = PartAt(pad_, margin_m, p_W).value_or(-1);
     }
   }
   const Cells paper = RectifiedDisc::LocalMean(disc.grey(), white);
@@ -199,9 +221,10 @@ double PrintMatch::Likeness(const Cells& levelled, const RectifiedDisc& disc, co
 
 PrintPlace PrintMatch::Turned(const Cells& levelled, const RectifiedDisc& disc) const {
   constexpr int kAngles = 45, kCoarse = 2;
+  const int half_turns = pad_.marks.empty() ? 1 : 2;  // After one the H looks the same, marks may not.
   PrintPlace best;
   double most = -2.0;
-  for (int i = 0; i < kAngles; ++i) {
+  for (int i = 0; i < half_turns * kAngles; ++i) {
     const PrintPlace place{.angle = models::kPi * i / kAngles};
     const double likeness = Likeness(levelled, disc, place, kCoarse);
     if (likeness > most) std::tie(best, most) = std::pair(place, likeness);
@@ -244,27 +267,37 @@ PrintPlace PrintMatch::Refined(const Cells& levelled, const RectifiedDisc& disc,
   return best;
 }
 
-/// Between the paper within the ring and the middle of the ring's black.
-double PrintMatch::RingContrast(const models::ImageView& image, const SeenPlane& plane,
-                                const RectifiedDisc& disc) const {
-  constexpr int kPoints = 60;
-  constexpr double kPaper = 0.7;
-  const auto quantile = [](std::vector<float>& values, double share) {
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
-  };
-  std::vector<float> ring, inside(disc.grey().data(), disc.grey().data() + disc.grey().size());
-  const double middle = pad_.outer_radius_m - 0.5 * pad_.ring_width_m;
-  for (int i = 0; i < kPoints; ++i) {
-    const double angle = 2.0 * models::kPi * i / kPoints;
-    const auto pixel = plane.PixelAt(middle * Vector2d(std::cos(angle), std::sin(angle)));
-    if (!pixel) return 0.0;
-    const long u = std::lround(pixel->x()), v = std::lround(pixel->y());
-    if (u < 0 || v < 0 || u >= image.width || v >= image.height) return 0.0;
-    ring.push_back(image.Row(static_cast<int>(v))[u]);
+PrintMatch::SeenRing PrintMatch::RingAt(const models::ImageView& image, const SeenPlane& plane) const {
+  constexpr int kDirections = 60, kSteps = 5;
+  constexpr double kCurl = 0.03;  // Of the radius.
+  const double letter_reach_m = 0.5 * std::hypot(pad_.h_height_m, pad_.h_width_m);
+  const double within_m = std::max(0.5 * (letter_reach_m + pad_.inner_radius_m()), 0.85 * pad_.inner_radius_m());
+  const double from_m = pad_.inner_radius_m() - kCurl * pad_.outer_radius_m;
+  const double step_m = (pad_.ring_width_m + 2.0 * kCurl * pad_.outer_radius_m) / (kSteps + 1);
+  // Where the sheet's white goes on outside, it is looked at too.
+  constexpr double kLeastMargin = 0.06, kOutside = 0.1;
+  const double margin_m = 0.5 * std::min(pad_.sheet_length_m, pad_.sheet_width_m) - pad_.outer_radius_m;
+  const bool has_margin = margin_m > kLeastMargin * pad_.outer_radius_m;
+  const double outside_m = pad_.outer_radius_m + std::min(0.5 * margin_m, kOutside * pad_.outer_radius_m);
+  std::vector<float> contrasts, ratios;  // Of white to black, and over the white: the same in a shadow.
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 2.0 * models::kPi * i / kDirections;
+    const auto grey_at = [&](double radius_m) -> std::optional<float> {
+      const auto pixel = plane.PixelAt(radius_m * Vector2d(std::cos(angle), std::sin(angle)));
+      return pixel ? GreyAt(image, *pixel) : std::nullopt;
+    };
+    auto darkest = grey_at(from_m + step_m);
+    for (int k = 2; k <= kSteps; ++k) darkest = std::min(darkest, grey_at(from_m + k * step_m));
+    const auto within = grey_at(within_m), outside = has_margin ? grey_at(outside_m) : within;
+    if (!within || !darkest) return {};
+    const float white = std::min(*within, outside.value_or(*within));
+    contrasts.push_back(white - *darkest);
+    ratios.push_back((white - *darkest) / std::max(white, 1.0F));
   }
-  return quantile(inside, kPaper) - quantile(ring, 0.5);
+  const float usual_ratio = Quantile(ratios, 0.8);
+  constexpr float kDark = 0.45F;
+  const auto dark = std::count_if(ratios.begin(), ratios.end(), [&](float r) { return r > kDark * usual_ratio; });
+  return {Quantile(contrasts, 0.5), static_cast<double>(dark) / kDirections};
 }
 
 float PrintMatch::BlackAt(const Cells& print, const Vector2d& p_W) const {

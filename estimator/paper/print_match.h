@@ -25,12 +25,13 @@ struct PrintPlace {
 /// Shares, 0 to 1, of the H's parts that must be seen as described: dark or bright against the print around them.
 /// Larger ones refuse an H under glare, smaller ones let other letters pass.
 struct PrintMatchConfig {
+  double least_ring = 0.8;  ///< Of the ring's circumference: of a square frame less is where a ring would be.
   double least_between_strokes =
       0.93;                     ///< Of the white above and of that below the bar: an N, M, X or 8 has black there.
   double least_bar = 0.5;       ///< Of the bar: a U or II has none.
   double least_stroke = 0.25;   ///< Of each of the four half strokes: glare may hide most of one,
   double least_strokes = 0.75;  ///< but of all four together only so much.
-  double least_beside = 0.6;    ///< Of the white beside the H, where marks that nobody described may be.
+  double least_beside = 0.8;    ///< Of the white beside the H, where marks that nobody described may be.
   /// Least contrast of the H over that of the ring.
   double least_contrast = 0.2;
 
@@ -59,11 +60,16 @@ class PrintMatch {
   Seen At(const RectifiedDisc& disc, const PrintPlace& place) const;
 
  private:
+  struct SeenRing {
+    double contrast = 0.0;  // Between the paper within the ring and the ring, of 255.
+    double share = 0.0;     // Of the directions in which there is about as much.
+  };
+
   bool Passes(const Seen& seen, double ring_contrast) const;
   double Likeness(const Cells& levelled, const RectifiedDisc& disc, const PrintPlace& place, int stride) const;
   PrintPlace Turned(const Cells& levelled, const RectifiedDisc& disc) const;
   PrintPlace Refined(const Cells& levelled, const RectifiedDisc& disc, const PrintPlace& start) const;
-  double RingContrast(const models::ImageView& image, const SeenPlane& plane, const RectifiedDisc& disc) const;
+  SeenRing RingAt(const models::ImageView& image, const SeenPlane& plane) const;
   float BlackAt(const Cells& print, const Eigen::Vector2d& p_W) const;
 
   models::LandingPad pad_;

@@ -107,7 +107,7 @@ class RingFinder {
     auto ellipse = FitEllipse(chain);
     if (!ellipse || !IsPossible(*ellipse) || !FollowsBoundary(chain, *ellipse)) return std::nullopt;
     Support support;
-    for (const double reach_share : {0.08, 0.05, 0.04}) {
+    for (const double reach_share : {0.15, 0.08, 0.05, 0.04}) {
       support = SupportOf(*ellipse, map_, std::max(2.0, reach_share * ellipse->semi_axes.y()));
       if (support.coverage < 0.5 * config_.least_coverage) return std::nullopt;
       ellipse = FitEllipse(support.points);
