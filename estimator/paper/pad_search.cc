@@ -64,7 +64,7 @@ void PadSearchConfig::Validate() const {
 }
 
 PadSearch::PadSearch(const models::CameraModel& camera, const models::LandingPad& pad, ComponentClassifier classify,
-                     const PadSearchConfig& config)
+                     FrameOrder frame_order, const PadSearchConfig& config)
     : camera_(camera),
       pad_(pad),
       config_(config),
@@ -72,13 +72,14 @@ PadSearch::PadSearch(const models::CameraModel& camera, const models::LandingPad
       letter_(pad),
       detector_(pad, std::move(classify), config.pad_detector),
       print_(pad, config.print_match),
+      searches_edges_(frame_order != FrameOrder::kFlight),
       reduction_(std::max(1, (std::max(camera.width_px, camera.height_px) + kUsualSide_px - 1) / kUsualSide_px)) {}
 
 PadSearch::Result PadSearch::Find(const models::ImageView& image) const {
   const auto shrunk = reduction_ > 1 ? std::optional(Shrunk(image, reduction_)) : std::nullopt;
   const Reduced usual{shrunk ? shrunk->View() : image, {camera_, undistort_, reduction_}};
   Result result = ByComponents(usual);
-  if (result.pad) return result;
+  if (result.pad || !searches_edges_) return result;
   // Coarsely first, where blur and noise vanish and there is less to search.
   constexpr int kCoarse = 2;
   if (std::min(usual.image.width, usual.image.height) >= kCoarse) {

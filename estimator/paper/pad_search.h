@@ -50,7 +50,7 @@ class PadSearch {
  public:
   /// `camera`, `pad` and `config` must be valid.
   PadSearch(const models::CameraModel& camera, const models::LandingPad& pad, ComponentClassifier classify,
-            const PadSearchConfig& config);
+            FrameOrder frame_order, const PadSearchConfig& config);
 
   struct Result {
     std::optional<FoundPad> pad;
@@ -84,6 +84,7 @@ class PadSearch {
   LetterEllipse letter_;
   PadDetector detector_;
   PrintMatch print_;
+  bool searches_edges_;
   int reduction_;  // Of large images.
 };
 

@@ -22,16 +22,6 @@ constexpr double kSharp = 0.012, kBlurred = 0.03;  // Standard deviations, in in
 constexpr double kFarthestOffset = 0.1;            // In inner radii.
 constexpr double kLargestScale = 1.12;
 
-float Bilinear(const Cells& texels, double x, double y) {
-  x = std::clamp(x, 0.0, static_cast<double>(texels.cols()) - 1.001);
-  y = std::clamp(y, 0.0, static_cast<double>(texels.rows()) - 1.001);
-  const int i = static_cast<int>(x), j = static_cast<int>(y);
-  const auto a = static_cast<float>(x - i), b = static_cast<float>(y - j);
-  const float* upper = &texels(j, i);
-  const float* lower = &texels(j + 1, i);
-  return (1 - b) * ((1 - a) * upper[0] + a * upper[1]) + b * ((1 - a) * lower[0] + a * lower[1]);
-}
-
 float Quantile(std::vector<float> values, double share) {
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
@@ -121,11 +111,11 @@ PrintMatch::PrintMatch(const models::LandingPad& pad, const PrintMatchConfig& co
 
 std::optional<PrintPlace> PrintMatch::Find(const models::ImageView& image, const SeenPlane& plane,
                                            const std::optional<PrintPlace>& guess) const {
-  const auto disc = RectifiedDisc::Of(image, plane, reach_m_);
-  if (!disc) return std::nullopt;
   const SeenRing ring = RingAt(image, plane);
   constexpr double kFaintest = 5.0;
   if (ring.contrast < kFaintest || ring.share < config_.least_ring) return std::nullopt;
+  const auto disc = RectifiedDisc::Of(image, plane, reach_m_);
+  if (!disc) return std::nullopt;
   const auto passes = [&](const PrintPlace& place) { return Passes(At(*disc, place), ring.contrast); };
   if (guess && passes(*guess)) return guess;
 
@@ -301,8 +291,11 @@ PrintMatch::SeenRing PrintMatch::RingAt(const models::ImageView& image, const Se
 }
 
 float PrintMatch::BlackAt(const Cells& print, const Vector2d& p_W) const {
-  const double texels_per_m = kTexels / (2.0 * pad_.inner_radius_m()), middle = 0.5 * (kTexels - 1);
-  return Bilinear(print, middle + texels_per_m * p_W.x(), middle + texels_per_m * p_W.y());
+  const double texels_per_m = kTexels / (2.0 * pad_.inner_radius_m()), middle = 0.5 * kTexels;
+  const auto texel = [&](double coordinate_m) {
+    return std::clamp(static_cast<int>(middle + texels_per_m * coordinate_m), 0, kTexels - 1);
+  };
+  return print(texel(p_W.y()), texel(p_W.x()));
 }
 
 }  // namespace touchdown::estimator

@@ -25,7 +25,7 @@ struct PrintPlace {
 /// Shares, 0 to 1, of the H's parts that must be seen as described: dark or bright against the print around them.
 /// Larger ones refuse an H under glare, smaller ones let other letters pass.
 struct PrintMatchConfig {
-  double least_ring = 0.8;  ///< Of the ring's circumference: of a square frame less is where a ring would be.
+  double least_ring = 0.75;  ///< Of the ring's circumference: of a square frame less is where a ring would be.
   double least_between_strokes =
       0.93;                     ///< Of the white above and of that below the bar: an N, M, X or 8 has black there.
   double least_bar = 0.5;       ///< Of the bar: a U or II has none.

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <opencv2/imgproc.hpp>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "models/angles.h"
@@ -35,33 +36,56 @@ struct EdgeMap {
   Vector2d GradientAt(int u, int v) const { return {gradient_u(v, u), gradient_v(v, u)}; }
 };
 
+/// Edge pixels that follow one another along a curve.
+struct Chain {
+  std::vector<Vector2d> points;
+  Vector2d sum_of_normals = Vector2d::Zero();  // Unit gradients.
+
+  /// Whether it turns enough to tell an ellipse: over an arc of angle a the normals' mean has a length of
+  /// sin(a/2) / (a/2).
+  bool IsBent() const {
+    constexpr double kOfArc45deg = 0.975;
+    return sum_of_normals.norm() < kOfArc45deg * static_cast<double>(points.size());
+  }
+};
+
+/// Whether two gradients point nearly the same way.
+bool AreAligned(const Vector2d& a, const Vector2d& b) {
+  constexpr double kLeastCosine = 0.85;
+  const double dot = a.dot(b);
+  return dot > 0.0 && dot * dot > kLeastCosine * kLeastCosine * a.squaredNorm() * b.squaredNorm();
+}
+
 /// Edge pixels linked to neighbours whose gradients point nearly the same way: a chain ends at a corner, and where
-/// another edge crosses or touches.
-std::vector<std::vector<Vector2d>> ChainsOf(const EdgeMap& map) {
-  constexpr std::size_t kFewestOfChain = 14;
-  constexpr double kLeastAlignment = 0.85;
+/// another edge crosses or touches. Only those long and bent enough.
+std::vector<Chain> ChainsOf(const EdgeMap& map) {
+  constexpr std::size_t kFewestOfChain = 20;
   cv::Mat1b waiting = map.edges.clone();
-  std::vector<std::vector<Vector2d>> chains;
-  std::vector<cv::Point> chain;
+  std::vector<Chain> chains;
+  std::vector<cv::Point> linked;
   for (int v = 0; v < waiting.rows; ++v) {
     for (int u = 0; u < waiting.cols; ++u) {
       if (waiting(v, u) == 0) continue;
-      chain.assign(1, {u, v});
+      linked.assign(1, {u, v});
       waiting(v, u) = 0;
-      for (std::size_t i = 0; i < chain.size(); ++i) {
-        const cv::Point here = chain[i];
-        const Vector2d gradient = map.GradientAt(here.x, here.y).normalized();
+      for (std::size_t i = 0; i < linked.size(); ++i) {
+        const cv::Point here = linked[i];
+        const Vector2d gradient = map.GradientAt(here.x, here.y);
         for (int y = std::max(0, here.y - 1); y <= std::min(waiting.rows - 1, here.y + 1); ++y) {
           for (int x = std::max(0, here.x - 1); x <= std::min(waiting.cols - 1, here.x + 1); ++x) {
-            if (waiting(y, x) == 0 || map.GradientAt(x, y).normalized().dot(gradient) < kLeastAlignment) continue;
+            if (waiting(y, x) == 0 || !AreAligned(map.GradientAt(x, y), gradient)) continue;
             waiting(y, x) = 0;
-            chain.push_back({x, y});
+            linked.push_back({x, y});
           }
         }
       }
-      if (chain.size() < kFewestOfChain) continue;
-      chains.emplace_back();
-      for (const cv::Point& p : chain) chains.back().emplace_back(p.x, p.y);
+      if (linked.size() < kFewestOfChain) continue;
+      Chain chain;
+      for (const cv::Point& p : linked) {
+        chain.points.emplace_back(p.x, p.y);
+        chain.sum_of_normals += map.GradientAt(p.x, p.y).normalized();
+      }
+      if (chain.IsBent()) chains.push_back(std::move(chain));
     }
   }
   return chains;
@@ -103,7 +127,7 @@ class RingFinder {
   RingFinder(const EdgeMap& map, const RingSearchConfig& config) : map_(map), config_(config) {}
 
   /// The ring of which a chain of edges may be part.
-  std::optional<std::pair<double, Ellipse>> RingThrough(const std::vector<Vector2d>& chain) const {
+  std::optional<std::pair<double, Ellipse>> RingThrough(std::span<const Vector2d> chain) const {
     auto ellipse = FitEllipse(chain);
     if (!ellipse || !IsPossible(*ellipse) || !FollowsBoundary(chain, *ellipse)) return std::nullopt;
     Support support;
@@ -128,7 +152,7 @@ class RingFinder {
            is_seen_whole;
   }
 
-  bool FollowsBoundary(const std::vector<Vector2d>& chain, const Ellipse& ellipse) const {
+  bool FollowsBoundary(std::span<const Vector2d> chain, const Ellipse& ellipse) const {
     constexpr double kLargestRmsShare = 0.06, kLeastOutwards = 0.8;
     if (RmsDistance(ellipse, chain) > std::max(1.0, kLargestRmsShare * ellipse.semi_axes.y())) return false;
     const auto outwards = std::count_if(chain.begin(), chain.end(), [&](const Vector2d& p) {
@@ -162,8 +186,8 @@ std::vector<Ellipse> FindRings(const models::ImageView& image, const RingSearchC
   const EdgeMap map(image, config);
   const RingFinder finder(map, config);
   std::vector<std::pair<double, Ellipse>> rings;
-  for (const auto& chain : ChainsOf(map)) {
-    if (const auto ring = finder.RingThrough(chain)) rings.push_back(*ring);
+  for (const Chain& chain : ChainsOf(map)) {
+    if (const auto ring = finder.RingThrough(chain.points)) rings.push_back(*ring);
   }
   std::stable_sort(rings.begin(), rings.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<Ellipse> distinct;

@@ -13,7 +13,7 @@ struct RingSearchConfig {
   double canny_high = 40.0;
   /// Least share of the circumference at which an edge is seen. Smaller values find rings of which more is burnt out or
   /// covered, and more that are none.
-  double least_coverage = 0.6;
+  double least_coverage = 0.66;
   double smallest_semi_axis_px = 5.0;
   double least_axis_ratio = 0.3;  ///< Of a circle that is seen under 72 degrees.
   int most_rings = 16;
