@@ -29,9 +29,7 @@ void PadDetectorConfig::Validate() const {
   if (!std::isfinite(size_tolerance) || size_tolerance < 1.0) {
     throw InputError("the pad detector's size tolerance must be at least 1");
   }
-  if (!(least_posterior > 0.0 && least_posterior <= 1.0) || most_candidates < 1) {
-    throw InputError("the pad detector's least posterior must be in (0, 1], and it must hand on a candidate at least");
-  }
+  if (most_candidates < 1) throw InputError("the pad detector must hand on a candidate at least");
   for (const double value : {center_tolerance, pixel_tolerance_px}) {
     if (!std::isfinite(value) || value < 0.0) {
       throw InputError("the pad detector's tolerances must be finite and not negative");
@@ -67,10 +65,6 @@ bool PadDetector::MayBePad(const Component& ring, const Component& letter) const
   return size_fits && center_fits;
 }
 
-bool PadDetector::Counts(const Classification& seen, FrameTrace::Label label) const {
-  return seen.label == label || PosteriorOf(seen, label) >= config_.least_posterior;
-}
-
 PadDetector::Result PadDetector::Detect(const ComponentSet& components) const {
   Result result{FrameStatus::kNoComponent, {}};
   if (components.components.empty()) return result;
@@ -80,11 +74,11 @@ PadDetector::Result PadDetector::Detect(const ComponentSet& components) const {
     const Classification seen = classify_(components, component);
     const double posterior = PosteriorOf(seen, seen.label);
     result.labelled.push_back({component.u, component.v, component.width, component.height, seen.label, posterior});
-    if (Counts(seen, FrameTrace::Label::kCircle) && !components.IsCutByBorder(component)) {
-      circles.push_back({&component, PosteriorOf(seen, FrameTrace::Label::kCircle)});
+    if (seen.label == FrameTrace::Label::kCircle && !components.IsCutByBorder(component)) {
+      circles.push_back({&component, posterior});
     }
-    if (Counts(seen, FrameTrace::Label::kH)) {
-      letters.push_back({&component, PosteriorOf(seen, FrameTrace::Label::kH)});
+    if (seen.label == FrameTrace::Label::kH) {
+      letters.push_back({&component, posterior});
     }
   }
   result.outcome = circles.empty() ? FrameStatus::kNoCircle : FrameStatus::kNoH;

@@ -22,8 +22,6 @@ struct PadDetectorConfig {
   /// How far the centres of both boxes may lie apart, as a share of the ring's box: near and tilted, perspective moves
   /// them by up to (R / 2d) sin(tilt), 0.15 for R = 90 mm at d = 0.23 m and 50 degrees.
   double center_tolerance = 0.15;
-  /// A component counts as a circle or an H when this is its label, or its posterior at least so large.
-  double least_posterior = 1.0;
   int most_candidates = 6;          ///< So many pairs are handed on.
   double pixel_tolerance_px = 1.5;  ///< Added to every bound: what a box is off by for being made of pixels.
 
@@ -58,8 +56,6 @@ class PadDetector {
   bool MayBePad(const Component& ring, const Component& letter) const;
 
  private:
-  bool Counts(const Classification& seen, FrameTrace::Label label) const;
-
   ComponentClassifier classify_;
   PadDetectorConfig config_;
   double smallest_size_ratio_, largest_size_ratio_;

@@ -185,7 +185,7 @@ void RingSearchConfig::Validate() const {
 std::vector<Ellipse> FindRings(const models::ImageView& image, const RingSearchConfig& config) {
   const EdgeMap map(image, config);
   const RingFinder finder(map, config);
-  std::vector<std::pair<double, Ellipse>> rings;
+  std::vector<std::pair<double, Ellipse>> rings;  // With their coverage.
   for (const Chain& chain : ChainsOf(map)) {
     if (const auto ring = finder.RingThrough(chain.points)) rings.push_back(*ring);
   }

@@ -94,18 +94,6 @@ TEST(PadDetector, BringsThePairThatTheNetworkIsSurestOfFirst) {
   EXPECT_EQ(candidates[1].ring.u, 100);
 }
 
-TEST(PadDetector, TakesLikelyPartsOfAnotherLabelWhenToldTo) {
-  const Component ring = Box(100, 100, 90, 90), letter = Box(131, 120, 28, 50);
-  // What is left of the posterior goes to the other two classes alike: 0.2 each.
-  const auto knowing = Knowing({{100, {Label::kCircle, 0.9}}, {131, {Label::kOther, 0.6}}});
-  EXPECT_EQ(std::get<FrameStatus>(PadDetector({}, knowing).Detect(SetOf({ring, letter})).outcome), FrameStatus::kNoH);
-  const PadDetector lenient({}, knowing, {.least_posterior = 0.15});
-  const auto found = lenient.Detect(SetOf({ring, letter}));
-  EXPECT_EQ(std::get<std::vector<DetectedPad>>(found.outcome).front().letter.u, 131);
-  const PadDetector stricter({}, knowing, {.least_posterior = 0.25});
-  EXPECT_EQ(std::get<FrameStatus>(stricter.Detect(SetOf({ring, letter})).outcome), FrameStatus::kNoH);
-}
-
 TEST(PadDetector, HoldsTheHAgainstTheRingsSizeAndCentre) {
   const PadDetector detector(models::LandingPad(), kUnused);
   const Component ring = Box(100, 100, 90, 90);
@@ -166,7 +154,6 @@ TEST(PadDetector, KeepsThePadFromAnyHeightYawAndTiltUpTo50Degrees) {
 TEST(PadDetector, RefusesImpossibleSettings) {
   EXPECT_THROW((PadDetectorConfig{.size_tolerance = 0.9}.Validate()), InputError);
   EXPECT_THROW((PadDetectorConfig{.center_tolerance = -0.1}.Validate()), InputError);
-  EXPECT_THROW((PadDetectorConfig{.least_posterior = 0.0}.Validate()), InputError);
   EXPECT_THROW((PadDetectorConfig{.most_candidates = 0}.Validate()), InputError);
   models::LandingPad pad;
   pad.outer_radius_m = 0.0;

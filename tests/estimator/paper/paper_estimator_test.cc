@@ -155,6 +155,36 @@ TEST_F(PaperEstimatorTest, TakesUnrelatedPicturesOneByOne) {
   }
 }
 
+TEST_F(PaperEstimatorTest, SearchesFootageOnWhereComponentsShowNoPad) {
+  // Glare breaks a stroke of the H and hides a fifth of the ring.
+  const auto glare = [](const Eigen::Vector2d& p) -> std::optional<double> {
+    const bool on_stroke = (p - Eigen::Vector2d(0.03, 0.02)).norm() < 0.011;
+    const bool on_ring = p.norm() < 0.094 && std::abs(std::atan2(p.y(), p.x()) - 0.7) < 0.6 && p.norm() > 0.07;
+    return on_stroke || on_ring ? std::optional(230.0) : std::nullopt;
+  };
+  const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.05, -0.03, 0.5}, 0.3, 0.2, 0.6);
+  const models::Image image = Picture(X_WB, {.noise_sigma = 3.0, .paint = glare});
+  EXPECT_FALSE(estimator_->Estimate(image.View(), tick_ += kFrame, GravityIn(X_WB)).pose);
+  setup_.frame_order = FrameOrder::kUnrelated;
+  const FrameEstimate seen = PaperEstimator(setup_).Estimate(image.View(), 0, GravityIn(X_WB));
+  ASSERT_EQ(seen.status, FrameStatus::kOk);
+  EXPECT_LT((seen.pose->X_WB.translation() - X_WB.translation()).norm(), 0.03);
+  EXPECT_LT(AngleBetween(seen.pose->X_WB, X_WB), models::DegToRad(5.0));
+  EXPECT_GT(seen.ring_box->width, 100);
+}
+
+TEST_F(PaperEstimatorTest, MeasuresTheYawOfASquareH) {
+  setup_.frame_order = FrameOrder::kUnrelated;
+  setup_.pad.h_height_m = setup_.pad.h_width_m = 0.08;
+  PaperEstimator estimator(setup_);
+  for (int deg = -85; deg <= 85; deg += 34) {
+    const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.02, 0.01, 0.5}, models::DegToRad(deg));
+    const auto seen = estimator.Estimate(Picture(X_WB).View(), 0, GravityIn(X_WB));
+    ASSERT_TRUE(seen.pose) << deg;
+    EXPECT_NEAR(models::RadToDeg(models::TaitBryanFromRotation(seen.pose->X_WB.linear()).yaw), deg, 1.5);
+  }
+}
+
 TEST_F(PaperEstimatorTest, MeasuresYawWithin90DegreesEitherSide) {
   for (int deg = -85; deg <= 85; deg += 34) {
     const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.02, 0.01, 0.5}, models::DegToRad(deg));

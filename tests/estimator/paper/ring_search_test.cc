@@ -77,6 +77,12 @@ TEST_F(RingSearchTest, TakesNoRingThatLeavesTheImage) {
   for (const Ellipse& ring : RingsIn({})) EXPECT_GT(FarthestFrom(ring), 5.0);
 }
 
+TEST_F(RingSearchTest, FindsNothingInImagesOfFewPixels) {
+  for (int width = 1; width < 6; ++width) {
+    for (int height = 1; height < 6; ++height) EXPECT_TRUE(FindRings(models::Image(width, height).View()).empty());
+  }
+}
+
 TEST_F(RingSearchTest, RefusesImpossibleSettings) {
   EXPECT_THROW((RingSearchConfig{.canny_low = 50.0, .canny_high = 40.0}.Validate()), InputError);
   EXPECT_THROW((RingSearchConfig{.least_coverage = 1.1}.Validate()), InputError);
