@@ -21,7 +21,7 @@ enum class FrameStatus {
   kNoCircle,     ///< No component was classified as a circle that the image's border does not cut.
   kNoH,          ///< No component was classified as a letter H.
   kNoPair,       ///< No H satisfies the geometric constraint with a circle (Sec. IV-A.4).
-  kNoEllipse,    ///< No pair's ring gave an ellipse and a pose with whose plane its letter is the described H.
+  kNoEllipse,    ///< No pair's ring gave an ellipse and a pose on whose plane the print is the described one.
   kOutlier,      ///< The pose jumps from the previous ones (Sec. IV-C.2).
 };
 
@@ -85,7 +85,8 @@ struct FrameEstimate {
 
 /// How the frames that an estimator is given belong together.
 enum class FrameOrder {
-  kFlight,     ///< A flight from the pad: the first pose is near (0, 0, 0.3 m) and level (Sec. VI-B.1).
+  kFlight,  ///< A flight from the pad: the first pose is near (0, 0, 0.3 m) and level (Sec. VI-B.1), and after a frame
+            ///< that shows no pad the next is soon there. In the other two every picture counts.
   kSequence,   ///< One film that begins anywhere.
   kUnrelated,  ///< Pictures that have nothing to do with each other.
 };

@@ -212,8 +212,8 @@ PadContours FindContours(const models::ImageView& image, const PixelBox& ring_bo
   const double near_m = kNear * std::min(pad.h_stroke_m, pad.ring_width_m);
   const double near_ring_m = std::max(near_m, kCurl * pad.outer_radius_m);
   return Sorted(patch, Reach(ring_box, pad), config, [&](const Vector2d& pixel, const Vector2d& to_bright) {
-    const Vector2d p = plane.PointAt(origin + pixel).head<2>();
-    const Vector2d outwards = (plane.PointAt(origin + pixel + to_bright).head<2>() - p).normalized();
+    const Vector2d p = plane.PointAt(origin + pixel);
+    const Vector2d outwards = (plane.PointAt(origin + pixel + to_bright) - p).normalized();
     const double radius = p.norm(), cos_outwards = outwards.dot(p) / radius;
     if (cos_outwards > kAligned && std::abs(radius - pad.outer_radius_m) < near_ring_m) return Contour::kRingOuter;
     if (cos_outwards < -kAligned && std::abs(radius - pad.inner_radius_m()) < near_m) return Contour::kRingInner;

@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "models/angles.h"
@@ -61,30 +60,39 @@ double MedianDistance(const Ellipse& ellipse, std::span<const Eigen::Vector2d> p
 /// In which directions from an ellipse's centre, the ellipse made a circle, there are points.
 class Directions {
  public:
-  Directions(const Ellipse& ellipse, std::span<const Eigen::Vector2d> points) : ellipse_(ellipse) {
+  Directions(const Ellipse& ellipse, std::span<const Eigen::Vector2d> points)
+      : ellipse_(ellipse), covered_(SectorsOf(ellipse), false) {
     for (const Eigen::Vector2d& point : points) covered_[SectorOf(point)] = true;
   }
 
-  double Coverage() const { return static_cast<double>(std::count(covered_.begin(), covered_.end(), true)) / kSectors; }
+  double Coverage() const {
+    return static_cast<double>(std::count(covered_.begin(), covered_.end(), true)) /
+           static_cast<double>(covered_.size());
+  }
 
-  /// Whether there is a gap in the point's direction or beside it.
+  /// Whether there is a gap beside the point's direction.
   bool IsBesideGap(const Eigen::Vector2d& point) const {
     const std::size_t sector = SectorOf(point);
-    return !covered_[(sector + 1) % kSectors] || !covered_[(sector + kSectors - 1) % kSectors];
+    return !covered_[(sector + 1) % covered_.size()] || !covered_[(sector + covered_.size() - 1) % covered_.size()];
   }
 
  private:
-  static constexpr std::size_t kSectors = 36;
+  /// So many that each holds some pixels of the circumference.
+  static std::size_t SectorsOf(const Ellipse& ellipse) {
+    constexpr double kPixels = 4.0, kFewest = 8.0, kMost = 36.0;
+    return static_cast<std::size_t>(std::clamp(models::kPi * ellipse.semi_axes.sum() / kPixels, kFewest, kMost));
+  }
 
   std::size_t SectorOf(const Eigen::Vector2d& point) const {
     const Eigen::Vector2d p =
         (Eigen::Rotation2Dd(-ellipse_.angle) * (point - ellipse_.center)).cwiseQuotient(ellipse_.semi_axes);
+    const auto sectors = static_cast<double>(covered_.size());
     const double turn = std::atan2(p.y(), p.x()) / (2.0 * models::kPi) + 0.5;
-    return static_cast<std::size_t>(std::clamp(turn * kSectors, 0.0, kSectors - 1.0));
+    return static_cast<std::size_t>(std::clamp(turn * sectors, 0.0, sectors - 1.0));
   }
 
   const Ellipse& ellipse_;
-  std::array<bool, kSectors> covered_{};
+  std::vector<bool> covered_;
 };
 
 }  // namespace

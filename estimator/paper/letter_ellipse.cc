@@ -21,7 +21,8 @@ Ellipse FittedTo(const models::LandingPad& pad) {
 
 }  // namespace
 
-LetterEllipse::LetterEllipse(const models::LandingPad& pad) : in_pad_(FittedTo(pad)) {}
+LetterEllipse::LetterEllipse(const models::LandingPad& pad)
+    : half_height_m_(pad.h_height_m / 2.0), in_pad_(FittedTo(pad)) {}
 
 bool LetterEllipse::HasDirection() const {
   constexpr double kLeastElongation = 1.1;
@@ -34,11 +35,17 @@ double LetterEllipse::StrokeAngle(const Ellipse& seen) const {
 }
 
 std::optional<double> LetterEllipse::StrokeAngleSeenFrom(const Eigen::Isometry3d& X_CW) const {
+  if (!HasDirection()) {
+    const Eigen::Vector3d from = X_CW * Eigen::Vector3d(-half_height_m_, 0.0, 0.0);
+    const Eigen::Vector3d to = X_CW * Eigen::Vector3d(half_height_m_, 0.0, 0.0);
+    const Eigen::Vector2d along = to.hnormalized() - from.hnormalized();
+    return models::WrapToHalfPi(std::atan2(along.y(), along.x()));
+  }
   Eigen::Matrix3d image_from_plane;
   image_from_plane << X_CW.linear().leftCols<2>(), X_CW.translation();
   const Eigen::Matrix3d plane_from_image = image_from_plane.inverse();
   const auto seen = Ellipse::FromConic(plane_from_image.transpose() * in_pad_.Conic() * plane_from_image);
-  if (!seen || !HasDirection()) return std::nullopt;
+  if (!seen) return std::nullopt;
   return StrokeAngle(*seen);
 }
 

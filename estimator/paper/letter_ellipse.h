@@ -25,10 +25,12 @@ class LetterEllipse {
   double StrokeAngle(const Ellipse& seen) const;
 
   /// The StrokeAngle of the H in the normalized image of a camera at X_CW: what Sec. IV-C.3 takes for the direction of
-  /// the strokes, perspective and all. nullopt where the H's ellipse is not seen as an ellipse, or has no direction.
+  /// the strokes, perspective and all; where the ellipse has no direction, that of the H's X axis.
+  /// nullopt where the H's ellipse is not seen as an ellipse.
   std::optional<double> StrokeAngleSeenFrom(const Eigen::Isometry3d& X_CW) const;
 
  private:
+  double half_height_m_;
   Ellipse in_pad_;  // In the plane of W, m.
 };
 

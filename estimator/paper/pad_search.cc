@@ -15,8 +15,13 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// The steps are set for images about this wide; a larger one is reduced to it first.
+/// The steps are set for images no wider than this; a larger one is reduced first, by a whole number.
 constexpr int kUsualSide_px = 960;
+
+int ReductionOf(const models::CameraModel& camera) {
+  const auto [shorter, longer] = std::minmax(camera.width_px, camera.height_px);
+  return std::clamp((longer + kUsualSide_px - 1) / kUsualSide_px, 1, shorter);
+}
 
 /// Means over squares of `n` by `n` px; what is left at the right and the bottom is cut off.
 models::Image Shrunk(const models::ImageView& image, int n) {
@@ -73,7 +78,7 @@ PadSearch::PadSearch(const models::CameraModel& camera, const models::LandingPad
       detector_(pad, std::move(classify), config.pad_detector),
       print_(pad, config.print_match),
       searches_edges_(frame_order != FrameOrder::kFlight),
-      reduction_(std::max(1, (std::max(camera.width_px, camera.height_px) + kUsualSide_px - 1) / kUsualSide_px)) {}
+      reduction_(ReductionOf(camera)) {}
 
 PadSearch::Result PadSearch::Find(const models::ImageView& image) const {
   const auto shrunk = reduction_ > 1 ? std::optional(Shrunk(image, reduction_)) : std::nullopt;
@@ -84,9 +89,9 @@ PadSearch::Result PadSearch::Find(const models::ImageView& image) const {
   constexpr int kCoarse = 2;
   if (std::min(usual.image.width, usual.image.height) >= kCoarse) {
     const models::Image coarse = Shrunk(usual.image, kCoarse);
-    result.pad = ByEdges({coarse.View(), {camera_, undistort_, kCoarse * reduction_}});
+    result.pad = ByEdges({coarse.View(), {camera_, undistort_, kCoarse * reduction_}}, usual);
   }
-  if (!result.pad) result.pad = ByEdges(usual);
+  if (!result.pad) result.pad = ByEdges(usual, usual);
   return result;
 }
 
@@ -118,43 +123,59 @@ std::optional<FoundPad> PadSearch::Fit(const Reduced& seen, const ComponentSet& 
   const auto ring_poses = PosesOfCircle(NormalizedConic(*ring_outer, camera_), pad_.outer_radius_m);
   const auto normalized_letter = Ellipse::FromConic(NormalizedConic(*letter, camera_));
   if (!ring_poses || !normalized_letter) return std::nullopt;
-  for (const CirclePose& pose : *ring_poses) {
-    const SeenPlane plane(pose, seen.view);
-    std::vector<Vector2d> on_plane;
-    for (const Vector2d& point : PointsOn(*normalized_letter)) on_plane.push_back(plane.PointAlong(point).head<2>());
-    std::optional<PrintPlace> guess;
-    const auto letter_on_plane = FitEllipse(on_plane);
-    if (letter_on_plane && letter_.HasDirection()) guess = {.angle = letter_.StrokeAngle(*letter_on_plane)};
-    const auto place = print_.Find(seen.image, plane, guess);
-    if (!place) continue;
-    // Where the letter's component does not lead to the print, it is not the H alone, or not the whole H.
-    if (!guess || place->angle != guess->angle) return WithPrint(seen, BoxOf(detected.ring), plane, *place);
-    return FoundPad{*ring_outer,
-                    FitEllipse(contours.ring_inner),
-                    *letter,
-                    letter_.StrokeAngle(*normalized_letter),
-                    std::move(contours),
-                    Scaled(BoxOf(detected.ring), seen.view.reduction)};
-  }
-  return std::nullopt;
+  const bool is_the_letter = std::any_of(ring_poses->begin(), ring_poses->end(), [&](const CirclePose& pose) {
+    return IsPrintUnder(*normalized_letter, seen, pose);
+  });
+  // Else its component is not the H alone, or not the whole H.
+  if (!is_the_letter) return ByPrint(seen, seen, BoxOf(detected.ring), *ring_poses);
+  return FoundPad{*ring_outer,
+                  FitEllipse(contours.ring_inner),
+                  *letter,
+                  letter_.StrokeAngle(*normalized_letter),
+                  std::move(contours),
+                  Scaled(BoxOf(detected.ring), seen.view.reduction)};
 }
 
-std::optional<FoundPad> PadSearch::ByEdges(const Reduced& seen) const {
-  for (const Ellipse& ring : FindRings(seen.image, config_.ring_search)) {
-    const auto poses = PosesOfCircle(NormalizedConic(Undistorted(ring, seen.view), camera_), pad_.outer_radius_m);
+/// Whether the letter's ellipse tells where the print is, on the plane of this pose.
+bool PadSearch::IsPrintUnder(const Ellipse& normalized_letter, const Reduced& seen, const CirclePose& ring_pose) const {
+  if (!letter_.HasDirection()) return false;
+  const SeenPlane plane(ring_pose, seen.view);
+  std::vector<Vector2d> on_plane;
+  for (const Vector2d& point : PointsOn(normalized_letter)) on_plane.push_back(plane.PointAlong(point));
+  const auto letter = FitEllipse(on_plane);
+  if (!letter) return false;
+  const double angle = letter_.StrokeAngle(*letter);
+  const auto is_at = [&](double turned) { return print_.IsAt(seen.image, plane, {.angle = turned}); };
+  return is_at(angle) || (!pad_.marks.empty() && is_at(angle + models::kPi));
+}
+
+std::optional<FoundPad> PadSearch::ByEdges(const Reduced& searched, const Reduced& measured) const {
+  for (const Ellipse& ring : FindRings(searched.image, config_.ring_search)) {
+    const auto poses = PosesOfCircle(NormalizedConic(Undistorted(ring, searched.view), camera_), pad_.outer_radius_m);
     if (!poses) continue;
-    for (const CirclePose& pose : *poses) {
-      const SeenPlane plane(pose, seen.view);
-      const auto place = print_.Find(seen.image, plane);
-      if (!place) continue;
-      if (auto pad = WithPrint(seen, BoxOf(ring), plane, *place)) return pad;
-    }
+    const PixelBox box = Scaled(BoxOf(ring), searched.view.reduction / measured.view.reduction);
+    if (auto pad = ByPrint(searched, measured, box, *poses)) return pad;
   }
   return std::nullopt;
 }
 
-std::optional<FoundPad> PadSearch::WithPrint(const Reduced& seen, const PixelBox& ring_box, const SeenPlane& plane,
-                                             const PrintPlace& place) const {
+std::optional<FoundPad> PadSearch::ByPrint(const Reduced& searched, const Reduced& measured, const PixelBox& ring_box,
+                                           const std::array<CirclePose, 2>& ring_poses) const {
+  std::vector<std::pair<PrintMatch::Found, CirclePose>> prints;
+  for (const CirclePose& pose : ring_poses) {
+    if (const auto found = print_.Find(searched.image, SeenPlane(pose, searched.view)))
+      prints.emplace_back(*found, pose);
+  }
+  std::stable_sort(prints.begin(), prints.end(),
+                   [](const auto& a, const auto& b) { return a.first.likeness > b.first.likeness; });
+  for (const auto& [found, pose] : prints) {
+    if (auto pad = Measure(measured, ring_box, SeenPlane(pose, measured.view), found.place)) return pad;
+  }
+  return std::nullopt;
+}
+
+std::optional<FoundPad> PadSearch::Measure(const Reduced& seen, const PixelBox& ring_box, const SeenPlane& plane,
+                                           const PrintPlace& place) const {
   PadContours contours = FindContours(seen.image, ring_box, plane, place, pad_, config_.edges);
   Undistort(seen.view, contours);
   RingFitConfig broken = config_.ring_fit;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -32,7 +33,8 @@ struct PadSearchConfig {
   void Validate() const;
 };
 
-/// The pad's contours and their ellipses, undistorted px.
+/// The pad's contours and their ellipses, undistorted px. Where the letter is no component of its own, its ellipse is
+/// that of the described outline where the print was found.
 struct FoundPad {
   Ellipse ring_outer;
   std::optional<Ellipse> ring_inner;
@@ -54,9 +56,9 @@ class PadSearch {
 
   struct Result {
     std::optional<FoundPad> pad;
-    FrameStatus failed = FrameStatus::kNoComponent;  ///< The stage at which the components' way failed; without meaning
-                                                     ///< with a pad.
-    std::vector<FrameTrace::Component> labelled;
+    /// The stage at which the components' way failed; without meaning with a pad.
+    FrameStatus failed = FrameStatus::kNoComponent;
+    std::vector<FrameTrace::Component> labelled;  ///< Without those of the pad where its edges showed it.
   };
 
   Result Find(const models::ImageView& image) const;
@@ -70,9 +72,12 @@ class PadSearch {
 
   Result ByComponents(const Reduced& seen) const;
   std::optional<FoundPad> Fit(const Reduced& seen, const ComponentSet& components, const DetectedPad& detected) const;
-  std::optional<FoundPad> ByEdges(const Reduced& seen) const;
-  std::optional<FoundPad> WithPrint(const Reduced& seen, const PixelBox& ring_box, const SeenPlane& plane,
-                                    const PrintPlace& place) const;
+  std::optional<FoundPad> ByEdges(const Reduced& searched, const Reduced& measured) const;
+  std::optional<FoundPad> ByPrint(const Reduced& searched, const Reduced& measured, const PixelBox& ring_box,
+                                  const std::array<CirclePose, 2>& ring_poses) const;
+  std::optional<FoundPad> Measure(const Reduced& seen, const PixelBox& ring_box, const SeenPlane& plane,
+                                  const PrintPlace& place) const;
+  bool IsPrintUnder(const Ellipse& normalized_letter, const Reduced& seen, const CirclePose& ring_pose) const;
   void Undistort(const ReducedView& view, PadContours& contours) const;
   Ellipse Undistorted(const Ellipse& raw, const ReducedView& view) const;
   double StrokeAngle(const SeenPlane& plane, const PrintPlace& place, const Ellipse& letter) const;

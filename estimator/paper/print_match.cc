@@ -18,8 +18,8 @@ using Eigen::Vector2d;
 
 constexpr int kCells = RectifiedDisc::kCells;
 constexpr int kTexels = 256;
-constexpr double kSharp = 0.012, kBlurred = 0.03;  // Standard deviations, in inner radii.
-constexpr double kFarthestOffset = 0.1;            // In inner radii.
+constexpr double kBlurred = 0.03;        // Standard deviation, in inner radii.
+constexpr double kFarthestOffset = 0.1;  // In inner radii.
 constexpr double kLargestScale = 1.12;
 
 float Quantile(std::vector<float> values, double share) {
@@ -67,6 +67,31 @@ Cells Smoothed(const Cells& print, double sigma) {
   return smoothed;
 }
 
+double LetterReach(const models::LandingPad& pad) { return 0.5 * std::hypot(pad.h_height_m, pad.h_width_m); }
+
+/// Whether nothing is printed on a circle around W's origin.
+bool IsWhite(const models::LandingPad& pad, double radius_m) {
+  constexpr int kDirections = 360;
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 2.0 * models::kPi * i / kDirections;
+    if (pad.IsBlack(radius_m * Vector2d(std::cos(angle), std::sin(angle)))) return false;
+  }
+  return true;
+}
+
+/// Standard deviation, in inner radii, of a blur that leaves the middle of a stroke black.
+double Sharpness(const models::LandingPad& pad) {
+  constexpr double kUsual = 0.012, kOfStroke = 0.15;
+  return std::min(kUsual, kOfStroke * pad.h_stroke_m / pad.inner_radius_m());
+}
+
+/// How far from the edges of an H its parts are looked at, m.
+double EdgeMargin(const models::LandingPad& pad, double cell_m) {
+  const double narrowest_m =
+      std::min({pad.h_stroke_m, pad.h_width_m - 2.0 * pad.h_stroke_m, 0.5 * (pad.h_height_m - pad.h_stroke_m)});
+  return std::min(0.25 * narrowest_m, 0.1 * pad.h_stroke_m + 0.5 * cell_m);
+}
+
 /// The parts of an H, each of which another letter may lack.
 enum Part { kBar, kFirstStroke, kFirstBetween = kFirstStroke + 4, kBeside = kFirstBetween + 2, kParts };
 
@@ -104,42 +129,54 @@ void PrintMatchConfig::Validate() const {
 PrintMatch::PrintMatch(const models::LandingPad& pad, const PrintMatchConfig& config)
     : pad_(pad),
       config_(config),
-      reach_m_(std::min(0.98 * pad.inner_radius_m(), 1.15 * std::hypot(pad.h_height_m, pad.h_width_m) / 2.0 +
-                                                         kFarthestOffset * pad.inner_radius_m())),
-      print_(Smoothed(DrawPrint(pad), kSharp)),
-      blurred_(Smoothed(DrawPrint(pad), kBlurred)) {}
+      reach_m_(std::min(0.98 * pad.inner_radius_m(), 1.15 * LetterReach(pad) + kFarthestOffset * pad.inner_radius_m())),
+      white_m_(std::max(0.5 * (LetterReach(pad) + pad.inner_radius_m()), 0.85 * pad.inner_radius_m())),
+      is_white_within_(IsWhite(pad, white_m_)) {
+  const Cells print = DrawPrint(pad);
+  print_ = Smoothed(print, Sharpness(pad));
+  blurred_ = Smoothed(print, kBlurred);
+}
 
-std::optional<PrintPlace> PrintMatch::Find(const models::ImageView& image, const SeenPlane& plane,
-                                           const std::optional<PrintPlace>& guess) const {
-  const SeenRing ring = RingAt(image, plane);
+bool PrintMatch::IsAt(const models::ImageView& image, const SeenPlane& plane, const PrintPlace& place) const {
+  const auto within = Within(image, plane);
+  return within && Passes(At(within->disc, place), within->ring_contrast);
+}
+
+std::optional<PrintMatch::Found> PrintMatch::Find(const models::ImageView& image, const SeenPlane& plane) const {
+  const auto within = Within(image, plane);
+  if (!within) return std::nullopt;
+  const auto& [disc, ring_contrast] = *within;
+  constexpr double kNoiseShare = 0.15, kLeastLikeness = 0.3;
+  const Cells levelled = disc.Levelled(kNoiseShare * ring_contrast);
+  const PrintPlace turned = Turned(levelled, disc);
+  if (Likeness(levelled, disc, turned, 1) < kLeastLikeness) return std::nullopt;
+  const Found found = Refined(levelled, disc, turned);
+  constexpr double kLargestSize = 1.1;
+  const double size = std::sqrt(found.place.scale.prod());
+  if (size > kLargestSize || size < 1.0 / kLargestSize) return std::nullopt;
+  if (!Passes(At(disc, found.place), ring_contrast)) return std::nullopt;
+  return found;
+}
+
+std::optional<PrintMatch::WithinRing> PrintMatch::Within(const models::ImageView& image, const SeenPlane& plane) const {
   constexpr double kFaintest = 5.0;
+  const SeenRing ring = RingAt(image, plane);
   if (ring.contrast < kFaintest || ring.share < config_.least_ring) return std::nullopt;
   const auto disc = RectifiedDisc::Of(image, plane, reach_m_);
   if (!disc) return std::nullopt;
-  const auto passes = [&](const PrintPlace& place) { return Passes(At(*disc, place), ring.contrast); };
-  if (guess && passes(*guess)) return guess;
-
-  constexpr double kNoiseShare = 0.15, kLeastLikeness = 0.3;
-  const Cells levelled = disc->Levelled(kNoiseShare * ring.contrast);
-  const PrintPlace turned = Turned(levelled, *disc);
-  if (Likeness(levelled, *disc, turned, 1) < kLeastLikeness) return std::nullopt;
-  const PrintPlace refined = Refined(levelled, *disc, turned);
-  constexpr double kLargestSize = 1.1;
-  const double size = std::sqrt(refined.scale.prod());
-  if (size > kLargestSize || size < 1.0 / kLargestSize || !passes(refined)) return std::nullopt;
-  return refined;
+  return WithinRing{*disc, ring.contrast};
 }
 
 PrintMatch::Seen PrintMatch::At(const RectifiedDisc& disc, const PrintPlace& place) const {
-  const double margin_m = std::min(0.25 * pad_.h_stroke_m, 0.1 * pad_.h_stroke_m + 0.5 * disc.cell_m());
+  const double margin_m = EdgeMargin(pad_, disc.cell_m());
   constexpr float kSurelyWhite = 0.1F, kSurelyBlack = 0.9F;
   Cells black(kCells, kCells), white(kCells, kCells), expected(kCells, kCells);
   Eigen::ArrayXXi parts = Eigen::ArrayXXi::Constant(kCells, kCells, -1);
   for (int row = 0; row < kCells; ++row) {
     for (int column = 0; column < kCells; ++column) {
-      const Vector2d p = disc.PointOf(column, row), p_W = place.OnPrint(p);
+      const Vector2d p_W = place.OnPrint(disc.PointOf(column, row));
       expected(row, column) = BlackAt(print_, p_W);
-      const bool inside = p.norm() < reach_m_;
+      const bool inside = disc.Holds(column, row);
       black(row, column) = inside && expected(row, column) > kSurelyBlack;
       white(row, column) = inside && expected(row, column) < kSurelyWhite;
       const bool is_sure = black(row, column) + white(row, column) > 0.0F;
@@ -166,7 +203,7 @@ PrintMatch::Seen PrintMatch::At(const RectifiedDisc& disc, const PrintPlace& pla
   }
   const auto share = [&](int part) {
     const auto i = static_cast<std::size_t>(part);
-    return all[i] > 0.0 ? right[i] / all[i] : 0.0;
+    return all[i] > 0.0 ? right[i] / all[i] : 1.0;  // What is narrower than a cell tells nothing.
   };
   seen.bar = share(kBar);
   seen.between_strokes = std::min(share(kFirstBetween), share(kFirstBetween + 1));
@@ -194,8 +231,8 @@ double PrintMatch::Likeness(const Cells& levelled, const RectifiedDisc& disc, co
   double count = 0.0, a = 0.0, aa = 0.0, b = 0.0, bb = 0.0, ab = 0.0;
   for (int row = 0; row < kCells; row += stride) {
     for (int column = 0; column < kCells; column += stride) {
+      if (!disc.Holds(column, row)) continue;
       const Vector2d p = disc.PointOf(column, row);
-      if (p.squaredNorm() > reach_m_ * reach_m_) continue;
       const double seen = levelled(row, column), print = BlackAt(blurred_, to_print * (p - place.offset_m));
       count += 1.0;
       a += seen;
@@ -212,18 +249,17 @@ double PrintMatch::Likeness(const Cells& levelled, const RectifiedDisc& disc, co
 PrintPlace PrintMatch::Turned(const Cells& levelled, const RectifiedDisc& disc) const {
   constexpr int kAngles = 45, kCoarse = 2;
   const int half_turns = pad_.marks.empty() ? 1 : 2;  // After one the H looks the same, marks may not.
-  PrintPlace best;
-  double most = -2.0;
+  Found best{{}, -2.0};
   for (int i = 0; i < half_turns * kAngles; ++i) {
     const PrintPlace place{.angle = models::kPi * i / kAngles};
     const double likeness = Likeness(levelled, disc, place, kCoarse);
-    if (likeness > most) std::tie(best, most) = std::pair(place, likeness);
+    if (likeness > best.likeness) best = {place, likeness};
   }
-  return best;
+  return best.place;
 }
 
 /// The place of the greatest likeness near `start`, a coordinate after the other in ever smaller steps.
-PrintPlace PrintMatch::Refined(const Cells& levelled, const RectifiedDisc& disc, const PrintPlace& start) const {
+PrintMatch::Found PrintMatch::Refined(const Cells& levelled, const RectifiedDisc& disc, const PrintPlace& start) const {
   const double radius = pad_.inner_radius_m(), farthest = kFarthestOffset * radius;
   const auto moved = [&](PrintPlace place, int coordinate, double step) {
     constexpr double kTurn = 0.05, kShift = 0.03, kStretch = 0.05;
@@ -236,22 +272,22 @@ PrintPlace PrintMatch::Refined(const Cells& levelled, const RectifiedDisc& disc,
     place.scale = place.scale.cwiseMax(1.0 / kLargestScale).cwiseMin(kLargestScale);
     return place;
   };
-  PrintPlace best = start;
+  Found best{start, -1.0};
   for (const double step : {1.0, 0.5, 0.25, 0.125}) {
     const int stride = step >= 0.5 ? 2 : 1;
-    double most = Likeness(levelled, disc, best, stride);
+    best.likeness = Likeness(levelled, disc, best.place, stride);
     constexpr int kRounds = 3;
     constexpr double kLeastGain = 1e-3;
     for (int round = 0; round < kRounds; ++round) {
-      const double before = most;
+      const double before = best.likeness;
       for (int coordinate = 0; coordinate < 5; ++coordinate) {
         for (const double sign : {-1.0, 1.0}) {
-          const PrintPlace place = moved(best, coordinate, sign * step);
+          const PrintPlace place = moved(best.place, coordinate, sign * step);
           const double likeness = Likeness(levelled, disc, place, stride);
-          if (likeness > most) std::tie(best, most) = std::pair(place, likeness);
+          if (likeness > best.likeness) best = {place, likeness};
         }
       }
-      if (most < before + kLeastGain) break;
+      if (best.likeness < before + kLeastGain) break;
     }
   }
   return best;
@@ -260,8 +296,6 @@ PrintPlace PrintMatch::Refined(const Cells& levelled, const RectifiedDisc& disc,
 PrintMatch::SeenRing PrintMatch::RingAt(const models::ImageView& image, const SeenPlane& plane) const {
   constexpr int kDirections = 60, kSteps = 5;
   constexpr double kCurl = 0.03;  // Of the radius.
-  const double letter_reach_m = 0.5 * std::hypot(pad_.h_height_m, pad_.h_width_m);
-  const double within_m = std::max(0.5 * (letter_reach_m + pad_.inner_radius_m()), 0.85 * pad_.inner_radius_m());
   const double from_m = pad_.inner_radius_m() - kCurl * pad_.outer_radius_m;
   const double step_m = (pad_.ring_width_m + 2.0 * kCurl * pad_.outer_radius_m) / (kSteps + 1);
   // Where the sheet's white goes on outside, it is looked at too.
@@ -278,9 +312,10 @@ PrintMatch::SeenRing PrintMatch::RingAt(const models::ImageView& image, const Se
     };
     auto darkest = grey_at(from_m + step_m);
     for (int k = 2; k <= kSteps; ++k) darkest = std::min(darkest, grey_at(from_m + k * step_m));
-    const auto within = grey_at(within_m), outside = has_margin ? grey_at(outside_m) : within;
+    const auto within = grey_at(white_m_), outside = has_margin ? grey_at(outside_m) : within;
     if (!within || !darkest) return {};
-    const float white = std::min(*within, outside.value_or(*within));
+    const float around = outside.value_or(*within);
+    const float white = is_white_within_ ? std::min(*within, around) : has_margin ? around : std::max(*within, around);
     contrasts.push_back(white - *darkest);
     ratios.push_back((white - *darkest) / std::max(white, 1.0F));
   }

@@ -47,10 +47,16 @@ class PrintMatch {
   /// `pad` and `config` must be valid.
   explicit PrintMatch(const models::LandingPad& pad, const PrintMatchConfig& config = {});
 
-  /// The print on the plane of a ring; nullopt when what is seen there is not the print. Where it is at `guess`, this
-  /// is told; it is searched otherwise.
-  std::optional<PrintPlace> Find(const models::ImageView& image, const SeenPlane& plane,
-                                 const std::optional<PrintPlace>& guess = std::nullopt) const;
+  /// Whether the print is at this place of a ring's plane.
+  bool IsAt(const models::ImageView& image, const SeenPlane& plane, const PrintPlace& place) const;
+
+  struct Found {
+    PrintPlace place;
+    double likeness = -1.0;  ///< Correlation, at most 1, with what is seen.
+  };
+
+  /// Where on a ring's plane the print is; nullopt when what is seen there is not the print.
+  std::optional<Found> Find(const models::ImageView& image, const SeenPlane& plane) const;
 
   /// How much of the H is as described at a place.
   struct Seen {
@@ -61,21 +67,29 @@ class PrintMatch {
 
  private:
   struct SeenRing {
-    double contrast = 0.0;  // Between the paper within the ring and the ring, of 255.
+    double contrast = 0.0;  // Between the paper around the ring and the ring, of 255.
     double share = 0.0;     // Of the directions in which there is about as much.
   };
+  /// What is within a ring, if there is one.
+  struct WithinRing {
+    RectifiedDisc disc;
+    double ring_contrast;
+  };
 
+  SeenRing RingAt(const models::ImageView& image, const SeenPlane& plane) const;
+  std::optional<WithinRing> Within(const models::ImageView& image, const SeenPlane& plane) const;
   bool Passes(const Seen& seen, double ring_contrast) const;
   double Likeness(const Cells& levelled, const RectifiedDisc& disc, const PrintPlace& place, int stride) const;
   PrintPlace Turned(const Cells& levelled, const RectifiedDisc& disc) const;
-  PrintPlace Refined(const Cells& levelled, const RectifiedDisc& disc, const PrintPlace& start) const;
-  SeenRing RingAt(const models::ImageView& image, const SeenPlane& plane) const;
+  Found Refined(const Cells& levelled, const RectifiedDisc& disc, const PrintPlace& start) const;
   float BlackAt(const Cells& print, const Eigen::Vector2d& p_W) const;
 
   models::LandingPad pad_;
   PrintMatchConfig config_;
   double reach_m_;         // Of the disc that is looked at.
-  Cells print_, blurred_;  // Black, 0 to 1, over the square within +- kPrintReach of W's origin.
+  double white_m_;         // Of a circle of white within the ring.
+  bool is_white_within_;   // No mark lies on that circle.
+  Cells print_, blurred_;  // Black, 0 to 1, over the square around the ring's inner boundary.
 };
 
 }  // namespace touchdown::estimator

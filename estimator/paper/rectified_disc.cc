@@ -1,6 +1,7 @@
 #include "estimator/paper/rectified_disc.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <opencv2/imgproc.hpp>
@@ -26,8 +27,13 @@ Cells WindowMean(const Cells& values) {
   return mean;
 }
 
-/// The image around `places`, so smooth that a cell sees all of its own area; subtracts the part's origin from them.
-cv::Mat1f SmoothPart(const models::ImageView& image, cv::Mat2f& places) {
+/// The part of the image that holds `places`, so smooth that a cell sees all of its own area.
+struct SmoothPart {
+  cv::Mat1f grey;
+  cv::Point origin;
+};
+
+SmoothPart PartAround(const models::ImageView& image, const cv::Mat2f& places) {
   std::vector<cv::Mat1f> coordinates;
   cv::split(places, coordinates);
   double least_u, most_u, least_v, most_v;
@@ -38,33 +44,70 @@ cv::Mat1f SmoothPart(const models::ImageView& image, cv::Mat2f& places) {
   const cv::Rect whole(0, 0, image.width, image.height);
   const cv::Rect part = whole & cv::Rect(cv::Point(cvFloor(least_u - margin), cvFloor(least_v - margin)),
                                          cv::Point(cvCeil(most_u + margin), cvCeil(most_v + margin)));
-  if (part.empty()) return {};
   const cv::Mat grey(part.height, part.width, CV_8UC1, const_cast<std::uint8_t*>(image.Row(part.y) + part.x),
                      static_cast<std::size_t>(image.stride));
-  cv::Mat1f smooth;
-  grey.convertTo(smooth, CV_32F);
-  if (px_per_cell > 1.2) cv::GaussianBlur(smooth, smooth, {}, 0.4 * px_per_cell);
-  places -= cv::Scalar(part.x, part.y);
+  SmoothPart smooth{{}, part.tl()};
+  grey.convertTo(smooth.grey, CV_32F);
+  if (px_per_cell > 1.2) cv::GaussianBlur(smooth.grey, smooth.grey, {}, 0.4 * px_per_cell);
   return smooth;
 }
+
+/// The pixels that see the points of a square grid over a disc, between whose nodes the lens and the perspective change
+/// little.
+class PixelGrid {
+ public:
+  /// `node_at` tells the pixel of a point, given in cells; nodes far from the disc are never asked for.
+  template <typename NodeAt>
+  static std::optional<PixelGrid> Of(const NodeAt& node_at) {
+    constexpr double kReach = 0.5 * RectifiedDisc::kCells * 1.2;  // Of the nodes around cells of the disc.
+    PixelGrid grid;
+    for (int row = 0; row < kNodes; ++row) {
+      for (int column = 0; column < kNodes; ++column) {
+        const Vector2d cell(column * kStep, row * kStep);
+        if ((cell - Vector2d::Constant(0.5 * (RectifiedDisc::kCells - 1))).norm() > kReach) continue;
+        const auto pixel = node_at(cell);
+        if (!pixel) return std::nullopt;
+        grid.nodes_[row][column] = *pixel;
+      }
+    }
+    return grid;
+  }
+
+  Vector2d At(int column, int row) const {
+    const int i = column / kStep, j = row / kStep;
+    const double a = static_cast<double>(column % kStep) / kStep, b = static_cast<double>(row % kStep) / kStep;
+    return (1 - b) * ((1 - a) * nodes_[j][i] + a * nodes_[j][i + 1]) +
+           b * ((1 - a) * nodes_[j + 1][i] + a * nodes_[j + 1][i + 1]);
+  }
+
+ private:
+  static constexpr int kStep = 4, kNodes = RectifiedDisc::kCells / kStep + 1;
+  std::array<std::array<Vector2d, kNodes>, kNodes> nodes_;
+};
 
 }  // namespace
 
 std::optional<RectifiedDisc> RectifiedDisc::Of(const models::ImageView& image, const SeenPlane& plane,
                                                double radius_m) {
   RectifiedDisc disc(radius_m, Cells(kCells, kCells));
+  const auto grid = PixelGrid::Of([&](const Vector2d& cell) { return plane.PixelAt(disc.PointOf(cell)); });
+  const auto centre = plane.PixelAt(Vector2d::Zero());
+  if (!grid || !centre) return std::nullopt;
   cv::Mat2f places(kCells, kCells);
   for (int row = 0; row < kCells; ++row) {
     for (int column = 0; column < kCells; ++column) {
-      const auto pixel = plane.PixelAt(disc.PointOf(column, row));
-      if (!pixel) return std::nullopt;
-      places(row, column) = {static_cast<float>(pixel->x()), static_cast<float>(pixel->y())};
+      const bool inside = disc.Holds(column, row);
+      const Vector2d pixel = inside ? grid->At(column, row) : *centre;
+      if (!(pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() <= image.width - 1 && pixel.y() <= image.height - 1)) {
+        return std::nullopt;
+      }
+      places(row, column) = {static_cast<float>(pixel.x()), static_cast<float>(pixel.y())};
     }
   }
-  const cv::Mat1f part = SmoothPart(image, places);
-  if (part.empty()) return std::nullopt;
+  const SmoothPart part = PartAround(image, places);
+  places -= cv::Scalar(part.origin.x, part.origin.y);
   cv::Mat1f grey = View(disc.grey_);
-  cv::remap(part, grey, places, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  cv::remap(part.grey, grey, places, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
   return disc;
 }
 
@@ -74,9 +117,12 @@ Cells RectifiedDisc::LocalMean(const Cells& values, const Cells& weights) {
 }
 
 Cells RectifiedDisc::Levelled(double noise) const {
-  const Cells everywhere = Cells::Ones(kCells, kCells);
-  const Cells mean = LocalMean(grey_, everywhere);
-  const Cells variance = LocalMean(grey_.square(), everywhere) - mean.square();
+  Cells inside(kCells, kCells);
+  for (int row = 0; row < kCells; ++row) {
+    for (int column = 0; column < kCells; ++column) inside(row, column) = Holds(column, row) ? 1.0F : 0.0F;
+  }
+  const Cells mean = LocalMean(grey_, inside);
+  const Cells variance = LocalMean(grey_.square(), inside) - mean.square();
   return (mean - grey_) / variance.max(static_cast<float>(noise * noise)).sqrt();
 }
 

@@ -13,7 +13,7 @@ namespace touchdown::estimator {
 using Cells = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// What a camera sees of a disc about the origin of a plane, laid back on that plane: kCells x kCells grey values over
-/// the square around it, columns along the plane's first coordinate.
+/// the square around it, columns along the plane's first coordinate. Cells outside the disc mean nothing.
 class RectifiedDisc {
  public:
   static constexpr int kCells = 64;
@@ -22,9 +22,8 @@ class RectifiedDisc {
   static std::optional<RectifiedDisc> Of(const models::ImageView& image, const SeenPlane& plane, double radius_m);
 
   /// Of the cell's middle, on the plane, m.
-  Eigen::Vector2d PointOf(int column, int row) const {
-    return radius_m_ * Eigen::Vector2d(Coordinate(column), Coordinate(row));
-  }
+  Eigen::Vector2d PointOf(int column, int row) const { return PointOf(Eigen::Vector2d(column, row)); }
+  bool Holds(int column, int row) const { return PointOf(column, row).norm() <= radius_m_; }
   double cell_m() const { return 2.0 * radius_m_ / kCells; }
   const Cells& grey() const { return grey_; }
 
@@ -38,7 +37,9 @@ class RectifiedDisc {
 
  private:
   RectifiedDisc(double radius_m, Cells grey) : radius_m_(radius_m), grey_(std::move(grey)) {}
-  static double Coordinate(int cell) { return (2.0 * cell + 1.0) / kCells - 1.0; }
+  Eigen::Vector2d PointOf(const Eigen::Vector2d& cell) const {
+    return radius_m_ * ((2.0 * cell.array() + 1.0) / kCells - 1.0).matrix();
+  }
 
   double radius_m_;
   Cells grey_;

@@ -9,7 +9,8 @@
 
 namespace touchdown::estimator {
 
-/// How an image came out of a camera's: one pixel of it is a square of `reduction` pixels of the camera.
+/// How an image came out of a camera's: one pixel of it is a square of `reduction` pixels of the camera. Camera and
+/// table must outlive it.
 struct ReducedView {
   const models::CameraModel& camera;
   const UndistortTable& undistort;
@@ -27,11 +28,11 @@ class SeenPlane {
  public:
   SeenPlane(const CirclePose& ring_pose, const ReducedView& view);
 
-  /// Where on the plane, m, a pixel of the image looks; the third coordinate is the depth below the camera.
-  Eigen::Vector3d PointAt(const Eigen::Vector2d& pixel) const;
+  /// Where on the plane, m, a pixel of the image looks.
+  Eigen::Vector2d PointAt(const Eigen::Vector2d& pixel) const;
 
   /// The same of a point of the normalized image.
-  Eigen::Vector3d PointAlong(const Eigen::Vector2d& normalized) const;
+  Eigen::Vector2d PointAlong(const Eigen::Vector2d& normalized) const;
 
   /// The pixel that sees a point of the plane; nullopt where none does.
   std::optional<Eigen::Vector2d> PixelAt(const Eigen::Vector2d& point) const;
@@ -42,9 +43,9 @@ class SeenPlane {
   }
 
  private:
-  const CirclePose& pose_;
+  CirclePose pose_;
   Eigen::Vector3d x_C_, y_C_;
-  const ReducedView& view_;
+  ReducedView view_;
 };
 
 }  // namespace touchdown::estimator

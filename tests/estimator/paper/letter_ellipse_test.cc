@@ -58,8 +58,9 @@ TEST(LetterEllipse, HasNoDirectionBetweenAHighAndAWideH) {
   for (pad.h_width_m = 0.040; pad.h_width_m < 0.110; pad.h_width_m += 0.001) {
     const LetterEllipse letter(pad);
     ++(letter.HasDirection() ? with : without);
-    EXPECT_EQ(letter.StrokeAngleSeenFrom(tests::CameraAbovePad({0.0, 0.0, 1.0}, 0.3).inverse()).has_value(),
-              letter.HasDirection());
+    const auto angle = letter.StrokeAngleSeenFrom(tests::CameraAbovePad({0.0, 0.0, 1.0}, 0.3).inverse());
+    ASSERT_TRUE(angle);
+    EXPECT_NEAR(models::WrapToHalfPi(*angle - (0.3 - models::kPi / 2.0)), 0.0, 1e-6);
   }
   EXPECT_GT(without, 3);
   EXPECT_GT(with, 20);

@@ -50,7 +50,8 @@ class PrintMatchTest : public testing::Test {
     const Eigen::Isometry3d X_CW = X_WC_.inverse();
     const CirclePose pose{X_CW.linear().col(2), X_CW.translation()};
     const ReducedView reduced{camera_, undistort_, 1};
-    return PrintMatch(pad_).Find(image.View(), SeenPlane(pose, reduced));
+    const auto found = PrintMatch(pad_).Find(image.View(), SeenPlane(pose, reduced));
+    return found ? std::optional(found->place) : std::nullopt;
   }
 
   /// Between the found direction of W's X axis and the true one, modulo a half turn, rad.
@@ -138,6 +139,20 @@ TEST_F(PrintMatchTest, FindsASquareHAndItsDirection) {
   const auto place = Find(kPrint);
   ASSERT_TRUE(place);
   EXPECT_LT(AngleError(*place), models::DegToRad(1.0));
+}
+
+TEST_F(PrintMatchTest, FindsThinAndFatAndFlatHs) {
+  const LandingPad usual = pad_;
+  pad_.h_stroke_m = 0.0025;
+  EXPECT_TRUE(Find(kPrint, {.distance = 0.25, .noise_sigma = 0.0, .lens_blur_sigma_px = 0.3})) << "thin";
+  pad_.h_stroke_m = 0.026;
+  EXPECT_TRUE(Find(kPrint, {.distance = 0.25})) << "fat";
+  pad_ = usual;
+  std::swap(pad_.h_height_m, pad_.h_width_m);
+  EXPECT_TRUE(Find(kPrint)) << "flat";
+  pad_ = usual;
+  pad_.ring_width_m = 0.003;
+  EXPECT_TRUE(Find(kPrint)) << "in a thin ring";
 }
 
 TEST_F(PrintMatchTest, ExpectsTheMarksThatAreDescribed) {
