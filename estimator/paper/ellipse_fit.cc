@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "models/angles.h"
 #include "models/error.h"
@@ -57,42 +59,47 @@ double MedianDistance(const Ellipse& ellipse, std::span<const Eigen::Vector2d> p
   return *middle;
 }
 
-/// In which directions from an ellipse's centre, the ellipse made a circle, there are points.
-class Directions {
+/// Where along an ellipse, by the angle on the circle that it comes from, there are no points.
+class Gaps {
  public:
-  Directions(const Ellipse& ellipse, std::span<const Eigen::Vector2d> points)
-      : ellipse_(ellipse), covered_(SectorsOf(ellipse), false) {
-    for (const Eigen::Vector2d& point : points) covered_[SectorOf(point)] = true;
+  Gaps(const Ellipse& ellipse, std::span<const Eigen::Vector2d> points) : ellipse_(ellipse) {
+    std::vector<double> angles;
+    for (const Eigen::Vector2d& point : points) angles.push_back(AngleOf(point));
+    std::sort(angles.begin(), angles.end());
+    // Pixels of a small ring are far apart.
+    constexpr double kLeastAngle = 0.2, kLeastPixels = 3.0;
+    const double least = std::max(kLeastAngle, kLeastPixels / ellipse.semi_axes.mean());
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      const bool is_last = i + 1 == angles.size();
+      const double next = is_last ? angles.front() + 2.0 * models::kPi : angles[i + 1];
+      if (next - angles[i] > least) gaps_.push_back({angles[i], next});
+    }
   }
 
   double Coverage() const {
-    return static_cast<double>(std::count(covered_.begin(), covered_.end(), true)) /
-           static_cast<double>(covered_.size());
+    double missing = 0.0;
+    for (const auto& [begin, end] : gaps_) missing += end - begin;
+    return 1.0 - missing / (2.0 * models::kPi);
   }
 
-  /// Whether there is a gap beside the point's direction.
-  bool IsBesideGap(const Eigen::Vector2d& point) const {
-    const std::size_t sector = SectorOf(point);
-    return !covered_[(sector + 1) % covered_.size()] || !covered_[(sector + covered_.size() - 1) % covered_.size()];
+  bool IsBeside(const Eigen::Vector2d& point) const {
+    constexpr double kNear = 0.17;
+    const double angle = AngleOf(point);
+    return std::any_of(gaps_.begin(), gaps_.end(), [&](const auto& gap) {
+      return std::abs(models::WrapToPi(angle - gap.first)) < kNear ||
+             std::abs(models::WrapToPi(angle - gap.second)) < kNear;
+    });
   }
 
  private:
-  /// So many that each holds some pixels of the circumference.
-  static std::size_t SectorsOf(const Ellipse& ellipse) {
-    constexpr double kPixels = 4.0, kFewest = 8.0, kMost = 36.0;
-    return static_cast<std::size_t>(std::clamp(models::kPi * ellipse.semi_axes.sum() / kPixels, kFewest, kMost));
-  }
-
-  std::size_t SectorOf(const Eigen::Vector2d& point) const {
+  double AngleOf(const Eigen::Vector2d& point) const {
     const Eigen::Vector2d p =
         (Eigen::Rotation2Dd(-ellipse_.angle) * (point - ellipse_.center)).cwiseQuotient(ellipse_.semi_axes);
-    const auto sectors = static_cast<double>(covered_.size());
-    const double turn = std::atan2(p.y(), p.x()) / (2.0 * models::kPi) + 0.5;
-    return static_cast<std::size_t>(std::clamp(turn * sectors, 0.0, sectors - 1.0));
+    return std::atan2(p.y(), p.x());
   }
 
   const Ellipse& ellipse_;
-  std::vector<bool> covered_;
+  std::vector<std::pair<double, double>> gaps_;  // Begin and end.
 };
 
 }  // namespace
@@ -195,13 +202,13 @@ std::optional<Ellipse> FitRing(std::vector<Eigen::Vector2d>& points, const RingF
     ellipse = FitEllipse(points);
   }
   if (!ellipse) return std::nullopt;
-  const Directions directions(*ellipse, points);
-  if (directions.Coverage() < config.least_coverage) return std::nullopt;
-  if (std::erase_if(points, [&](const Eigen::Vector2d& point) { return directions.IsBesideGap(point); }) > 0) {
+  const Gaps gaps(*ellipse, points);
+  if (gaps.Coverage() < config.least_coverage) return std::nullopt;
+  if (std::erase_if(points, [&](const Eigen::Vector2d& point) { return gaps.IsBeside(point); }) > 0) {
     ellipse = FitEllipse(points);
     if (!ellipse) return std::nullopt;
   }
-  const double largest_rms = std::max(config.exact_px, config.largest_rms_share * ellipse->semi_axes.y());
+  const double largest_rms = std::max(2.0 * config.exact_px, config.largest_rms_share * ellipse->semi_axes.y());
   if (RmsDistance(*ellipse, points) > largest_rms) return std::nullopt;
   return ellipse;
 }

@@ -41,8 +41,8 @@ double DistanceFrom(const Ellipse& ellipse, const Eigen::Vector2d& point);
 double RmsDistance(const Ellipse& ellipse, std::span<const Eigen::Vector2d> points);
 
 struct RingFitConfig {
-  /// Points no further from their ellipse than this are never left out: Canny's whole pixels alone are off by 0.35 px,
-  /// and by that much others must be off too to be told from them.
+  /// Points no further from their ellipse than this are never left out, and twice as much as a root mean square is
+  /// never too much: Canny's whole pixels alone are off by 0.35 px.
   double exact_px = 0.3;
   /// Of the points that are not left out, the largest root mean square, over the ellipse's smaller semi-axis: paper
   /// that curls makes no ellipse.

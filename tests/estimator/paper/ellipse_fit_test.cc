@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
@@ -190,6 +191,34 @@ TEST(FitRing, RefusesARingOfWhichPartIsHidden) {
   std::vector<Vector2d> most = RingPoints(0.0, 330.0, 1.0), part = RingPoints(0.0, 270.0, 1.0);
   EXPECT_TRUE(FitRing(most));
   EXPECT_FALSE(FitRing(part));
+}
+
+TEST(FitRing, LeavesOutPointsBesideAGapWhereACoverBendsTheEdge) {
+  std::vector<Vector2d> points = RingPoints(0.0, 330.0);
+  // The last degrees run off along the cover, by up to 0.28 px.
+  for (std::size_t i = 320; i < points.size(); ++i) {
+    points[i] += 0.0004 * static_cast<double>(i - 310) * (points[i] - Vector2d(100.0, 80.0)) * 0.7;
+  }
+  const auto ring = FitRing(points);
+  ASSERT_TRUE(ring);
+  EXPECT_LT(points.size(), 320u);
+  EXPECT_NEAR(ring->semi_axes.x(), 50.0, 1e-6);
+  EXPECT_LT((ring->center - Vector2d(100.0, 80.0)).norm(), 1e-6);
+}
+
+TEST(FitRing, TakesSmallRingsOfWholePixels) {
+  for (const double radius : {5.0, 6.0, 7.0, 9.0, 14.0}) {
+    std::vector<Vector2d> points;
+    for (double deg = 0.0; deg < 360.0; deg += 1.0) {
+      const double angle = models::DegToRad(deg);
+      const Vector2d pixel(
+          (Vector2d(30.2, 20.7) + radius * Vector2d(std::cos(angle), std::sin(angle))).array().round());
+      if (std::find(points.begin(), points.end(), pixel) == points.end()) points.push_back(pixel);
+    }
+    const std::size_t all = points.size();
+    EXPECT_TRUE(FitRing(points)) << radius;
+    EXPECT_GT(points.size(), 0.9 * static_cast<double>(all)) << radius;
+  }
 }
 
 TEST(FitRing, RefusesImpossibleSettings) {

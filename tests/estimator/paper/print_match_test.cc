@@ -141,6 +141,34 @@ TEST_F(PrintMatchTest, FindsASquareHAndItsDirection) {
   EXPECT_LT(AngleError(*place), models::DegToRad(1.0));
 }
 
+TEST_F(PrintMatchTest, KnowsWhetherThePrintIsAtAPlace) {
+  Look({});
+  const models::Image image = tests::RenderPad(camera_, pad_, X_WC_);
+  const Eigen::Isometry3d X_CW = X_WC_.inverse();
+  const ReducedView reduced{camera_, undistort_, 1};
+  const SeenPlane plane({X_CW.linear().col(2), X_CW.translation()}, reduced);
+  const PrintMatch print(pad_);
+  const auto found = print.Find(image.View(), plane);
+  ASSERT_TRUE(found);
+  EXPECT_GT(found->likeness, 0.9);
+  const double angle = found->place.angle;
+  for (const double turned_deg : {0.0, 3.0, -3.0, 180.0}) {
+    EXPECT_TRUE(print.IsAt(image.View(), plane, {.angle = angle + models::DegToRad(turned_deg)})) << turned_deg;
+  }
+  for (const double turned_deg : {25.0, -25.0, 90.0}) {
+    EXPECT_FALSE(print.IsAt(image.View(), plane, {.angle = angle + models::DegToRad(turned_deg)})) << turned_deg;
+  }
+}
+
+TEST_F(PrintMatchTest, FindsAPadWhoseMarksLieAllAlongTheRing) {
+  for (int i = 0; i < 10; ++i) {
+    const double angle = 2.0 * models::kPi * i / 10.0;
+    pad_.marks.push_back({.centre_m = 0.064 * Vector2d(std::cos(angle), std::sin(angle)), .diameter_m = 0.014});
+  }
+  pad_.Validate();
+  EXPECT_TRUE(Find(kPrint));
+}
+
 TEST_F(PrintMatchTest, FindsThinAndFatAndFlatHs) {
   const LandingPad usual = pad_;
   pad_.h_stroke_m = 0.0025;

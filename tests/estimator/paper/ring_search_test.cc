@@ -73,13 +73,19 @@ TEST_F(RingSearchTest, TakesNoBrightDiscAndNoSquare) {
 
 TEST_F(RingSearchTest, TakesNoRingThatLeavesTheImage) {
   X_WC_ = tests::CameraAbovePad({0.0, 0.45, 0.5});
-  ASSERT_FALSE(camera_.Project(X_WC_.inverse() * Eigen::Vector3d(0.0, -0.09, 0.0)).value().y() < 0.0);
+  ASSERT_TRUE(camera_.Contains(*camera_.Project(X_WC_.inverse() * Eigen::Vector3d::Zero())));
+  ASSERT_FALSE(camera_.Contains(*camera_.Project(X_WC_.inverse() * Eigen::Vector3d(0.0, -0.09, 0.0))));
   for (const Ellipse& ring : RingsIn({})) EXPECT_GT(FarthestFrom(ring), 5.0);
 }
 
 TEST_F(RingSearchTest, FindsNothingInImagesOfFewPixels) {
-  for (int width = 1; width < 6; ++width) {
-    for (int height = 1; height < 6; ++height) EXPECT_TRUE(FindRings(models::Image(width, height).View()).empty());
+  models::RandomStream random(1, "pixels");
+  for (int width = 1; width < 8; ++width) {
+    for (int height = 1; height < 8; ++height) {
+      models::Image image(width, height);
+      for (auto& pixel : image.pixels) pixel = static_cast<std::uint8_t>(random.UniformInt(0, 255));
+      EXPECT_TRUE(FindRings(image.View()).empty());
+    }
   }
 }
 
