@@ -58,19 +58,17 @@ class PrintMatch {
   /// Where on a ring's plane the print is; nullopt when what is seen there is not the print.
   std::optional<Found> Find(const models::ImageView& image, const SeenPlane& plane) const;
 
-  /// How much of the H is as described at a place.
-  struct Seen {
-    double between_strokes = 0.0, bar = 0.0, stroke = 0.0, strokes = 0.0, beside = 0.0;  ///< As in the configuration.
-    double contrast = 0.0;                                                               ///< Of 255.
-  };
-  Seen At(const RectifiedDisc& disc, const PrintPlace& place) const;
-
  private:
+  // How much of the H is as described at a place.
+  struct Seen {
+    double between_strokes = 0.0, bar = 0.0, stroke = 0.0, strokes = 0.0, beside = 0.0;  // As in the configuration.
+    double contrast = 0.0;                                                               // Of 255.
+  };
   struct SeenRing {
     double contrast = 0.0;  // Between the paper around the ring and the ring, of 255.
     double share = 0.0;     // Of the directions in which there is about as much.
   };
-  /// What is within a ring, if there is one.
+  // What is within a ring, if there is one.
   struct WithinRing {
     RectifiedDisc disc;
     double ring_contrast;
@@ -78,6 +76,7 @@ class PrintMatch {
 
   SeenRing RingAt(const models::ImageView& image, const SeenPlane& plane) const;
   std::optional<WithinRing> Within(const models::ImageView& image, const SeenPlane& plane) const;
+  Seen At(const RectifiedDisc& disc, const PrintPlace& place) const;
   bool Passes(const Seen& seen, double ring_contrast) const;
   double Likeness(const Cells& levelled, const RectifiedDisc& disc, const PrintPlace& place, int stride) const;
   PrintPlace Turned(const Cells& levelled, const RectifiedDisc& disc) const;
