@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -91,6 +92,12 @@ enum class FrameOrder {
   kUnrelated,  ///< Pictures that have nothing to do with each other.
 };
 
+/// The two parts of the work on a frame that the paper times apart (Sec. VI-B.4).
+enum class FrameStage {
+  kRecognition,  ///< From the image to what might be the pad (Sec. IV-A).
+  kGeometry,     ///< From there to its pose: edges, ellipses, pose (Secs. IV-B and IV-C).
+};
+
 /// What every estimator is told of the world.
 struct EstimatorSetup {
   models::CameraModel camera;
@@ -98,6 +105,8 @@ struct EstimatorSetup {
   Eigen::Isometry3d X_BC = Eigen::Isometry3d::Identity();  ///< The camera's calibrated mounting.
   models::TimeBase time;
   FrameOrder frame_order = FrameOrder::kFlight;
+  /// Called whenever the work on a frame comes to a stage, for whoever times it; may be empty.
+  std::function<void(FrameStage)> on_stage = nullptr;
 };
 
 /// A strategy that turns camera frames into poses. It knows the camera, the pad and the mounting from its construction,

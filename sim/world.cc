@@ -90,9 +90,24 @@ void World::Step(const models::RotorCommand& command) {
   for (const double speed : command.speed_rad_s) {
     if (!std::isfinite(speed)) throw SimulationError("the rotor command is not finite");
   }
-  const TrueState before = state_;
   ApplyForces(AppliedWrench(command));
   StepMujoco();
+  Advance();
+}
+
+void World::Carry(const BodyMotion& motion) {
+  if (!motion.X_WB.matrix().allFinite()) throw SimulationError("the hand's pose is not finite");
+  SetFreePose(motion.X_WB, *data_);
+  Eigen::Map<Vector3d>(data_->qvel) = motion.v_WB;
+  Eigen::Map<Vector3d>(data_->qvel + 3) = motion.w_WB_B;
+  mj_forward(model_.get(), data_.get());
+  TakeMujocoWarning();
+  Advance();
+}
+
+/// To the tick that MuJoCo has come to.
+void World::Advance() {
+  const TrueState before = state_;
   ++state_.tick;
   ReadState();
   state_.a_WB = (state_.v_WB - before.v_WB) / time_.period_s();

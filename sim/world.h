@@ -7,6 +7,7 @@
 #include "models/signals.h"
 #include "models/time.h"
 #include "models/vehicle.h"
+#include "sim/hand.h"
 #include "sim/mujoco_errors.h"
 #include "sim/mujoco_model.h"
 #include "sim/rotors.h"
@@ -49,6 +50,9 @@ class World {
   /// MuJoCo warns.
   void Step(const models::RotorCommand& command);
 
+  /// One tick in which a hand moves the vehicle to there, motors off. Throws SimulationError when it is not finite.
+  void Carry(const BodyMotion& motion);
+
   /// Mean wind in W, until set again.
   void SetWind(const Eigen::Vector3d& wind_m_s) { wind_m_s_ = wind_m_s; }
   /// External force in W at the body's origin, N, and torque in W, Nm, until set again.
@@ -66,6 +70,7 @@ class World {
   Wrench AppliedWrench(const models::RotorCommand& command);
   void ApplyForces(const Wrench& wrench);
   void StepMujoco();
+  void Advance();
   void ReadState();
   void ReadContacts();
 

@@ -69,7 +69,7 @@ void PadSearchConfig::Validate() const {
 }
 
 PadSearch::PadSearch(const models::CameraModel& camera, const models::LandingPad& pad, ComponentClassifier classify,
-                     FrameOrder frame_order, const PadSearchConfig& config)
+                     FrameOrder frame_order, const PadSearchConfig& config, std::function<void(FrameStage)> on_stage)
     : camera_(camera),
       pad_(pad),
       config_(config),
@@ -78,13 +78,16 @@ PadSearch::PadSearch(const models::CameraModel& camera, const models::LandingPad
       detector_(pad, std::move(classify), config.pad_detector),
       print_(pad, config.print_match),
       searches_edges_(frame_order != FrameOrder::kFlight),
+      on_stage_(std::move(on_stage)),
       reduction_(ReductionOf(camera)) {}
 
 PadSearch::Result PadSearch::Find(const models::ImageView& image) const {
+  Enter(FrameStage::kRecognition);
   const auto shrunk = reduction_ > 1 ? std::optional(Shrunk(image, reduction_)) : std::nullopt;
   const Reduced usual{shrunk ? shrunk->View() : image, {camera_, undistort_, reduction_}};
   Result result = ByComponents(usual);
   if (result.pad || !searches_edges_) return result;
+  Enter(FrameStage::kRecognition);
   // Coarsely first, where blur and noise vanish and there is less to search.
   constexpr int kCoarse = 2;
   if (std::min(usual.image.width, usual.image.height) >= kCoarse) {
@@ -107,6 +110,7 @@ PadSearch::Result PadSearch::ByComponents(const Reduced& seen) const {
     result.failed = *failed;
     return result;
   }
+  Enter(FrameStage::kGeometry);
   for (const DetectedPad& candidate : std::get<std::vector<DetectedPad>>(detection.outcome)) {
     if ((result.pad = Fit(seen, components, candidate))) break;
   }

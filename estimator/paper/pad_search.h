@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -50,9 +51,9 @@ struct FoundPad {
 /// a ring is the pad's only if the print within it is the described one.
 class PadSearch {
  public:
-  /// `camera`, `pad` and `config` must be valid.
+  /// `camera`, `pad` and `config` must be valid. `on_stage` is EstimatorSetup's.
   PadSearch(const models::CameraModel& camera, const models::LandingPad& pad, ComponentClassifier classify,
-            FrameOrder frame_order, const PadSearchConfig& config);
+            FrameOrder frame_order, const PadSearchConfig& config, std::function<void(FrameStage)> on_stage = nullptr);
 
   struct Result {
     std::optional<FoundPad> pad;
@@ -70,6 +71,9 @@ class PadSearch {
     ReducedView view;
   };
 
+  void Enter(FrameStage stage) const {
+    if (on_stage_) on_stage_(stage);
+  }
   Result ByComponents(const Reduced& seen) const;
   std::optional<FoundPad> Fit(const Reduced& seen, const ComponentSet& components, const DetectedPad& detected) const;
   std::optional<FoundPad> ByEdges(const Reduced& searched, const Reduced& measured) const;
@@ -90,6 +94,7 @@ class PadSearch {
   PadDetector detector_;
   PrintMatch print_;
   bool searches_edges_;
+  std::function<void(FrameStage)> on_stage_;
   int reduction_;  // Of large images.
 };
 

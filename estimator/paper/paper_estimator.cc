@@ -50,7 +50,8 @@ PaperEstimator::PaperEstimator(const EstimatorSetup& setup, const PaperEstimator
                                ComponentClassifier classify)
     : setup_(setup),
       config_(Validated(config)),
-      search_(Validated(setup.camera), setup.pad, std::move(classify), setup.frame_order, config.search),
+      search_(Validated(setup.camera), setup.pad, std::move(classify), setup.frame_order, config.search,
+              setup.on_stage),
       letter_(setup.pad),
       gate_(config.outlier_gate, setup.time, setup.frame_order) {}
 

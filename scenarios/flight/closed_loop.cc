@@ -7,7 +7,9 @@
 #include "scenarios/flight/event_player.h"
 #include "scenarios/flight/flight_recorder.h"
 #include "scenarios/flight/stopwatch.h"
+#include "scenarios/flight/vision_timer.h"
 #include "sim/camera.h"
+#include "sim/hand.h"
 #include "sim/imu.h"
 #include "sim/mujoco_errors.h"
 #include "sim/scene.h"
@@ -50,11 +52,22 @@ FlightLog FlyClosedLoop(const Scenario& s, FlightObservers observers, const Stop
   sim::Imu imu(s.imu, s.vehicle.X_BU(), s.time, s.seed);
   sim::TrackingSystem tracking_system(s.tracking, s.time, s.seed);
 
-  estimator::StateEstimator estimator(
-      estimator::MakeEstimator(s.estimator, {s.camera.model, s.pad, s.vehicle.X_BC(), s.time}),
-      {.attitude = s.attitude_estimator, .filter = s.pose_filter}, s.time, s.vehicle.X_BU().linear());
+  VisionTimer vision_timer;
+  estimator::StateEstimator estimator(estimator::MakeEstimator(s.estimator, {.camera = s.camera.model,
+                                                                             .pad = s.pad,
+                                                                             .X_BC = s.vehicle.X_BC(),
+                                                                             .time = s.time,
+                                                                             .on_stage = vision_timer.listener()}),
+                                      {.attitude = s.attitude_estimator, .filter = s.pose_filter}, s.time,
+                                      s.vehicle.X_BU().linear());
   if (s.start.airborne) StandBeforeFlight(s.time, imu, estimator, audience);
-  controller::FlightController controller(s.controller, s.vehicle, s.time, s.imu.rate_hz, s.script, s.start.airborne);
+  std::optional<sim::Hand> hand;
+  std::optional<controller::FlightController> controller;
+  if (s.hand.carries) {
+    hand.emplace(s.hand, world.state().X_WB, s.time, s.seed);
+  } else {
+    controller.emplace(s.controller, s.vehicle, s.time, s.imu.rate_hz, s.script, s.start.airborne);
+  }
   controller::ControlOutput control;
 
   EventPlayer events(s.events, s.time);
@@ -75,24 +88,24 @@ FlightLog FlyClosedLoop(const Scenario& s, FlightObservers observers, const Stop
       recorder.OnTruth(truth, camera.X_WC(truth), events.pad_is_covered(), control.phase);
 
       if (const auto frame = camera.Sample(truth); frame && !events.frames_are_lost()) {
-        const Stopwatch vision_clock;
+        vision_timer.Start();
         const estimator::FrameEstimate seen = estimator.TakeFrame(frame->image.View(), frame->mid_exposure);
-        const FrameRecord& record = recorder.OnFrame(seen, camera.render_ms(), vision_clock.milliseconds());
+        const FrameRecord& record = recorder.OnFrame(seen, camera.render_ms(), vision_timer.Stop());
         audience.OnFrame(*frame, seen, record);
       }
       if (const auto tracked = tracking_system.Sample(truth)) recorder.OnTracking(*tracked);
 
       if (const auto sample = imu.Sample(truth)) {
-        const bool at_rest = controller.phase() == controller::Phase::kStandby;
+        const bool at_rest = hand ? hand->Stands(truth.tick) : controller->phase() == controller::Phase::kStandby;
         estimator.TakeImu(*sample, at_rest);
         audience.OnImu(*sample, at_rest);
         const models::VehicleEstimate estimate = estimator.At(truth.tick);
-        control = controller.Update(estimate);
+        if (controller) control = controller->Update(estimate);
         recorder.OnControl(estimate, control);
         if (stop_requested && stop_requested()) throw Interrupted();
       }
       if (const auto ending = end_watch.Judge(truth, control)) return finish(*ending);
-      world.Step(control.rotors);
+      hand ? world.Carry(hand->At(truth.tick + 1)) : world.Step(control.rotors);
     }
   } catch (const sim::SimulationError& error) {
     return finish({Outcome::kError, error.what()});

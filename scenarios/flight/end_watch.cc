@@ -14,10 +14,24 @@ EndWatch::EndWatch(const Scenario& scenario)
     : time_(scenario.time),
       time_limit_(scenario.time.FromSeconds(scenario.time_limit_s)),
       half_room_m_(scenario.scene.floor_size_m / 2.0),
-      ceiling_m_(scenario.ceiling_m()) {}
+      ceiling_m_(scenario.ceiling_m()) {
+  if (scenario.hand.carries) {
+    hand_ends_ = time_.FromSeconds(sim::Hand::kStanding_s + scenario.hand.duration_s);
+  }
+}
 
 std::optional<Ending> EndWatch::Judge(const sim::TrueState& truth, const controller::ControlOutput& control) {
   if (auto danger = JudgeDanger(truth)) return danger;
+  if (auto end = JudgeScript(truth, control)) return end;
+  if (truth.tick >= time_limit_) return Ending{Outcome::kGaveUp, "the time limit passed"};
+  return std::nullopt;
+}
+
+std::optional<Ending> EndWatch::JudgeScript(const sim::TrueState& truth, const controller::ControlOutput& control) {
+  if (hand_ends_) {
+    if (truth.tick < *hand_ends_) return std::nullopt;
+    return Ending{Outcome::kHovered, "the hand came to its end in the air"};
+  }
   switch (control.phase) {
     case controller::Phase::kGaveUp:
       return Ending{Outcome::kGaveUp, "control was handed over"};
@@ -30,7 +44,6 @@ std::optional<Ending> EndWatch::Judge(const sim::TrueState& truth, const control
     default:
       break;
   }
-  if (truth.tick >= time_limit_) return Ending{Outcome::kGaveUp, "the time limit passed"};
   return std::nullopt;
 }
 

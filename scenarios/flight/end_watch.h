@@ -25,9 +25,11 @@ class EndWatch {
 
  private:
   std::optional<Ending> JudgeDanger(const sim::TrueState& truth) const;
+  std::optional<Ending> JudgeScript(const sim::TrueState& truth, const controller::ControlOutput& control);
   std::optional<Ending> JudgeRest(const sim::TrueState& truth);
 
   models::TimeBase time_;
+  std::optional<models::Tick> hand_ends_;
   models::Tick time_limit_;
   double half_room_m_;
   double ceiling_m_;

@@ -40,6 +40,7 @@ struct FrameRecord {
   // By the wall clock.
   double render_ms = 0.0;
   double vision_ms = 0.0;
+  double geometry_ms = 0.0;  ///< Of it, what fell to FrameStage::kGeometry.
 };
 
 /// What there is to tell of a pose of the tracking system.

@@ -40,7 +40,7 @@ const FlightRecorder::Instant& FlightRecorder::At(models::Tick tick) const {
 }
 
 const FrameRecord& FlightRecorder::OnFrame(const estimator::FrameEstimate& estimate, double render_ms,
-                                           double vision_ms) {
+                                           const VisionTime& vision) {
   const Instant& instant = At(estimate.mid_exposure);
   FrameRecord record;
   record.delivered = history_.back().truth.tick;
@@ -56,7 +56,8 @@ const FrameRecord& FlightRecorder::OnFrame(const estimator::FrameEstimate& estim
     record.ring_in_view = WholeRingInView(camera_, pad_, instant.X_WC);
   }
   record.render_ms = render_ms;
-  record.vision_ms = vision_ms;
+  record.vision_ms = vision.total_ms;
+  record.geometry_ms = vision.geometry_ms;
   log_.frames.push_back(std::move(record));
   return log_.frames.back();
 }

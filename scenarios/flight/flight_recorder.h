@@ -4,6 +4,7 @@
 
 #include "scenarios/flight/flight_log.h"
 #include "scenarios/flight/scenario.h"
+#include "scenarios/flight/vision_timer.h"
 
 namespace touchdown::scenarios {
 
@@ -16,7 +17,7 @@ class FlightRecorder {
   void OnTruth(const sim::TrueState& truth, const Eigen::Isometry3d& X_WC, bool pad_is_covered,
                controller::Phase phase);
   /// What the estimator made of a frame that is delivered now. Returns the frame's record.
-  const FrameRecord& OnFrame(const estimator::FrameEstimate& estimate, double render_ms, double vision_ms);
+  const FrameRecord& OnFrame(const estimator::FrameEstimate& estimate, double render_ms, const VisionTime& vision);
   void OnTracking(const models::TrackedPose& tracked);
   void OnControl(const models::VehicleEstimate& estimate, const controller::ControlOutput& control);
 

@@ -89,9 +89,9 @@ std::string TrackingCsv(const FlightLog& log) {
 }
 
 std::string FrameTimingCsv(const FlightLog& log) {
-  CsvWriter table("tick,render_ms,vision_ms");
+  CsvWriter table("tick,render_ms,vision_ms,geometry_ms");
   for (const FrameRecord& frame : log.frames) {
-    table << frame.mid_exposure << frame.render_ms << frame.vision_ms;
+    table << frame.mid_exposure << frame.render_ms << frame.vision_ms << frame.geometry_ms;
     table.EndLine();
   }
   return table.Take();

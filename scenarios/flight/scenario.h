@@ -20,6 +20,7 @@
 #include "models/time.h"
 #include "models/vehicle.h"
 #include "sim/camera.h"
+#include "sim/hand.h"
 #include "sim/imu.h"
 #include "sim/scene.h"
 #include "sim/tracking_system.h"
@@ -80,7 +81,8 @@ struct Scenario {
   /// else hovered.
   std::optional<Outcome> expect;
   Start start;
-  std::vector<controller::Manoeuvre> script;
+  sim::HandConfig hand;
+  std::vector<controller::Manoeuvre> script;  ///< Empty when a hand carries the vehicle.
   std::vector<Event> events;
   std::vector<Criterion> criteria;
 

@@ -87,7 +87,11 @@ void CheckScenario(ConfigVisitor& v, const Scenario& s) {
   v.Check("scene", [&s] { sim::MakeScene(s.scene, s.pad, s.seed); });
   CheckPlaces(v, s);
   CheckEvents(v, s);
+  v.Check("hand.carries", [&s] {
+    if (s.hand.carries && s.start.airborne) throw InputError("the vehicle starts on its feet: start.airborne is true");
+  });
   v.Check("script", [&s] {
+    if (s.hand.carries) return;
     controller::FlightController(s.controller, s.vehicle, s.time, s.imu.rate_hz, s.script, s.start.airborne);
   });
 }

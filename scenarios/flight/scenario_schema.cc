@@ -101,14 +101,16 @@ void DescribeStory(ConfigVisitor& v, Scenario& s) {
   v.Choice({"expect", "The right end of the flight; by default as the script ends."}, expect, kExpectableOutcomes);
   if (expect >= 0) s.expect = static_cast<Outcome>(expect);
   v.Keys({"start", "Where the vehicle is at the start, at rest."}, s.start);
-  v.Items({"script", "What the vehicle is to do, one after the other.", true}, s.script);
+  v.Keys({"hand", "Carries the vehicle around over the pad, motors off, in place of a flight (Sec. VI-B.1)."}, s.hand);
+  v.Items({"script", "What the vehicle is to do, one after the other; nothing when a hand carries it."}, s.script);
   v.Items({"events", "What happens to it meanwhile."}, s.events);
   v.Items({"criteria", "What the flight must keep to pass, beside ending as expected."}, s.criteria);
   v.Check("name", [&s] {
     if (!IsPlainName(s.name)) throw InputError("must be letters, digits, _, - and . only");
   });
   v.Check("script", [&s] {
-    if (s.script.empty()) throw InputError("must not be empty");
+    if (s.hand.carries && !s.script.empty()) throw InputError("must be empty: hand.carries is true");
+    if (!s.hand.carries && s.script.empty()) throw InputError("must not be empty");
   });
 }
 

@@ -19,6 +19,7 @@ void Describe(ConfigVisitor& v, models::LandingPad& pad);
 void Describe(ConfigVisitor& v, models::PadMark& mark);
 void Describe(ConfigVisitor& v, sim::ImuConfig& config);
 void Describe(ConfigVisitor& v, sim::TrackingSystemConfig& config);
+void Describe(ConfigVisitor& v, sim::HandConfig& config);
 void Describe(ConfigVisitor& v, sim::SceneConfig& config);
 void Describe(ConfigVisitor& v, sim::WorldConfig& config);
 void DescribeCamera(ConfigVisitor& v, sim::CameraConfig& config, const models::TimeBase& time);

@@ -131,6 +131,17 @@ void Describe(ConfigVisitor& v, sim::TrackingSystemConfig& c) {
            kNotNegative);
 }
 
+void Describe(ConfigVisitor& v, sim::HandConfig& c) {
+  v.Boolean({"carries", "Whether there is a hand; the vehicle then starts on its feet, and has no script."}, c.carries);
+  v.Number({"duration_s", "From lifting the vehicle to the end."}, c.duration_s, kSecond, Between(10.0, 600.0));
+  v.Number({"max_height_m", "Of the body's origin."}, c.max_height_m, kMetre, Between(0.5, 3.0));
+  v.Number({"max_tilt_deg", "Of roll and of pitch."}, c.max_tilt_rad, kDegree, Between(0.0, 40.0));
+  v.Number({"max_yaw_deg", "To either side."}, c.max_yaw_rad, kDegree, Between(0.0, 80.0));
+  v.Number({"tremor_m", "Amplitude of the hand's tremor, along each axis."}, c.tremor_m, kMetre, Between(0.0, 0.01));
+  v.Number({"tremor_deg", "Its amplitude about each axis."}, c.tremor_rad, kDegree, Between(0.0, 0.5));
+  v.Number({"tremor_hz", "Its frequency."}, c.tremor_hz, kHertz, Between(0.1, 30.0));
+}
+
 void Describe(ConfigVisitor& v, sim::SceneConfig& c) {
   v.Number({"floor_size_m", "Side of the square floor. The room ends with it."}, c.floor_size_m, kMetre,
            Between(4.0, 30.0));

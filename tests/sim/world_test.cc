@@ -53,6 +53,25 @@ TEST(World, FallsFreelyAsGalileoHasIt) {
   EXPECT_FALSE(world.state().gear_in_contact);
 }
 
+TEST(World, GoesWhereAHandCarriesIt) {
+  World world = QuietWorld({});
+  const Vector3d a_W(0.5, -0.2, 1.0), w_B(0.2, -0.3, 0.4);
+  const Vector3d p_W = world.state().X_WB.translation();
+  for (int tick = 1; tick <= 600; ++tick) {
+    const double t = kTime.ToSeconds(tick);
+    BodyMotion motion{.v_WB = a_W * t, .w_WB_B = w_B};
+    motion.X_WB.linear() = models::RotationExp(w_B * t);
+    motion.X_WB.translation() = p_W + 0.5 * a_W * t * t;
+    world.Carry(motion);
+    ASSERT_EQ(world.state().tick, tick);
+    ASSERT_TRUE(world.state().X_WB.isApprox(motion.X_WB, 1e-12));
+    ASSERT_TRUE(world.state().a_WB.isApprox(a_W, 1e-9));
+  }
+  EXPECT_FALSE(world.state().gear_in_contact);
+  EXPECT_TRUE(world.state().alpha_WB_B.isZero(1e-9));
+  EXPECT_THROW(world.Carry({.X_WB = Eigen::Isometry3d(Eigen::Matrix4d::Constant(std::nan("")))}), SimulationError);
+}
+
 TEST(World, ReachesTheTerminalVelocityOfItsDrag) {
   const models::Vehicle vehicle;
   World world = QuietWorld(vehicle);

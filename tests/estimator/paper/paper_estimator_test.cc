@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
 #include "models/angles.h"
 #include "models/error.h"
@@ -50,6 +51,18 @@ class PaperEstimatorTest : public testing::Test {
 
 double AngleBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   return models::RotationLog(a.linear().transpose() * b.linear()).norm();
+}
+
+TEST_F(PaperEstimatorTest, TellsWhenItComesToAStage) {
+  std::vector<FrameStage> stages;
+  setup_.on_stage = [&stages](FrameStage stage) { stages.push_back(stage); };
+  estimator_ = std::make_unique<PaperEstimator>(setup_);
+  const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.0, 0.0, 0.7});
+  See(X_WB);
+  EXPECT_EQ(stages, (std::vector{FrameStage::kRecognition, FrameStage::kGeometry}));
+  stages.clear();
+  See(X_WB, {.ring = false, .letter = false});
+  EXPECT_EQ(stages, std::vector{FrameStage::kRecognition});
 }
 
 TEST_F(PaperEstimatorTest, FindsTheBodyAboveThePad) {

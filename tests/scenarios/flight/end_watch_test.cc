@@ -50,6 +50,15 @@ TEST_F(EndWatchTest, EndsWithTheScriptInTheAir) {
   EXPECT_EQ(OutcomeWithin(0.1), Outcome::kHovered);
 }
 
+TEST_F(EndWatchTest, EndsWithTheHandInTheAir) {
+  Scenario scenario;
+  scenario.hand = {.carries = true, .duration_s = 10.0};
+  watch_ = EndWatch(scenario);
+  control_.phase = Phase::kStandby;
+  EXPECT_FALSE(Within(sim::Hand::kStanding_s + 10.0));
+  EXPECT_EQ(OutcomeWithin(0.1), Outcome::kHovered);
+}
+
 TEST_F(EndWatchTest, CallsItLandedASecondAfterTheVehicleCameToRest) {
   control_.phase = Phase::kTouchdown;
   control_.script_done = true;

@@ -33,7 +33,7 @@ class FlightRecorderTest : public ::testing::Test {
 
 TEST_F(FlightRecorderTest, TakesAFramesTruthAtItsMidExposure) {
   Pass(101, Phase::kHover);
-  const FrameRecord& record = recorder_.OnFrame(Estimate(76), 1.0, 2.0);
+  const FrameRecord& record = recorder_.OnFrame(Estimate(76), 1.0, {.total_ms = 2.0, .geometry_ms = 0.5});
   EXPECT_DOUBLE_EQ(record.X_WB.translation().z(), 1.0 - 0.076);
   EXPECT_EQ(record.delivered, 100);
   EXPECT_TRUE(record.ring_in_view);
@@ -44,16 +44,16 @@ TEST_F(FlightRecorderTest, TakesAFramesTruthAtItsMidExposure) {
 TEST_F(FlightRecorderTest, SeesNoPadWhereItIsCovered) {
   Pass(50, Phase::kHover, false, true);
   Pass(10, Phase::kHover, false, false);
-  const FrameRecord record = recorder_.OnFrame(Estimate(49), 0.0, 0.0);
+  const FrameRecord record = recorder_.OnFrame(Estimate(49), 0.0, {});
   EXPECT_FALSE(record.ring_in_view);
   EXPECT_FALSE(record.true_pad_px.has_value());
   EXPECT_TRUE(record.pad_is_covered);
-  EXPECT_TRUE(recorder_.OnFrame(Estimate(50), 0.0, 0.0).ring_in_view);
+  EXPECT_TRUE(recorder_.OnFrame(Estimate(50), 0.0, {}).ring_in_view);
 }
 
 TEST_F(FlightRecorderTest, RefusesAFrameOlderThanItsHistory) {
   Pass(200, Phase::kHover);
-  EXPECT_THROW(recorder_.OnFrame(Estimate(100), 0.0, 0.0), std::logic_error);
+  EXPECT_THROW(recorder_.OnFrame(Estimate(100), 0.0, {}), std::logic_error);
 }
 
 TEST_F(FlightRecorderTest, TakesTheFirstContactOfALandingOnly) {

@@ -63,6 +63,7 @@ FlightLog SmallLog() {
   seen.pose->covariance(0, 5) = 0.25;
   seen.pad_px = Eigen::Vector2d(10.5, 20.25);
   seen.vision_ms = 3.5;
+  seen.geometry_ms = 1.25;
   log.frames = {blind, seen};
   log.tracking.emplace_back();
   log.end = 6;
@@ -99,6 +100,7 @@ TEST(FramesCsv, LeavesCellsEmptyWhereThereIsNoPose) {
 TEST(FramesCsv, KeepsTheWallClockOut) {
   EXPECT_EQ(FramesCsv(SmallLog()).find("3.5"), std::string::npos);
   EXPECT_EQ(Read(FrameTimingCsv(SmallLog()))[1].at("vision_ms"), "3.5");
+  EXPECT_EQ(Read(FrameTimingCsv(SmallLog()))[1].at("geometry_ms"), "1.25");
 }
 
 TEST(TrackingCsv, HasARowForEveryPose) { EXPECT_EQ(Read(TrackingCsv(SmallLog())).size(), 1u); }

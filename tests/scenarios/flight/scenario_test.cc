@@ -115,7 +115,7 @@ TEST(Scenario, NamesFileLineAndKeyOfWhatIsWrong) {
   EXPECT_THAT(ErrorOf(With("seed: -1\n")), HasSubstr("seed: must be at least 0"));
   EXPECT_THAT(ErrorOf(With("seed: 99999999999999999999\n")), HasSubstr("seed: is too large"));
   EXPECT_THAT(ErrorOf(With("name: ../up\n")), StartsWith("f.yaml:4: name: must be letters"));
-  EXPECT_THAT(ErrorOf("seed: 1\n"), HasSubstr("script: must be given"));
+  EXPECT_THAT(ErrorOf("seed: 1\n"), HasSubstr("script: must not be empty"));
 }
 
 TEST(Scenario, NamesTheKeyThatWasMeant) {
@@ -187,6 +187,10 @@ TEST(Scenario, ChecksWhatKeysMeanTogether) {
   EXPECT_THAT(ErrorOf(With("criteria: [{metric: flight.sim_time_s}]\n")), HasSubstr("needs a min or a max"));
   EXPECT_THAT(ErrorOf("script: [{do: hover, duration_s: 3}]\n"), StartsWith("f.yaml:1: script: "));
   EXPECT_THAT(ErrorOf("script: []\n"), HasSubstr("script"));
+  EXPECT_THAT(ErrorOf("script: [{do: land}]\nhand: {carries: true}\n"), HasSubstr("script: must be empty"));
+  EXPECT_THAT(ErrorOf("hand: {carries: true}\nstart: {airborne: true}\n"), HasSubstr("hand.carries: the vehicle st"));
+  EXPECT_THAT(ErrorOf("hand: {carries: true, max_height_m: 9}\n"), StartsWith("f.yaml:1: hand.max_height_m: "));
+  EXPECT_NO_THROW(ParseScenario("hand: {carries: true}\n", "f.yaml", {}));
   EXPECT_THAT(ErrorOf(With("camera: {latency_ms: 60}\n")),
               AllOf(StartsWith("f.yaml:4: camera.latency_ms: "), HasSubstr("controller.vision_fresh_s")));
   EXPECT_EQ(Parse(With("camera: {latency_ms: 60}\ncontroller: {vision_fresh_s: 0.08}\n")).camera.latency_s, 0.060);

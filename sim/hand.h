@@ -1,0 +1,77 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <vector>
+
+#include "models/random_stream.h"
+#include "models/time.h"
+
+namespace touchdown::sim {
+
+/// A hand that lifts the vehicle off the pad and carries it around over it, the camera towards the pad, motors off
+/// (Sec. VI-B.1).
+struct HandConfig {
+  bool carries = false;  ///< Otherwise the vehicle flies.
+  double duration_s = 45.0;
+  double max_height_m = 1.5;   ///< Of the body's origin, reached once at least.
+  double max_tilt_rad = 0.45;  ///< Of roll and of pitch, each reached once at least: 26 degrees.
+  double max_yaw_rad = 0.70;   ///< 40 degrees.
+  double tremor_m = 0.0002;    ///< Amplitude of the hand's tremor, along each axis ...
+  double tremor_rad = 0.0008;  ///< ... and about each.
+  double tremor_hz = 9.0;      ///< Physiological tremor has 8 to 12 Hz.
+
+  /// Throws InputError when a number is not finite or out of its range: the duration [10, 600] s, the height [0.5, 3]
+  /// m, tilt and yaw [0, 0.7] and [0, 1.4] rad, tremors [0, 0.01], its frequency (0, 30] Hz.
+  void Validate() const;
+};
+
+/// A body's pose and velocities.
+struct BodyMotion {
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  Eigen::Vector3d v_WB = Eigen::Vector3d::Zero();    ///< m/s, in W.
+  Eigen::Vector3d w_WB_B = Eigen::Vector3d::Zero();  ///< rad/s, in B.
+};
+
+/// The motion of a vehicle that is carried: a function of time, drawn from the stream "hand".
+///
+/// Height, roll, pitch, yaw and the pad's direction as the camera sees it each go from one drawn value to the next with
+/// the least jerk, as hands move (Flash and Hogan, The coordination of arm movements, J. Neuroscience 5(7), 1985). The
+/// vehicle's place follows: the one from which the pad lies in that direction at that height.
+class Hand {
+ public:
+  /// How long the vehicle stands before it is lifted, so that it learns what its accelerometer shows there.
+  static constexpr double kStanding_s = 2.0;
+
+  /// `X_WB` is the pose on the pad from which it is lifted. Throws InputError when the config is not valid.
+  Hand(const HandConfig& config, const Eigen::Isometry3d& X_WB, const models::TimeBase& time, std::uint64_t seed);
+
+  /// Whether the vehicle still stands on the ground.
+  bool Stands(models::Tick tick) const { return time_.ToSeconds(tick) < kStanding_s; }
+  BodyMotion At(models::Tick tick) const;
+
+ private:
+  /// A value over time.
+  class Wander {
+   public:
+    /// From `start` through values drawn from +-`reach` about `middle`; one of them lies at `middle` + `reach` and one
+    /// at `middle` - `reach`, all times s since the lift.
+    Wander(double start, double middle, double reach, double duration_s, models::RandomStream& random);
+    double At(double t_s) const;
+
+   private:
+    std::vector<double> times_s_;
+    std::vector<double> values_;
+  };
+
+  Eigen::Isometry3d PoseAt(double t_s) const;
+
+  HandConfig config_;
+  models::TimeBase time_;
+  Eigen::Isometry3d X_WB_standing_;
+  std::vector<Wander> wanders_;        // Height, roll, pitch, yaw, and the pad's direction along X and Y of B.
+  std::vector<double> tremor_phases_;  // Along and about X, Y and Z.
+};
+
+}  // namespace touchdown::sim
