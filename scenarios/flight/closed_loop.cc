@@ -50,11 +50,12 @@ FlightLog FlyClosedLoop(const Scenario& s, FlightObservers observers, const Stop
   sim::Imu imu(s.imu, s.vehicle.X_BU(), s.time, s.seed);
   sim::TrackingSystem tracking_system(s.tracking, s.time, s.seed);
 
+  const models::Vehicle assumed = s.assumed_vehicle();
   estimator::StateEstimator estimator(
-      estimator::MakeEstimator(s.estimator, {s.camera.model, s.pad, s.vehicle.X_BC(), s.time}),
-      {.attitude = s.attitude_estimator, .filter = s.pose_filter}, s.time, s.vehicle.X_BU().linear());
+      estimator::MakeEstimator(s.estimator, {s.assumed_camera(), s.pad, assumed.X_BC(), s.time}),
+      {.attitude = s.attitude_estimator, .filter = s.pose_filter}, s.time, assumed.X_BU().linear());
   if (s.start.airborne) StandBeforeFlight(s.time, imu, estimator, audience);
-  controller::FlightController controller(s.controller, s.vehicle, s.time, s.imu.rate_hz, s.script, s.start.airborne);
+  controller::FlightController controller(s.controller, assumed, s.time, s.imu.rate_hz, s.script, s.start.airborne);
   controller::ControlOutput control;
 
   EventPlayer events(s.events, s.time);
