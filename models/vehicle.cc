@@ -16,6 +16,15 @@ Eigen::Isometry3d Pose(const Mounting& mounting, const Eigen::Matrix3d& R_nomina
   return X_BS;
 }
 
+/// The camera looks down, the image's up towards body forward.
+Eigen::Matrix3d R_LookingDown() {
+  Eigen::Matrix3d R;
+  R << 0, -1, 0,  //
+      -1, 0, 0,   //
+      0, 0, -1;
+  return R;
+}
+
 bool IsFinite(const Mounting& mounting) {
   const auto& [roll, pitch, yaw] = mounting.misalignment;
   return mounting.position_m.allFinite() && std::isfinite(roll) && std::isfinite(pitch) && std::isfinite(yaw);
@@ -62,14 +71,17 @@ Eigen::Vector3d Vehicle::RotorPosition(int index) const {
   return {forward, left, rotor_height_m};
 }
 
-Eigen::Isometry3d Vehicle::X_BC() const {
-  Eigen::Matrix3d R_looking_down;
-  R_looking_down << 0, -1, 0,  //
-      -1, 0, 0,                //
-      0, 0, -1;
-  return Pose(camera, R_looking_down);
-}
+Eigen::Isometry3d Vehicle::X_BC() const { return Pose(camera, R_LookingDown()); }
 
 Eigen::Isometry3d Vehicle::X_BU() const { return Pose(imu, Eigen::Matrix3d::Identity()); }
+
+Mounting CameraMountingOf(const Eigen::Isometry3d& X_BC) {
+  return {.position_m = X_BC.translation(),
+          .misalignment = TaitBryanFromRotation(X_BC.linear() * R_LookingDown().transpose())};
+}
+
+Mounting ImuMountingOf(const Eigen::Isometry3d& X_BU) {
+  return {.position_m = X_BU.translation(), .misalignment = TaitBryanFromRotation(X_BU.linear())};
+}
 
 }  // namespace touchdown::models

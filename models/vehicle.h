@@ -74,4 +74,9 @@ struct Vehicle {
   Eigen::Isometry3d X_BU() const;
 };
 
+/// The mounting whose Vehicle::X_BC is `X_BC`.
+Mounting CameraMountingOf(const Eigen::Isometry3d& X_BC);
+/// The mounting whose Vehicle::X_BU is `X_BU`.
+Mounting ImuMountingOf(const Eigen::Isometry3d& X_BU);
+
 }  // namespace touchdown::models

@@ -52,21 +52,22 @@ FlightLog FlyClosedLoop(const Scenario& s, FlightObservers observers, const Stop
   sim::Imu imu(s.imu, s.vehicle.X_BU(), s.time, s.seed);
   sim::TrackingSystem tracking_system(s.tracking, s.time, s.seed);
 
+  const models::Vehicle assumed = s.assumed_vehicle();
   VisionTimer vision_timer;
-  estimator::StateEstimator estimator(estimator::MakeEstimator(s.estimator, {.camera = s.camera.model,
+  estimator::StateEstimator estimator(estimator::MakeEstimator(s.estimator, {.camera = s.assumed_camera(),
                                                                              .pad = s.pad,
-                                                                             .X_BC = s.vehicle.X_BC(),
+                                                                             .X_BC = assumed.X_BC(),
                                                                              .time = s.time,
                                                                              .on_stage = vision_timer.listener()}),
                                       {.attitude = s.attitude_estimator, .filter = s.pose_filter}, s.time,
-                                      s.vehicle.X_BU().linear());
+                                      assumed.X_BU().linear());
   if (s.start.airborne) StandBeforeFlight(s.time, imu, estimator, audience);
   std::optional<sim::Hand> hand;
   std::optional<controller::FlightController> controller;
   if (s.hand.carries) {
     hand.emplace(s.hand, world.state().X_WB, s.time, s.seed);
   } else {
-    controller.emplace(s.controller, s.vehicle, s.time, s.imu.rate_hz, s.script, s.start.airborne);
+    controller.emplace(s.controller, assumed, s.time, s.imu.rate_hz, s.script, s.start.airborne);
   }
   controller::ControlOutput control;
 

@@ -200,6 +200,13 @@ void ConfigReader::Section(const Key& key, const SectionFile& file,
   LeaveKeys();
 }
 
+void ConfigReader::OptionalSection(const Key& key, bool is_set, const SectionFile& file,
+                                   const std::function<void(ConfigVisitor&)>& describe) {
+  Open& open = open_.back();
+  open.visited.emplace(key.name);
+  if (is_set || (open.node != nullptr && open.node->Find(key.name) != nullptr)) Section(key, file, describe);
+}
+
 void ConfigReader::List(const Key& key, std::size_t count, const std::function<void(std::size_t)>& resize,
                         const std::function<void(ConfigVisitor&, std::size_t)>& describe) {
   const ConfigNode* const node = Visit(key);

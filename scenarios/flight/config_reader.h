@@ -29,6 +29,8 @@ class ConfigReader : public ConfigVisitor {
   void Text(const Key& key, std::string& value) override;
   void Choice(const Key& key, int& index, std::span<const std::string_view> names) override;
   void Section(const Key& key, const SectionFile& file, const std::function<void(ConfigVisitor&)>& describe) override;
+  void OptionalSection(const Key& key, bool is_set, const SectionFile& file,
+                       const std::function<void(ConfigVisitor&)>& describe) override;
   void List(const Key& key, std::size_t count, const std::function<void(std::size_t)>& resize,
             const std::function<void(ConfigVisitor&, std::size_t)>& describe) override;
   void Check(std::string_view, const std::function<void()>&) override {}

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "scenarios/flight/config_writer.h"
 #include "scenarios/flight/scenario_schema.h"
@@ -42,7 +43,7 @@ void ConfigReference::Row(const Key& key, std::string_view unit, const std::stri
     next_ = static_cast<std::size_t>(known - rows_.begin()) + 1;
     return;
   }
-  const std::string shown = key.required ? "required" : default_value;
+  const std::string shown = key.required ? "required" : is_optional_ ? "none" : default_value;
   rows_.insert(rows_.begin() + static_cast<std::ptrdiff_t>(next_),
                {path, std::string(unit), shown, range, std::string(key.doc)});
   ++next_;
@@ -89,6 +90,13 @@ void ConfigReference::Section(const Key& key, const SectionFile& file,
   path_ += std::string(key.name) + ".";
   describe(*this);
   path_ = parent;
+}
+
+void ConfigReference::OptionalSection(const Key& key, bool /*is_set*/, const SectionFile& file,
+                                      const std::function<void(ConfigVisitor&)>& describe) {
+  const bool around = std::exchange(is_optional_, true);
+  Section(key, file, describe);
+  is_optional_ = around;
 }
 
 void ConfigReference::List(const Key& key, std::size_t, const std::function<void(std::size_t)>& resize,

@@ -25,6 +25,8 @@ class ConfigReference : public ConfigVisitor {
   void Text(const Key& key, std::string& value) override;
   void Choice(const Key& key, int& index, std::span<const std::string_view> names) override;
   void Section(const Key& key, const SectionFile& file, const std::function<void(ConfigVisitor&)>& describe) override;
+  void OptionalSection(const Key& key, bool is_set, const SectionFile& file,
+                       const std::function<void(ConfigVisitor&)>& describe) override;
   void List(const Key& key, std::size_t count, const std::function<void(std::size_t)>& resize,
             const std::function<void(ConfigVisitor&, std::size_t)>& describe) override;
   void Check(std::string_view, const std::function<void()>&) override {}
@@ -35,6 +37,7 @@ class ConfigReference : public ConfigVisitor {
   std::vector<ScenarioKey> rows_;
   std::size_t next_ = 0;  ///< Where a row that is new in this variant goes.
   std::string path_;
+  bool is_optional_ = false;  ///< Within a section that may be absent: its keys have no defaults of their own.
   int variant_ = 0;
 };
 

@@ -89,6 +89,12 @@ class ConfigVisitor {
   /// Keys within a key.
   virtual void Section(const Key& key, const SectionFile& file,
                        const std::function<void(ConfigVisitor&)>& describe) = 0;
+  /// Keys within a key that may be absent altogether: `is_set` tells whether it is there already. Visitors that read no
+  /// text describe what is set.
+  virtual void OptionalSection(const Key& key, bool is_set, const SectionFile& file,
+                               const std::function<void(ConfigVisitor&)>& describe) {
+    if (is_set) Section(key, file, describe);
+  }
   /// A list of sections. `resize` is called with the count of items before they are described.
   virtual void List(const Key& key, std::size_t count, const std::function<void(std::size_t)>& resize,
                     const std::function<void(ConfigVisitor&, std::size_t)>& describe) = 0;
@@ -130,6 +136,15 @@ class ConfigVisitor {
   template <typename T>
   void Keys(const Key& key, T& section) {
     Section(key, {}, [&section](ConfigVisitor& v) { Describe(v, section); });
+  }
+
+  /// Where the section is there, the keys that it leaves out are those of `otherwise`.
+  template <typename T>
+  void OptionalKeys(const Key& key, std::optional<T>& section, const T& otherwise, const SectionFile& file = {}) {
+    OptionalSection(key, section.has_value(), file, [&section, &otherwise](ConfigVisitor& v) {
+      if (!section) section = otherwise;
+      Describe(v, *section);
+    });
   }
 
   template <typename T>

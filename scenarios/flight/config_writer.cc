@@ -71,10 +71,13 @@ void ConfigWriter::Choice(const Key& key, int& index, std::span<const std::strin
 }
 
 void ConfigWriter::Section(const Key& key, const SectionFile&, const std::function<void(ConfigVisitor&)>& describe) {
+  const std::size_t before = yaml_.size();
   Line(key, "");
+  const std::size_t after = yaml_.size();
   ++depth_;
   describe(*this);
   --depth_;
+  if (yaml_.size() == after) yaml_.resize(before);
 }
 
 void ConfigWriter::List(const Key& key, std::size_t count, const std::function<void(std::size_t)>&,

@@ -11,7 +11,7 @@ std::string WriteNumber(double value_si, const Unit& unit);
 /// `text` as a quoted YAML scalar.
 std::string WriteText(const std::string& text);
 
-/// Writes every field it visits as YAML.
+/// Writes every field it visits as YAML, but no section without fields.
 class ConfigWriter : public ConfigVisitor {
  public:
   const std::string& yaml() const { return yaml_; }

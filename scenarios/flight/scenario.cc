@@ -17,8 +17,14 @@ Scenario ReadScenario(const ConfigNode& root, const std::string& default_name, s
     Describe(reader, scenario);
     reader.Finish();
   };
-  read(root);
-  for (const Override& change : overrides) read(ParseOverride(change.assignment, change.place));
+  const auto read_all = [&] {
+    read(root);
+    for (const Override& change : overrides) read(ParseOverride(change.assignment, change.place));
+  };
+  read_all();
+  // Keys that a calibration leaves out are the truth's, which is known only now.
+  scenario.calibration = {};
+  read_all();
   ConfigChecker checker(origins, root.origin);
   Describe(checker, scenario);
   scenario.expect = scenario.expected_outcome();
@@ -36,6 +42,13 @@ Outcome Scenario::expected_outcome() const {
   if (expect) return *expect;
   return !script.empty() && script.back().kind == controller::ManoeuvreKind::kLand ? Outcome::kLanded
                                                                                    : Outcome::kHovered;
+}
+
+models::Vehicle Scenario::assumed_vehicle() const {
+  models::Vehicle assumed = vehicle;
+  assumed.camera = calibration.camera.value_or(vehicle.camera);
+  assumed.imu = calibration.imu.value_or(vehicle.imu);
+  return assumed;
 }
 
 Scenario ParseScenario(const std::string& text, const std::string& name, const std::filesystem::path& folder,
@@ -58,6 +71,15 @@ std::string ScenarioYaml(const Scenario& scenario) {
 models::CameraModel LoadCameraModel(const std::filesystem::path& file) {
   ConfigNode root = ReadConfigFile(file);
   return ReadAlone<models::CameraModel>(IsCameraInfo(root) ? CameraModelFromCameraInfo(root) : std::move(root));
+}
+
+Calibration LoadCalibration(const std::filesystem::path& file) { return ReadAlone<Calibration>(ReadConfigFile(file)); }
+
+std::string CalibrationYaml(const Calibration& calibration) {
+  Calibration copy = calibration;
+  ConfigWriter writer;
+  Describe(writer, copy);
+  return writer.yaml();
 }
 
 models::Vehicle LoadVehicle(const std::filesystem::path& file) {

@@ -71,6 +71,14 @@ struct Criterion {
   std::optional<double> max;
 };
 
+/// What estimator and autopilot are told of the sensors (Sec. III-D), where it is not the truth: what a calibration
+/// found, or what is wrong with it.
+struct Calibration {
+  std::optional<models::CameraModel> camera_model;
+  std::optional<models::Mounting> camera;  ///< How the camera is mounted.
+  std::optional<models::Mounting> imu;
+};
+
 /// Everything that decides how a flight goes and how it is judged.
 struct Scenario {
   std::string name;
@@ -94,12 +102,17 @@ struct Scenario {
   sim::TrackingSystemConfig tracking;
   sim::SceneConfig scene;
   sim::WorldConfig world;
+  Calibration calibration;
   estimator::EstimatorConfig estimator;
   estimator::AttitudeEstimatorConfig attitude_estimator;
   estimator::PoseFilterConfig pose_filter;
   controller::FlightControllerConfig controller;
 
   Outcome expected_outcome() const;
+  /// The camera as estimator and autopilot are told of it: the calibration's, or the true one.
+  models::CameraModel assumed_camera() const { return calibration.camera_model.value_or(camera.model); }
+  /// The vehicle as they are told of it: with the calibration's mountings, where it has them.
+  models::Vehicle assumed_vehicle() const;
   /// Height at which the room ends: it is a cube.
   double ceiling_m() const { return scene.floor_size_m; }
 };
@@ -141,6 +154,13 @@ std::vector<ScenarioKey> ScenarioReference();
 
 /// A camera's calibration from a file: ROS `camera_info` YAML or the keys of `camera.model`. Throws InputError.
 models::CameraModel LoadCameraModel(const std::filesystem::path& file);
+
+/// A calibration from a file with the keys of `calibration`, in which mountings are told whole or not at all. Throws
+/// InputError.
+Calibration LoadCalibration(const std::filesystem::path& file);
+
+/// A calibration as YAML, which LoadCalibration and a scenario's `calibration` read back.
+std::string CalibrationYaml(const Calibration& calibration);
 
 /// A vehicle's description from a file with the keys of `vehicle`. Throws InputError.
 models::Vehicle LoadVehicle(const std::filesystem::path& file);

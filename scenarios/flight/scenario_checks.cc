@@ -84,6 +84,14 @@ void CheckScenario(ConfigVisitor& v, const Scenario& s) {
           "attitude_estimator.history_s: the frames would come too late to be used");
     }
   });
+  v.Check("calibration.camera", [&s] { s.assumed_vehicle().Validate(); });
+  v.Check("calibration.camera_model", [&s] {
+    const models::CameraModel assumed = s.assumed_camera();
+    if (assumed.width_px != s.camera.model.width_px || assumed.height_px != s.camera.model.height_px) {
+      throw InputError(fmt::format("is for {} x {} px, but the camera's images have {} x {} px", assumed.width_px,
+                                   assumed.height_px, s.camera.model.width_px, s.camera.model.height_px));
+    }
+  });
   v.Check("scene", [&s] { sim::MakeScene(s.scene, s.pad, s.seed); });
   CheckPlaces(v, s);
   CheckEvents(v, s);

@@ -143,6 +143,12 @@ void DescribeSimulation(ConfigVisitor& v, Scenario& s) {
   });
   v.Keys({"scene", "What lies around the pad. The layout is drawn from the seed."}, s.scene);
   v.Keys({"world", "Wind and vibration."}, s.world);
+  v.Section(
+      {"calibration",
+       "What estimator and autopilot are told of the sensors, and is the truth where it is left out: in place, or "
+       "the name of a file."},
+      {.allowed = true, .translate = nullptr},
+      [&s](ConfigVisitor& c) { DescribeCalibration(c, s.calibration, s.camera.model, s.vehicle); });
 }
 
 void DescribeAutopilot(ConfigVisitor& v, Scenario& s) {

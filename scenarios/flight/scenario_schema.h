@@ -13,7 +13,15 @@ void Describe(ConfigVisitor& v, controller::Manoeuvre& manoeuvre);
 void Describe(ConfigVisitor& v, Event& event);
 void Describe(ConfigVisitor& v, Criterion& criterion);
 
+/// What `calibration` leaves out are the truth's keys: of the camera and the vehicle.
+void DescribeCalibration(ConfigVisitor& v, Calibration& calibration, const models::CameraModel& camera,
+                         const models::Vehicle& vehicle);
+
+/// The same of a file that is read by itself: what a section leaves out is the default.
+void Describe(ConfigVisitor& v, Calibration& calibration);
+
 void Describe(ConfigVisitor& v, models::Vehicle& vehicle);
+void Describe(ConfigVisitor& v, models::Mounting& mounting);
 void Describe(ConfigVisitor& v, models::CameraModel& model);
 void Describe(ConfigVisitor& v, models::LandingPad& pad);
 void Describe(ConfigVisitor& v, models::PadMark& mark);

@@ -7,12 +7,6 @@ namespace {
 
 constexpr Unit kRadianPerSecondRootHertz{"rad/s/sqrt(Hz)"};
 
-void DescribeMounting(ConfigVisitor& v, models::Mounting& m) {
-  v.Vector3({"position_m", "Position in B."}, m.position_m, kMetre, Between(-2.0, 2.0));
-  v.Numbers({"misalignment_deg", "Roll, pitch and yaw that turn the sensor from its nominal orientation, in B."},
-            {&m.misalignment.roll, &m.misalignment.pitch, &m.misalignment.yaw}, kDegree, Between(-180.0, 180.0));
-}
-
 void DescribeRotor(ConfigVisitor& v, models::Rotor& r) {
   v.Number({"thrust_coefficient_n_s2", "Thrust over squared speed in rad/s."}, r.thrust_coefficient_n_s2, {"N s^2"},
            kPositive);
@@ -30,7 +24,26 @@ void DescribeGear(ConfigVisitor& v, models::LandingGear& g) {
   v.Number({"foot_radius_m", "Of each foot."}, g.foot_radius_m, kMetre, kPositive);
 }
 
+/// The keys of a camera's model of a file that may be a ROS camera_info calibration.
+ConfigNode CameraModelKeys(ConfigNode root) { return IsCameraInfo(root) ? CameraModelFromCameraInfo(root) : root; }
+
 }  // namespace
+
+void DescribeCalibration(ConfigVisitor& v, Calibration& c, const models::CameraModel& camera,
+                         const models::Vehicle& vehicle) {
+  v.OptionalKeys({"camera_model", "Instead of camera.model: in place, or the name of a ROS camera_info file."},
+                 c.camera_model, camera, {true, CameraModelKeys});
+  v.OptionalKeys({"camera", "Instead of vehicle.camera."}, c.camera, vehicle.camera);
+  v.OptionalKeys({"imu", "Instead of vehicle.imu."}, c.imu, vehicle.imu);
+}
+
+void Describe(ConfigVisitor& v, Calibration& c) { DescribeCalibration(v, c, {}, {}); }
+
+void Describe(ConfigVisitor& v, models::Mounting& m) {
+  v.Vector3({"position_m", "Position in B."}, m.position_m, kMetre, Between(-2.0, 2.0));
+  v.Numbers({"misalignment_deg", "Roll, pitch and yaw that turn the sensor from its nominal orientation, in B."},
+            {&m.misalignment.roll, &m.misalignment.pitch, &m.misalignment.yaw}, kDegree, Between(-180.0, 180.0));
+}
 
 void Describe(ConfigVisitor& v, models::Vehicle& c) {
   v.Number({"mass_kg", "With battery and payload."}, c.mass_kg, kKilogram, kPositive);
@@ -43,10 +56,9 @@ void Describe(ConfigVisitor& v, models::Vehicle& c) {
   v.Vector3({"quadratic_drag_n_s2_m2", "Force per squared airspeed along the body's axes."}, c.quadratic_drag_n_s2_m2,
             {"N s^2/m^2"}, kNotNegative);
   v.Section({"gear", "The landing gear."}, {}, [&c](ConfigVisitor& s) { DescribeGear(s, c.gear); });
-  v.Section({"camera", "How the camera is mounted; nominally it looks down, the image's up towards body forward."}, {},
-            [&c](ConfigVisitor& s) { DescribeMounting(s, c.camera); });
-  v.Section({"imu", "How the IMU is mounted; nominally its axes are the body's. The estimator knows it."}, {},
-            [&c](ConfigVisitor& s) { DescribeMounting(s, c.imu); });
+  v.Keys({"camera", "How the camera is mounted; nominally it looks down, the image's up towards body forward."},
+         c.camera);
+  v.Keys({"imu", "How the IMU is mounted; nominally its axes are the body's."}, c.imu);
   v.Check("", [&c] { c.Validate(); });
 }
 
@@ -164,7 +176,7 @@ void Describe(ConfigVisitor& v, sim::WorldConfig& c) {
 
 void DescribeCamera(ConfigVisitor& v, sim::CameraConfig& c, const models::TimeBase& time) {
   v.KeysOrFile({"model", "Image size, lens and distortion: in place, or the name of a ROS camera_info file."}, c.model,
-               [](ConfigNode root) { return IsCameraInfo(root) ? CameraModelFromCameraInfo(root) : root; });
+               CameraModelKeys);
   v.Integer({"rate_hz", "Frames a second; divides time.ticks_per_s."}, c.rate_hz, Between(1, 100000));
   v.Number({"noise_sigma", "1-sigma of each pixel's noise, of 255 grey levels."}, c.noise_sigma, kNoUnit,
            Between(0.0, 64.0));

@@ -133,7 +133,10 @@ boost::shared_ptr<ros::M_string> LatchedFields() {
 
 struct FlightBag::Impl {
   Impl(const Scenario& scenario, const fs::path& place)
-      : file(place), time(scenario.time), camera_info(CameraInfoOf(scenario.camera.model)), imu(ImuOf(scenario.imu)) {
+      : file(place),
+        time(scenario.time),
+        camera_info(CameraInfoOf(scenario.assumed_camera())),
+        imu(ImuOf(scenario.imu)) {
     console_bridge::noOutputHandler();  // What goes wrong is thrown.
   }
 
@@ -216,8 +219,9 @@ struct FlightBag::Impl {
 
 FlightBag::FlightBag(const Scenario& scenario, const fs::path& file) : impl_(std::make_unique<Impl>(scenario, file)) {
   impl_->scenario_yaml = ScenarioYaml(scenario);
-  impl_->X_BC = scenario.vehicle.X_BC();
-  impl_->X_BU = scenario.vehicle.X_BU();
+  const models::Vehicle assumed = scenario.assumed_vehicle();
+  impl_->X_BC = assumed.X_BC();
+  impl_->X_BU = assumed.X_BU();
   impl_->Open();
 }
 

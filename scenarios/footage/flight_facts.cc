@@ -6,9 +6,10 @@ void TellOfFlight(const Scenario& scenario, FootageFacts& facts) {
   facts.frame_order = estimator::FrameOrder::kFlight;
   facts.time = scenario.time;
   facts.latency = scenario.time.FromSeconds(scenario.camera.latency_s);
-  facts.camera = scenario.camera.model;
+  facts.camera = scenario.assumed_camera();
   facts.pad = scenario.pad;
-  facts.mounting = {scenario.vehicle.X_BC(), scenario.vehicle.X_BU()};
+  const models::Vehicle assumed = scenario.assumed_vehicle();
+  facts.mounting = {assumed.X_BC(), assumed.X_BU()};
   facts.estimator = scenario.estimator;
   facts.attitude_estimator = scenario.attitude_estimator;
 }

@@ -80,16 +80,17 @@ void FlightRecording::Finish(const Trajectory& truth) {
     fmt::format_to(std::back_inserter(truth_csv), "{},{},{},{},{},{},{},{}\n", scenario_.time.ToNanoseconds(tick),
                    p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z());
   }
-  const models::Vehicle& vehicle = scenario_.vehicle;
+  const models::CameraModel camera = scenario_.assumed_camera();
+  const models::Vehicle vehicle = scenario_.assumed_vehicle();
   Write("mav0/cam0/data.csv", frames_csv_);
-  Write("mav0/cam0/sensor.yaml", EurocCameraYaml({scenario_.camera.model, vehicle.X_BC()}, scenario_.camera.rate_hz));
+  Write("mav0/cam0/sensor.yaml", EurocCameraYaml({camera, vehicle.X_BC()}, scenario_.camera.rate_hz));
   Write("mav0/imu0/data.csv", imu_csv_);
   Write("mav0/imu0/at_rest.csv", at_rest_csv_);
   Write("mav0/imu0/sensor.yaml",
         EurocImuYaml(vehicle.X_BU(), scenario_.imu.rate_hz, scenario_.imu.gyro_noise_rad_s_sqrt_hz,
                      scenario_.imu.accelerometer_noise_m_s2_sqrt_hz));
   Write("mav0/state_groundtruth_estimate0/data.csv", truth_csv);
-  Write("camera.yaml", CameraInfoYaml(scenario_.camera.model, "camera"));
+  Write("camera.yaml", CameraInfoYaml(camera, "camera"));
   Write("pad.yaml", PadYaml(scenario_.pad));
   Write("scenario.yaml", ScenarioYaml(scenario_));
 }

@@ -85,6 +85,8 @@ const TimedPose& Nearest(const std::vector<TimedPose>& poses, double t_s) {
 /// A flight's frames as it logged them, with the pose nearest to each.
 std::vector<FrameRecord> ReadFrames(const fs::path& flight, const std::vector<TimedPose>& poses) {
   const Scenario scenario = LoadScenario(flight / "scenario.yaml");
+  const models::CameraModel camera = scenario.assumed_camera();
+  const Eigen::Isometry3d X_BC = scenario.assumed_vehicle().X_BC();
   const fs::path file = flight / "frames.csv";
   const std::string text = ReadText(file);
   const CsvTable table(text, file.string());
@@ -100,8 +102,8 @@ std::vector<FrameRecord> ReadFrames(const fs::path& flight, const std::vector<Ti
     const TimedPose& pose = Nearest(poses, t_s[i]);
     if (std::abs(pose.t_s - t_s[i]) > half_period_s) continue;
     frame.status = estimator::FrameStatus::kOk;
-    const Eigen::Isometry3d X_WC = pose.X_WB * scenario.vehicle.X_BC();
-    frame.pad_px = scenario.camera.model.Project(X_WC.inverse() * Eigen::Vector3d::Zero());
+    const Eigen::Isometry3d X_WC = pose.X_WB * X_BC;
+    frame.pad_px = camera.Project(X_WC.inverse() * Eigen::Vector3d::Zero());
   }
   return frames;
 }

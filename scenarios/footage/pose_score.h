@@ -21,7 +21,7 @@ struct PoseScore {
 ///
 /// `truth` is a flight's folder or a recording of one. Of a flight's folder its frames count too: a frame is available
 /// when a pose lies within half a frame's period of its mid-exposure, and a pose whose pad, seen by the flight's
-/// camera, is over 30 px from the true one is a false pad. A recording tells errors alone.
+/// camera as it was calibrated, is over 30 px from the true one is a false pad. A recording tells errors alone.
 ///
 /// Throws InputError, naming file and line, for a folder that is neither, a damaged file, and poses none of which the
 /// truth covers.

@@ -25,7 +25,7 @@ FlightResult FlyIntoFolder(const Scenario& scenario, const std::filesystem::path
                                         "frames.png", "flight.mp4", "flight.bag", "report.html"},
                               .mark = kFlightMark,
                               .subfolders = {{kRecordingFolder, IsOfFlightRecording}}});
-  ContactSheet sheet(scenario.camera.model, scenario.time);
+  ContactSheet sheet(scenario.assumed_camera(), scenario.time);
   std::vector<FlightObserver*> all(observers.begin(), observers.end());
   all.push_back(&sheet);
   std::optional<FlightVideo> video;

@@ -39,9 +39,10 @@ std::string Caption(const FrameRecord& record, double time_s) {
 
 FlightVideo::FlightVideo(const Scenario& scenario, const std::filesystem::path& file)
     : file_(file),
-      camera_(scenario.camera.model),
+      camera_(scenario.assumed_camera()),
       pad_(scenario.pad),
       vehicle_(scenario.vehicle),
+      X_BC_(scenario.assumed_vehicle().X_BC()),
       time_(scenario.time),
       period_(scenario.time.PeriodOf(scenario.camera.rate_hz) * PicturesSkipped(scenario.camera.rate_hz)),
       rate_{.pictures = scenario.camera.rate_hz, .seconds = PicturesSkipped(scenario.camera.rate_hz)} {}
@@ -62,7 +63,7 @@ void FlightVideo::HoldUntil(models::Tick tick) {
 void FlightVideo::DrawOnboard(const models::ImageView& image, const estimator::FrameTrace& trace,
                               const FrameRecord& record) {
   FrameAnnotation annotation{.trace = trace, .pad_px = record.pad_px, .X_WC = {}, .axis_length_m = pad_.outer_radius_m};
-  if (record.status == estimator::FrameStatus::kOk) annotation.X_WC = record.pose->X_WB * vehicle_.X_BC();
+  if (record.status == estimator::FrameStatus::kOk) annotation.X_WC = record.pose->X_WB * X_BC_;
   const cv::Size size = OnboardSize(camera_);
   const cv::Rect place({0, (kHeight_px - size.height) / 2}, size);
   cv::resize(AnnotateFrame(image, camera_, annotation), picture_(place), size, 0.0, 0.0,

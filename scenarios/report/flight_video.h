@@ -44,6 +44,7 @@ class FlightVideo final : public FlightObserver {
   models::CameraModel camera_;
   models::LandingPad pad_;
   models::Vehicle vehicle_;
+  Eigen::Isometry3d X_BC_;  ///< As the estimator is told.
   models::TimeBase time_;
   models::Tick period_;  ///< From picture to picture.
   FrameRate rate_;
