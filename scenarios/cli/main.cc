@@ -16,6 +16,7 @@
 #include "scenarios/cli/fly.h"
 #include "scenarios/cli/interrupt.h"
 #include "scenarios/cli/pad.h"
+#include "scenarios/cli/paper.h"
 #include "scenarios/cli/report.h"
 #include "scenarios/cli/score.h"
 #include "scenarios/cli/train.h"
@@ -28,7 +29,7 @@ using touchdown::scenarios::ExitStatus;
 using touchdown::scenarios::Run;
 
 AddCommand* const kCommands[] = {touchdown::scenarios::AddEstimate, touchdown::scenarios::AddFly,
-                                 touchdown::scenarios::AddPad,      touchdown::scenarios::AddReport,
+                                 touchdown::scenarios::AddPad, touchdown::scenarios::AddPaper,     touchdown::scenarios::AddReport,
                                  touchdown::scenarios::AddScore,    touchdown::scenarios::AddTrain};
 
 int RunAndExplain(const Run& run) {

@@ -9,6 +9,9 @@ namespace touchdown::scenarios {
 /// The page as a mustache template.
 std::string_view PageTemplate();
 
+/// The page of the paper's experiments as a mustache template; its style sheet is the same.
+std::string_view PaperPageTemplate();
+
 /// Its style sheet.
 std::string_view PageStyle();
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <opencv2/imgproc.hpp>
+#include <stdexcept>
 #include <vector>
 
 #include "sim/image_noise.h"
@@ -34,6 +35,8 @@ struct SceneCamera::Impl {
   sim::CameraOptics& optics;
   sim::Renderer renderer;
   std::vector<sim::ImageNoise> noises;
+  sim::FineImage exposed;  ///< The view taken last, without noise ...
+  int noise_level = -1;    ///< ... and which noise is its.
 };
 
 SceneCamera::SceneCamera(const sim::Scene& scene, sim::CameraOptics& optics, std::span<const double> noise_sigmas,
@@ -47,11 +50,18 @@ SceneCamera::~SceneCamera() = default;
 models::Image SceneCamera::Take(const View& view) {
   const double half_s = 0.5 * view.exposure_s;
   const std::array<Eigen::Isometry3d, 3> path{view.PoseAt(-half_s), view.X_WC, view.PoseAt(half_s)};
-  sim::FineImage frame = impl_->optics.Expose(impl_->renderer.Render(*impl_->data, view.X_WC), path);
+  sim::FineImage& frame = impl_->exposed;
+  frame = impl_->optics.Expose(impl_->renderer.Render(*impl_->data, view.X_WC), path);
   cv::Mat_<std::uint16_t> levels(frame.height, frame.width, frame.pixels.data());
   if (view.defocus_px > 0.0) cv::GaussianBlur(levels, levels, {}, view.defocus_px);
   levels.convertTo(levels, CV_16U, view.contrast, view.brightness * kFineLevels);
-  return impl_->noises.at(static_cast<std::size_t>(view.noise_level)).Apply(frame);
+  impl_->noise_level = view.noise_level;
+  return TakeAgain();
+}
+
+models::Image SceneCamera::TakeAgain() {
+  if (impl_->noise_level < 0) throw std::logic_error("no view was taken before");
+  return impl_->noises.at(static_cast<std::size_t>(impl_->noise_level)).Apply(impl_->exposed);
 }
 
 }  // namespace touchdown::scenarios

@@ -25,6 +25,9 @@ class SceneCamera {
   SceneCamera& operator=(const SceneCamera&) = delete;
 
   models::Image Take(const View& view);
+  /// Another frame of the view taken last, from which its noise alone tells it. Throws std::logic_error when there was
+  /// none.
+  models::Image TakeAgain();
 
  private:
   struct Impl;

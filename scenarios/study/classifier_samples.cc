@@ -27,14 +27,6 @@ sim::Scene DrawScene(const SceneSamplesConfig& config, RandomStream& random) {
   return sim::MakeScene(scene, DrawPad(random), random.Bits());
 }
 
-/// How far the target's image moves over the exposure, px.
-double MotionBlur(const View& view, const GroundShape& target, const models::CameraModel& camera) {
-  const Eigen::Vector3d p_W(target.position_m.x(), target.position_m.y(), 0.0);
-  const auto begin = camera.Project(view.PoseAt(-0.5 * view.exposure_s).inverse() * p_W);
-  const auto end = camera.Project(view.PoseAt(0.5 * view.exposure_s).inverse() * p_W);
-  return begin && end ? (*end - *begin).norm() : 0.0;
-}
-
 cv::Scalar Colour(const std::optional<FrameTrace::Label>& label) {
   if (!label) return {0, 220, 255};
   if (*label == FrameTrace::Label::kCircle) return {0, 200, 0};

@@ -113,4 +113,11 @@ View DrawView(const ViewConfig& config, const sim::Scene& scene, const GroundSha
   return view;
 }
 
+double MotionBlur(const View& view, const GroundShape& target, const models::CameraModel& camera) {
+  const Eigen::Vector3d p_W(target.position_m.x(), target.position_m.y(), 0.0);
+  const auto begin = camera.Project(view.PoseAt(-0.5 * view.exposure_s).inverse() * p_W);
+  const auto end = camera.Project(view.PoseAt(0.5 * view.exposure_s).inverse() * p_W);
+  return begin && end ? (*end - *begin).norm() : 0.0;
+}
+
 }  // namespace touchdown::scenarios

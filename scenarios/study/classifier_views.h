@@ -49,4 +49,7 @@ struct View {
 View DrawView(const ViewConfig& config, const sim::Scene& scene, const GroundShape& target,
               const models::CameraModel& camera, models::RandomStream& random);
 
+/// How far the target's image moves over the exposure, px; 0 where it is not in front of the camera.
+double MotionBlur(const View& view, const GroundShape& target, const models::CameraModel& camera);
+
 }  // namespace touchdown::scenarios

@@ -1,4 +1,4 @@
-# cmake -D TEMPLATE=file -D STYLE=file -D SCRIPT=file -D LICENCE=file -D OUT=file.cc -P embed.cmake: the files as the
+# cmake -D TEMPLATE=file -D PAPER_TEMPLATE=file -D STYLE=file -D SCRIPT=file -D LICENCE=file -D OUT=file.cc -P embed.cmake: the files as the
 # functions that scenarios/report/page_assets.h declares. LICENCE is uPlot's, which must go where uPlot goes.
 function(define name bytes)
   string(REGEX REPLACE "(..)" "'\\\\x\\1'," bytes "${bytes}")
@@ -6,6 +6,7 @@ function(define name bytes)
 endfunction()
 
 file(READ ${TEMPLATE} template HEX)
+file(READ ${PAPER_TEMPLATE} paper_template HEX)
 file(READ ${STYLE} style HEX)
 file(READ ${SCRIPT} script HEX)
 file(READ ${LICENCE} licence)
@@ -13,6 +14,7 @@ string(HEX "/* With uPlot:\n${licence}*/\n" licence)
 
 set(code "")
 define(PageTemplate ${template})
+define(PaperPageTemplate ${paper_template})
 define(PageStyle ${style})
 define(PageScript ${licence}${script})
 file(WRITE ${OUT} "#include \"scenarios/report/page_assets.h\"

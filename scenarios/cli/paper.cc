@@ -1,0 +1,88 @@
+#include "scenarios/cli/paper.h"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "scenarios/cli/interrupt.h"
+#include "scenarios/cli/progress.h"
+#include "scenarios/cli/talk.h"
+#include "scenarios/paper/reproduce_paper.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+struct Options {
+  std::string out;
+  bool quick = false;
+  int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  Talk talk;
+};
+
+void PrintSummary(const std::vector<ComparedQuantity>& compared, const std::string& out) {
+  fmt::print("{:<58} {:>10} {:>10}\n", "", "published", "ours");
+  for (const ComparedQuantity& row : compared) {
+    fmt::print("{} {:<56} {:>10} {:>10} {:<4} {}\n", row.IsKept() ? " " : "!", row.quantity,
+               row.published ? fmt::format("{:.3g}", *row.published) : "-", fmt::format("{:.3g}", row.ours), row.unit,
+               row.spread);
+  }
+  fmt::print("{} of {} above the published; report in {}/report.html\n",
+             std::count_if(compared.begin(), compared.end(), [](const ComparedQuantity& row) { return !row.IsKept(); }),
+             std::count_if(compared.begin(), compared.end(),
+                           [](const ComparedQuantity& row) { return row.published.has_value(); }),
+             out);
+}
+
+Json SummaryJson(const std::vector<ComparedQuantity>& compared) {
+  Json rows = Json::array();
+  for (const ComparedQuantity& row : compared) {
+    rows.push_back({{"quantity", row.quantity}, {"unit", row.unit}, {"published", nullptr}, {"ours", row.ours},
+                    {"kept", row.IsKept()}, {"spread", row.spread}});
+    if (row.published) rows.back()["published"] = *row.published;
+  }
+  return rows;
+}
+
+int Reproduce(const Options& options) {
+  const std::vector<ComparedQuantity> compared = [&] {
+    Progress progress(!options.talk.ForPeople());
+    try {
+      return ReproducePaper(options.out, {.quick = options.quick, .jobs = options.jobs}, InterruptRequested,
+                            [&](double share, const std::string& text) {
+                              if (progress.IsDue()) progress.Tell(share, text);
+                            });
+    } catch (const Interrupted&) {
+      spdlog::warn("interrupted: what is measured is kept in {}/measurements, and the same command goes on from there",
+                   options.out);
+      return std::vector<ComparedQuantity>();
+    }
+  }();
+  if (InterruptRequested()) return kInterrupted;
+  if (options.talk.json) fmt::print("{}\n", SummaryJson(compared).dump(2));
+  if (options.talk.ForPeople()) PrintSummary(compared, options.out);
+  return kPassed;
+}
+
+}  // namespace
+
+void AddPaper(CLI::App& app, Run& run) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command =
+      *app.add_subcommand("paper", "Measure everything that the paper reports, and put it beside the published figures");
+  command.add_option("--out", options->out, "Folder for the report; a run that was stopped goes on there")
+      ->required()
+      ->type_name("DIR");
+  command.add_flag("--quick", options->quick, "Every section on few samples: minutes, not an hour");
+  command.add_option("--jobs", options->jobs, "Measurements at a time (default: all cores)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 256));
+  AddTalk(command, options->talk);
+  command.callback([options, &run] { run = [options] { return Reproduce(*options); }; });
+}
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "scenarios/paper/paper_plan.h"
+#include "scenarios/paper/section.h"
+
+namespace touchdown::scenarios {
+
+/// Position and attitude errors over distances and roll angles (Sec. VI-B.5, Fig. 10), each beside the Cramer-Rao limit.
+Experiment AccuracyExperiment(const PaperPlan& plan, const PaperVehicle& vehicle);
+
+}  // namespace touchdown::scenarios

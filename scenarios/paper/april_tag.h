@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+
+#include "models/signals.h"
+
+namespace touchdown::scenarios {
+
+/// AprilTag 3 (Krogius, Haggenmiller, Olson 2019) as it comes, undecimated, one thread: the yardstick for what looking at
+/// a frame costs.
+class AprilTagDetector {
+ public:
+  AprilTagDetector();
+  ~AprilTagDetector();
+  AprilTagDetector(const AprilTagDetector&) = delete;
+  AprilTagDetector& operator=(const AprilTagDetector&) = delete;
+
+  /// How many tags of the family 36h11 the image shows.
+  int Detect(const models::ImageView& image);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "scenarios/paper/paper_plan.h"
+#include "scenarios/paper/section.h"
+
+namespace touchdown::scenarios {
+
+/// The vehicle of the paper's experiments as it truly is: camera and IMU a little off their nominal mountings, the
+/// camera with "a small tilt in pitch angle" (Sec. VI-B.5).
+models::Vehicle TrueVehicle();
+
+/// The calibrations (Sec. III-D), for several seeds: found, true, and apart.
+Experiment CalibrationsExperiment(const PaperPlan& plan);
+
+/// What the first of them found: this is what all flights are flown with.
+Calibration CalibrationOf(const Measured& measured);
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "scenarios/paper/paper_plan.h"
+#include "scenarios/paper/section.h"
+
+namespace touchdown::scenarios {
+
+/// What a frame costs over a flight (Sec. VI-B.4, Fig. 9), beside AprilTag 3 on the same frames.
+Experiment ComputationTimeExperiment(const PaperPlan& plan, const PaperVehicle& vehicle);
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,190 @@
+#include "scenarios/paper/figure.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <cctype>
+#include <iterator>
+#include <regex>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "models/error.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kSvgUnitsPerCm = 48.0;
+
+/// The page's colours by day (scenarios/report/web/page.css), by the names of its variables.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kColours = {{{"paper", "#ffffff"},
+                                                                                      {"ink", "#1a1f26"},
+                                                                                      {"muted", "#5a6572"},
+                                                                                      {"line", "#dfe3e8"},
+                                                                                      {"grid", "#e8ebef"},
+                                                                                      {"estimate", "#0072b2"},
+                                                                                      {"vision", "#5fb0e0"},
+                                                                                      {"set-point", "#d55e00"},
+                                                                                      {"first", "#8f2763"},
+                                                                                      {"second", "#14917f"},
+                                                                                      {"third", "#b98900"},
+                                                                                      {"fourth", "#6a50c7"},
+                                                                                      {"failed", "#b3261e"},
+                                                                                      {"event", "#d0409a"},
+                                                                                      {"pass", "#10713c"}}};
+
+/// A folder of its own that goes when it goes.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string pattern = (fs::temp_directory_path() / "touchdown.XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) throw InputError("no temporary folder can be made");
+    path_ = pattern;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+std::string TextOf(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Of the figure's PDF, always the same date.
+std::vector<std::string> EnvironmentWithoutDate() {
+  std::vector<std::string> environment;
+  for (char** each = environ; *each != nullptr; ++each) environment.emplace_back(*each);
+  environment.emplace_back("SOURCE_DATE_EPOCH=0");
+  return environment;
+}
+
+std::vector<char*> Pointers(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  for (std::string& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+void RunGnuplot(const fs::path& script, const fs::path& words) {
+  std::vector<std::string> arguments{"gnuplot", script.string()};
+  std::vector<std::string> environment = EnvironmentWithoutDate();
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, words.c_str(), O_WRONLY | O_CREAT, 0600);
+  pid_t child = 0;
+  const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, Pointers(arguments).data(),
+                                 Pointers(environment).data());
+  posix_spawn_file_actions_destroy(&actions);
+  if (error != 0) {
+    throw InputError("gnuplot, which draws the figures, cannot be run; on Debian: apt-get install gnuplot-nox");
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error("gnuplot: " + TextOf(words));
+}
+
+/// Names of the page's colours for the gnuplot commands: `lc rgb ESTIMATE`.
+std::string ColourNames() {
+  std::string commands;
+  for (const auto& [name, hex] : kColours) {
+    std::string upper;
+    for (const char c : name) upper += c == '-' ? '_' : static_cast<char>(std::toupper(c));
+    commands += fmt::format("{} = '{}'\n", upper, hex);
+  }
+  return commands;
+}
+
+std::string Style() {
+  return ColourNames() + R"(set datafile separator comma
+set datafile columnheaders
+set border 3 lc rgb MUTED lw 0.8
+set tics nomirror textcolor rgb MUTED scale 0.6
+set grid lc rgb GRID lw 0.8 dt solid
+set key textcolor rgb INK samplen 1.6 spacing 1.1
+set xlabel textcolor rgb INK
+set ylabel textcolor rgb INK
+set title textcolor rgb INK
+set style fill solid 0.85 noborder
+)";
+}
+
+std::string Script(const Figure& figure, const fs::path& folder) {
+  const auto part = [&](const std::string& terminal, const std::string& output) {
+    return fmt::format("reset\nset terminal {}\nset output '{}'\n{}data = '{}'\n{}\nset output\n", terminal,
+                       (folder / output).string(), Style(), (folder / "data.csv").string(), figure.plot);
+  };
+  return part(fmt::format("svg size {:.0f},{:.0f} dynamic font 'sans-serif,12'", kSvgUnitsPerCm * figure.width_cm,
+                          kSvgUnitsPerCm * figure.height_cm),
+              "figure.svg") +
+         part(fmt::format("pdfcairo size {}cm,{}cm font 'DejaVu Sans,8' lw 1.2", figure.width_cm, figure.height_cm),
+              "figure.pdf");
+}
+
+std::string Replaced(const std::string& text, const std::regex& pattern,
+                     const std::function<std::string(const std::smatch&)>& replacement) {
+  std::string result;
+  auto from = text.cbegin();
+  for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
+    result.append(from, text.cbegin() + match->position());
+    result += replacement(*match);
+    from = text.cbegin() + match->position() + match->length();
+  }
+  return result.append(from, text.cend());
+}
+
+std::string VariableFor(const std::string& hex, const std::string& otherwise) {
+  for (const auto& [name, colour] : kColours) {
+    if (colour == hex) return fmt::format("var(--{})", name);
+  }
+  return otherwise;
+}
+
+/// The drawing as a part of the page: no XML head, names of its own, the page's colours.
+std::string ForThePage(const std::string& svg, const std::string& name) {
+  std::string part = svg.substr(svg.find("<svg"));
+  static const std::regex decimal(R"(rgb\(\s*(\d+),\s*(\d+),\s*(\d+)\))"), hex("#[0-9a-fA-F]{6}"),
+      id(R"((id=['"]|href=['"]#)(gp|gnuplot|textbox|greybox))");
+  part = Replaced(part, decimal, [](const std::smatch& m) {
+    const std::string as_hex = fmt::format("#{:02x}{:02x}{:02x}", std::stoi(m[1]), std::stoi(m[2]), std::stoi(m[3]));
+    return VariableFor(as_hex, m.str());
+  });
+  part = Replaced(part, hex, [](const std::smatch& m) { return VariableFor(m.str(), m.str()); });
+  return Replaced(part, id, [&](const std::smatch& m) { return fmt::format("{}{}_{}", m[1].str(), name, m[2].str()); });
+}
+
+}  // namespace
+
+DrawnFigure Draw(const Figure& figure) {
+  const ScratchFolder folder;
+  std::ofstream(folder.path() / "data.csv") << figure.csv;
+  std::ofstream(folder.path() / "figure.gp") << Script(figure, folder.path());
+  RunGnuplot(folder.path() / "figure.gp", folder.path() / "words");
+  DrawnFigure drawn{.svg = TextOf(folder.path() / "figure.svg"), .pdf = TextOf(folder.path() / "figure.pdf")};
+  if (drawn.svg.empty() || drawn.pdf.empty()) throw std::runtime_error("gnuplot drew nothing of " + figure.name);
+  drawn.page_svg = ForThePage(drawn.svg, figure.name);
+  return drawn;
+}
+
+}  // namespace touchdown::scenarios

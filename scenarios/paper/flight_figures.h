@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenarios/paper/figure.h"
+#include "scenarios/paper/measurement.h"
+
+namespace touchdown::scenarios {
+
+/// Position and attitude over time as the paper draws a flight: vision red, tracking system green, truth a thin line.
+/// `series` is FlyAndSumUp's.
+std::vector<Figure> FlightFigures(const std::string& name, const std::string& title, const Json& series);
+
+}  // namespace touchdown::scenarios

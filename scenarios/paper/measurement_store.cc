@@ -1,0 +1,39 @@
+#include "scenarios/paper/measurement_store.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+#include "models/error.h"
+#include "scenarios/flight/output_file.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+constexpr const char* kMark = "touchdown.measurement";
+
+}  // namespace
+
+MeasurementStore::MeasurementStore(std::filesystem::path folder, std::string origin)
+    : folder_(std::move(folder)), origin_(std::move(origin)) {
+  std::error_code error;
+  std::filesystem::create_directories(folder_, error);
+  if (error) throw InputError(fmt::format("output folder {}: {}", folder_.string(), error.message()));
+}
+
+std::optional<Json> MeasurementStore::Find(const std::string& id) const {
+  std::ifstream stream(FileOf(id));
+  if (!stream) return std::nullopt;
+  const Json file = Json::parse(stream, nullptr, false);
+  if (!file.is_object() || file.value("kind", "") != kMark || file.value("origin", "") != origin_) return std::nullopt;
+  return file.at("value");
+}
+
+void MeasurementStore::Put(const std::string& id, const Json& value) const {
+  const Json file{{"kind", kMark}, {"origin", origin_}, {"value", value}};
+  WriteOutputFile(FileOf(id), file.dump(1) + "\n", kMark);
+}
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "scenarios/paper/measurement.h"
+
+namespace touchdown::scenarios {
+
+/// A folder in which each measurement that is done has a file: a run that was stopped continues from there. A file that
+/// another build or another plan left, told by its `origin`, does not count, and is replaced.
+class MeasurementStore {
+ public:
+  /// Makes the folder. Throws InputError when it cannot.
+  MeasurementStore(std::filesystem::path folder, std::string origin);
+
+  /// nullopt when it is yet to be measured.
+  std::optional<Json> Find(const std::string& id) const;
+
+  /// The file is there whole or not at all. Throws InputError when it cannot be written. Different ids may be written
+  /// from different threads at once.
+  void Put(const std::string& id, const Json& value) const;
+
+ private:
+  std::filesystem::path FileOf(const std::string& id) const { return folder_ / (id + ".json"); }
+
+  std::filesystem::path folder_;
+  std::string origin_;
+};
+
+}  // namespace touchdown::scenarios

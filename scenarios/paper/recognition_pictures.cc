@@ -1,0 +1,210 @@
+#include "scenarios/paper/recognition_pictures.h"
+
+#include <array>
+#include <cmath>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+#include "estimator/make_estimator.h"
+#include "estimator/paper/binarize.h"
+#include "estimator/paper/components.h"
+#include "models/angles.h"
+#include "scenarios/report/annotated_frame.h"
+#include "scenarios/study/classifier_camera.h"
+#include "scenarios/paper/base64.h"
+#include "sim/camera_optics.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+using Eigen::Vector3d;
+using models::DegToRad;
+
+/// From where a picture is taken, and how well.
+struct Look {
+  double distance_m;  ///< From the pad's centre.
+  double tilt_deg, direction_deg, yaw_deg;
+  double off_u_px, off_v_px;  ///< Of the pad from the image's middle.
+  Vector3d v_m_s = Vector3d::Zero();
+  double exposure_s = 0.004;
+  double defocus_px = 0.0;
+};
+
+View ViewOf(const Look& look, const models::CameraModel& camera) {
+  const double direction = DegToRad(look.direction_deg);
+  View view;
+  view.X_WC.linear() =
+      models::RotationExp(DegToRad(look.tilt_deg) * Vector3d(std::cos(direction), std::sin(direction), 0.0)) *
+      models::RotationFromTaitBryan({.roll = models::kPi, .yaw = DegToRad(look.yaw_deg)});
+  const Vector3d ray_C = camera.Ray({camera.cx_px + look.off_u_px, camera.cy_px + look.off_v_px}).value();
+  view.X_WC.translation() = -look.distance_m * (view.X_WC.linear() * ray_C);
+  view.v_WC = look.v_m_s;
+  view.exposure_s = look.exposure_s;
+  view.defocus_px = look.defocus_px;
+  return view;
+}
+
+/// A room, and the estimator that looks at pictures of it.
+class Studio {
+ public:
+  Studio(const Scenario& told, std::uint64_t seed)
+      : told_(told),
+        optics_(told.camera.model),
+        camera_(sim::MakeScene(told.scene, told.pad, seed), optics_, kNoise, seed),
+        estimator_(estimator::MakeEstimator(
+            told.estimator, {.camera = told.camera.model, .pad = told.pad, .X_BC = told.vehicle.X_BC(), .time = told.time})) {}
+
+  struct Taken {
+    models::Image image;
+    estimator::FrameEstimate seen;
+  };
+
+  Taken Take(const Look& look) {
+    const View view = ViewOf(look, told_.camera.model);
+    Taken taken{.image = camera_.Take(view)};
+    const Eigen::Matrix3d R_WB = view.X_WC.linear() * told_.vehicle.X_BC().linear().transpose();
+    taken.seen = estimator_->Estimate(taken.image.View(), tick_ += told_.time.ticks_per_s,
+                                      -R_WB.transpose() * Vector3d::UnitZ());
+    return taken;
+  }
+
+ private:
+  static constexpr std::array<double, 1> kNoise{3.0};
+  const Scenario& told_;
+  sim::CameraOptics optics_;
+  SceneCamera camera_;
+  std::unique_ptr<estimator::Estimator> estimator_;
+  models::Tick tick_ = 0;
+};
+
+cv::Mat3b Coloured(models::Image& image) {
+  cv::Mat3b picture;
+  cv::cvtColor(cv::Mat1b(image.height, image.width, image.pixels.data()), picture, cv::COLOR_GRAY2BGR);
+  return picture;
+}
+
+cv::Mat Grid(const std::vector<cv::Mat3b>& tiles, int columns) {
+  constexpr int kGap = 6;
+  std::vector<cv::Mat> rows;
+  for (std::size_t i = 0; i < tiles.size(); i += static_cast<std::size_t>(columns)) {
+    std::vector<cv::Mat> row;
+    for (std::size_t k = i; k < std::min(tiles.size(), i + static_cast<std::size_t>(columns)); ++k) {
+      cv::Mat framed;
+      cv::copyMakeBorder(tiles[k], framed, 0, kGap, 0, kGap, cv::BORDER_CONSTANT, cv::Scalar::all(255));
+      row.push_back(framed);
+    }
+    rows.emplace_back();
+    cv::hconcat(row, rows.back());
+  }
+  cv::Mat grid;
+  cv::vconcat(rows, grid);
+  return grid;
+}
+
+Json PictureJson(const std::string& name, const std::string& title, const std::string& caption, const cv::Mat& picture) {
+  constexpr int kQuality = 82;
+  std::vector<unsigned char> jpeg;
+  if (!cv::imencode(".jpg", picture, jpeg, {cv::IMWRITE_JPEG_QUALITY, kQuality})) {
+    throw std::runtime_error("a picture cannot be encoded as JPEG");
+  }
+  return {{"name", name}, {"title", title}, {"caption", caption}, {"jpeg", Base64({jpeg.begin(), jpeg.end()})}};
+}
+
+/// Fig. 2: the picture, its dark pixels, its components, what they are.
+Json Stages(const Scenario& told) {
+  Studio studio(told, 4);
+  Studio::Taken taken = studio.Take({.distance_m = 1.0, .tilt_deg = 12.0, .direction_deg = 40.0, .yaw_deg = 25.0,
+                                     .off_u_px = -60.0, .off_v_px = 30.0});
+  models::Image dark = estimator::Binarize(taken.image.View());
+  const estimator::ComponentSet set = estimator::ExtractComponents(dark.View());
+  cv::Mat3b boxes = Coloured(taken.image);
+  for (const estimator::Component& each : set.components) {
+    cv::rectangle(boxes, cv::Rect(each.u, each.v, each.width, each.height), {0, 170, 240});
+  }
+  estimator::FrameTrace labels;
+  labels.components = taken.seen.trace.components;
+  const cv::Mat3b classified =
+      AnnotateFrame(taken.image.View(), told.camera.model, {.trace = labels, .pad_px = taken.seen.pad_px});
+  return PictureJson("fig_2_stages", "Fig. 2: the steps of the recognition",
+                     "The image, its dark pixels, the connected components, and their classes: circles green, letters H "
+                     "blue, others red, the pad an orange cross.",
+                     Grid({Coloured(taken.image), Coloured(dark), boxes, classified}, 2));
+}
+
+/// Fig. 4: posters, lone rings and letters, strong perspective, blur.
+Json ClutteredViews(const Scenario& told) {
+  const std::array<Look, 6> looks = {
+      {{.distance_m = 0.45, .tilt_deg = 5.0, .direction_deg = 0.0, .yaw_deg = 10.0, .off_u_px = 20.0, .off_v_px = -15.0},
+       {.distance_m = 1.2, .tilt_deg = 42.0, .direction_deg = 70.0, .yaw_deg = -30.0, .off_u_px = 30.0, .off_v_px = 40.0},
+       {.distance_m = 1.9, .tilt_deg = 15.0, .direction_deg = 190.0, .yaw_deg = 70.0, .off_u_px = -90.0, .off_v_px = 60.0},
+       {.distance_m = 0.9, .tilt_deg = 48.0, .direction_deg = -60.0, .yaw_deg = 45.0, .off_u_px = 0.0, .off_v_px = -60.0},
+       {.distance_m = 1.0, .tilt_deg = 18.0, .direction_deg = 120.0, .yaw_deg = -60.0, .off_u_px = 120.0, .off_v_px = -60.0,
+        .v_m_s = {1.0, 0.6, 0.0}, .exposure_s = 0.010},
+       {.distance_m = 1.4, .tilt_deg = 30.0, .direction_deg = 10.0, .yaw_deg = 0.0, .off_u_px = -40.0, .off_v_px = 90.0,
+        .defocus_px = 1.3}}};
+  std::vector<cv::Mat3b> tiles;
+  std::uint64_t seed = 11;
+  for (const Look& look : looks) {
+    Studio studio(told, seed++);
+    Studio::Taken taken = studio.Take(look);
+    tiles.push_back(
+        AnnotateFrame(taken.image.View(), told.camera.model, {.trace = taken.seen.trace, .pad_px = taken.seen.pad_px}));
+  }
+  return PictureJson("fig_4_clutter", "Fig. 4: recognition in clutter",
+                     "Six rooms; the fifth view is blurred by motion, the sixth out of focus. Circles and letters that are "
+                     "recognized by themselves are no pad.",
+                     Grid(tiles, 3));
+}
+
+/// Fig. 5: the patch around the pad, and the ellipses fitted to its contours.
+Json FittedPatches(const Scenario& told) {
+  constexpr int kSide = 200;
+  std::vector<cv::Mat3b> patches, fitted;
+  Studio studio(told, 21);
+  for (int i = 0; i < 8; ++i) {
+    const bool moves = i % 3 == 2;
+    const Look look{.distance_m = 0.5 + 0.12 * i, .tilt_deg = 6.0 * i, .direction_deg = 77.0 * i, .yaw_deg = -80.0 + 23.0 * i,
+                    .off_u_px = 15.0 * (i % 4) - 20.0, .off_v_px = 20.0 - 12.0 * (i % 3),
+                    .v_m_s = moves ? Vector3d(0.9, -0.7, 0.0) : Vector3d::Zero(), .exposure_s = moves ? 0.012 : 0.004};
+    Studio::Taken taken = studio.Take(look);
+    if (!taken.seen.ring_box) continue;
+    const estimator::PixelBox& box = *taken.seen.ring_box;
+    const int margin = std::max(6, box.width / 6);
+    const cv::Rect around = cv::Rect(box.u - margin, box.v - margin, box.width + 2 * margin, box.height + 2 * margin) &
+                            cv::Rect(0, 0, taken.image.width, taken.image.height);
+    estimator::FrameTrace ellipses = taken.seen.trace;
+    ellipses.components.clear();
+    const cv::Mat3b drawn = AnnotateFrame(taken.image.View(), told.camera.model, {.trace = ellipses});
+    const auto tile = [&](const cv::Mat3b& whole) {
+      cv::Mat3b scaled;
+      cv::resize(whole(around), scaled, {kSide, kSide}, 0, 0, cv::INTER_CUBIC);
+      return scaled;
+    };
+    patches.push_back(tile(Coloured(taken.image)));
+    fitted.push_back(tile(drawn));
+  }
+  const int columns = static_cast<int>(patches.size());
+  patches.insert(patches.end(), fitted.begin(), fitted.end());
+  return PictureJson("fig_5_ellipses", "Fig. 5: fitted ellipses",
+                     "Patches of the pad from various perspectives, every third blurred by motion, stretched to squares, and "
+                     "below them the ellipses of both of the ring's edges and of the H, with their axes.",
+                     Grid(patches, columns));
+}
+
+}  // namespace
+
+Json TakeRecognitionPictures(const Scenario& told) {
+  return Json::array({Stages(told), ClutteredViews(told), FittedPatches(told)});
+}
+
+std::vector<ReportPicture> PicturesFromJson(const Json& pictures) {
+  std::vector<ReportPicture> result;
+  for (const Json& each : pictures) {
+    result.push_back({each.at("name").get<std::string>(), each.at("title").get<std::string>(),
+                      each.at("caption").get<std::string>(), FromBase64(each.at("jpeg").get<std::string>())});
+  }
+  return result;
+}
+
+}  // namespace touchdown::scenarios

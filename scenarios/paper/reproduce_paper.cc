@@ -1,0 +1,122 @@
+#include "scenarios/paper/reproduce_paper.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "scenarios/flight/output_folder.h"
+#include "scenarios/flight/platform.h"
+#include "scenarios/flight/sha256.h"
+#include "scenarios/paper/accuracy.h"
+#include "scenarios/paper/ambiguity.h"
+#include "scenarios/paper/calibrations.h"
+#include "scenarios/paper/computation_time.h"
+#include "scenarios/paper/conditions.h"
+#include "scenarios/paper/landings.h"
+#include "scenarios/paper/measurement_store.h"
+#include "scenarios/paper/outdoor.h"
+#include "scenarios/paper/pad_size.h"
+#include "scenarios/paper/paper_report.h"
+#include "scenarios/paper/recognition.h"
+#include "scenarios/paper/table_one.h"
+#include "scenarios/paper/yaw.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kMark = "touchdown.paper";
+
+FolderKind PaperFolder() {
+  return {.files = {"paper.json", "report.html", "README.md", "summary.csv", "table_1.tex"},
+          .mark = kMark,
+          .subfolders = {{"figures", [](const fs::path& file) {
+                            const std::string ending = file.extension().string();
+                            return ending == ".csv" || ending == ".pdf" || ending == ".svg" || ending == ".jpg";
+                          }}}};
+}
+
+std::string FolderJson(const ReproductionOptions& options) {
+  return Json{{"kind", kMark}, {"quick", options.quick}}.dump(2) + "\n";
+}
+
+/// This build's, so that what another one measured does not count.
+std::string ProgramDigest() {
+  std::ifstream stream("/proc/self/exe", std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  return Sha256({&bytes});
+}
+
+/// Makes the folder, unless it is there from an earlier run, whose report stays until there is another.
+void ClaimFolder(const fs::path& out, const ReproductionOptions& options) {
+  OutputFolder folder(out, PaperFolder());
+  if (fs::exists(out / "paper.json")) return;
+  folder.Write("paper.json", FolderJson(options));
+  folder.Commit();
+}
+
+void WriteReport(const fs::path& out, const ReproductionOptions& options, const std::vector<ReportSection>& sections,
+                 const std::string& table_one) {
+  const ReportHead head{.mark = fmt::format("<!-- {} -->", kMark),
+                        .quick = options.quick,
+                        .command = fmt::format("touchdown paper{} --out DIR", options.quick ? " --quick" : ""),
+                        .platform = PlatformFacts()};
+  const auto files = ReportFiles(head, sections);
+  OutputFolder folder(out, PaperFolder());
+  fs::create_directory(folder.PathOf("figures"));
+  for (const auto& [name, content] : files) folder.Write(name, content);
+  folder.Write("table_1.tex", table_one);
+  folder.Write("paper.json", FolderJson(options));
+  folder.Commit();
+}
+
+
+}  // namespace
+
+std::vector<ComparedQuantity> ReproducePaper(const fs::path& out, const ReproductionOptions& options,
+                                             const StopRequested& stop_requested, const MeasurementProgress& progress) {
+  const PaperPlan plan = options.quick ? PaperPlan::Quick() : PaperPlan();
+  ClaimFolder(out, options);
+  const MeasurementStore store(out / "measurements", ProgramDigest() + (options.quick ? " quick" : ""));
+
+  // What the calibrations find, the vehicle of all others is flown with.
+  const Experiment calibrations = CalibrationsExperiment(plan);
+  constexpr double kCalibrationsShare = 0.02;
+  const auto first_progress = [&progress](double share, const std::string& text) {
+    if (progress) progress(kCalibrationsShare * share, text);
+  };
+  Measured measured = TakeMeasurements(calibrations.measurements, store, options.jobs, stop_requested, first_progress);
+  const PaperVehicle vehicle{.truth = TrueVehicle(), .calibration = CalibrationOf(measured)};
+
+  const std::vector<Experiment> experiments{calibrations,
+                                      RecognitionExperiment(plan, vehicle),
+                                      YawExperiment(plan, vehicle),
+                                      TableOneExperiment(plan, vehicle),
+                                      LandingsExperiment(plan, vehicle),
+                                      ComputationTimeExperiment(plan, vehicle),
+                                      AccuracyExperiment(plan, vehicle),
+                                      PadSizeExperiment(plan, vehicle),
+                                      OutdoorExperiment(plan, vehicle),
+                                      AmbiguityExperiment(plan, vehicle),
+                                      ConditionsExperiment(plan, vehicle)};
+  std::vector<Measurement> all;
+  for (const Experiment& experiment : experiments) {
+    all.insert(all.end(), experiment.measurements.begin(), experiment.measurements.end());
+  }
+  measured = TakeMeasurements(all, store, options.jobs, stop_requested, progress);
+
+  std::vector<ReportSection> sections;
+  std::vector<ComparedQuantity> compared;
+  for (const Experiment& experiment : experiments) {
+    sections.push_back(experiment.report(measured));
+    compared.insert(compared.end(), sections.back().compared.begin(), sections.back().compared.end());
+  }
+  WriteReport(out, options, sections, TableOneLatex(plan, measured));
+  return compared;
+}
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "scenarios/paper/paper_plan.h"
+#include "scenarios/paper/section.h"
+
+namespace touchdown::scenarios {
+
+/// The hand-held motion, the disturbed hover and the autonomous flight (Sec. VI-B.1 to 3, Figs. 6 to 8, Table I), each
+/// flown for several seeds.
+Experiment TableOneExperiment(const PaperPlan& plan, const PaperVehicle& vehicle);
+
+/// Table I, published and measured side by side, for a LaTeX document.
+std::string TableOneLatex(const PaperPlan& plan, const Measured& measured);
+
+/// The ids of the autonomous flights: ten landings in a row.
+std::vector<std::string> AutonomousFlightIds(const PaperPlan& plan);
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+namespace touchdown::scenarios {
+
+/// A number with so many digits after the point; "-0.0" is "0.0".
+inline std::string Fixed(double value, int digits) {
+  std::string text = fmt::format("{:.{}f}", value, digits);
+  const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
+  return is_zero && text[0] == '-' ? text.substr(1) : text;
+}
+
+/// A line of CSV. No cell may hold a comma.
+inline std::string CsvLine(const std::vector<std::string>& cells) { return fmt::format("{}\n", fmt::join(cells, ",")); }
+
+}  // namespace touchdown::scenarios

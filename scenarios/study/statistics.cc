@@ -1,0 +1,67 @@
+#include "scenarios/study/statistics.h"
+
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace touchdown::scenarios {
+namespace {
+
+constexpr double kUpper = 0.975;  // Of a two-sided interval of 95 %.
+
+void RequireSome(std::size_t count) {
+  if (count == 0) throw std::invalid_argument("there are no values to sum up");
+}
+
+}  // namespace
+
+double Mean(std::span<const double> values) {
+  RequireSome(values.size());
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double RootMeanSquare(std::span<const double> values) {
+  RequireSome(values.size());
+  const double sum = std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+double StandardDeviation(std::span<const double> values) {
+  const double mean = Mean(values);
+  if (values.size() == 1) return 0.0;
+  double sum = 0.0;
+  for (const double value : values) sum += (value - mean) * (value - mean);
+  return std::sqrt(sum / static_cast<double>(values.size() - 1));
+}
+
+double Quantile(std::vector<double> values, double q) {
+  RequireSome(values.size());
+  std::sort(values.begin(), values.end());
+  const double place = std::clamp(q, 0.0, 1.0) * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return std::lerp(values[below], values[above], place - static_cast<double>(below));
+}
+
+Interval MeanInterval(std::span<const double> values) {
+  const double mean = Mean(values);
+  if (values.size() == 1) return {mean, mean, mean};
+  const auto count = static_cast<double>(values.size());
+  const double t = boost::math::quantile(boost::math::students_t(count - 1.0), kUpper);
+  const double half = t * StandardDeviation(values) / std::sqrt(count);
+  return {mean, mean - half, mean + half};
+}
+
+Interval ShareInterval(int successes, int trials) {
+  if (trials < 1 || successes < 0 || successes > trials) throw std::invalid_argument("no share of so many trials");
+  const double n = trials, p = successes / n;
+  const double z = boost::math::quantile(boost::math::normal(), kUpper);
+  const double centre = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);
+  const double half = z / (1.0 + z * z / n) * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
+  return {p, successes == 0 ? 0.0 : centre - half, successes == trials ? 1.0 : centre + half};
+}
+
+}  // namespace touchdown::scenarios

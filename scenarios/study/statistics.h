@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace touchdown::scenarios {
+
+/// A value and the ends of the interval that holds the true one with 95 % confidence.
+struct Interval {
+  double value = 0.0;
+  double low = 0.0;
+  double high = 0.0;
+};
+
+/// Of at least one value.
+double Mean(std::span<const double> values);
+/// Root of the mean of squares; of at least one value.
+double RootMeanSquare(std::span<const double> values);
+/// Sample standard deviation, with n - 1; 0 of a single value.
+double StandardDeviation(std::span<const double> values);
+/// The value below which a share `q` of them lies, interpolated between order statistics; of at least one value.
+double Quantile(std::vector<double> values, double q);
+
+/// The mean, by Student's t on n - 1 degrees of freedom; a single value has no interval but itself.
+Interval MeanInterval(std::span<const double> values);
+
+/// The share of `successes` in `trials`, by Wilson's score interval (Wilson 1927), which holds at 0 and 1 too. `trials`
+/// must be positive.
+Interval ShareInterval(int successes, int trials);
+
+}  // namespace touchdown::scenarios
