@@ -58,8 +58,12 @@ std::optional<SeenCorners> FindCorners(const models::ImageView& image, const Che
   const cv::Mat1b picture(image.height, image.width, const_cast<std::uint8_t*>(image.data),
                           static_cast<std::size_t>(image.stride));
   const cv::Size count = board.corner_count();
+  // Noise would be taken for a multitude of squares; the corners themselves are refined in the picture as it is.
+  constexpr double kSmoothing_px = 1.0;
+  cv::Mat1b smooth;
+  cv::GaussianBlur(picture, smooth, {}, kSmoothing_px);
   std::vector<cv::Point2f> corners;
-  if (!cv::findChessboardCorners(picture, count, corners)) return std::nullopt;
+  if (!cv::findChessboardCorners(smooth, count, corners)) return std::nullopt;
   const int last_square = static_cast<int>(corners.size()) - count.width - 2;
   if (SquareLevel(picture, corners, count.width, 0) > SquareLevel(picture, corners, count.width, last_square)) {
     std::reverse(corners.begin(), corners.end());

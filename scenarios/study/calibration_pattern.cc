@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kSheetDepth_m = 0.0005;
 constexpr double kFloorDepth_m = 0.001;
-constexpr double kFloorHalfSize_m = 5.0;
+constexpr double kFloorHalfSize_m = 50.0;
 constexpr double kInk = 0.08, kPaper = 0.88, kFloor = 0.45;
 
 /// A flat rectangle of one grey, at a place in E.

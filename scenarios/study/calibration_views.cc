@@ -17,22 +17,23 @@ using Eigen::Vector3d;
 
 constexpr double kMargin_px = 4.0;
 constexpr double kLargestTilt_deg = 45.0;
-constexpr double kFarther = 1.33;
+constexpr double kFarther = 1.25;
 constexpr double kStep = 1.03;
 constexpr int kTries = 200;
 
-/// Turned anyhow about the vertical, then tilted about a horizontal axis.
-Matrix3d DrawRotation(models::RandomStream& random) {
+/// A rotation R_EC that has `ray_C` look at the board squarely but for a tilt, turned anyhow about it.
+Matrix3d DrawRotation(const Vector3d& ray_C, models::RandomStream& random) {
   const double heading = random.Uniform(-models::kPi, models::kPi), turn = random.Uniform(-models::kPi, models::kPi);
   const double tilt = models::DegToRad(kLargestTilt_deg) * std::sqrt(random.Uniform());
   const Matrix3d looking_down = Vector3d(1.0, -1.0, -1.0).asDiagonal();
   return models::RotationExp(tilt * Vector3d(std::cos(heading), std::sin(heading), 0.0)) *
-         models::RotationExp(turn * Vector3d::UnitZ()) * looking_down;
+         models::RotationExp(turn * Vector3d::UnitZ()) * looking_down *
+         models::ShortestRotation(ray_C, Vector3d::UnitZ());
 }
 
 /// Places of the board's centre in the image, as shares of its half width and height: the centre, edges and corners.
 Vector2d ShareOf(int view) {
-  constexpr double kAside = 0.5;
+  constexpr double kAside = 0.35;
   const int place = view % 9;
   return kAside * Vector2d(place % 3 - 1, place / 3 - 1);
 }
@@ -72,10 +73,10 @@ Isometry3d DrawView(const Chessboard& board, const models::CameraModel& camera, 
   const Vector2d half_image(0.5 * (camera.width_px - 1), 0.5 * (camera.height_px - 1));
   for (int i = 0; i < kTries; ++i) {
     const Vector2d jitter(random.Uniform(-0.15, 0.15), random.Uniform(-0.15, 0.15));
-    const Matrix3d R_EC = DrawRotation(random);
     const double farther = random.Uniform(1.0, kFarther);
     const auto ray = camera.Ray(half_image + half_image.cwiseProduct(share + jitter));
-    if (!ray || (R_EC * *ray).z() >= 0.0) continue;
+    if (!ray) continue;
+    const Matrix3d R_EC = DrawRotation(*ray, random);
     const auto nearest_m = NearestDistance(board, camera, R_EC, *ray);
     if (!nearest_m) continue;
     const Isometry3d X_EC = Looking(R_EC, *ray, farther * *nearest_m);
