@@ -69,10 +69,12 @@ struct TrackedView {
   std::optional<Isometry3d> X_WB, X_WE;
 };
 
-estimator::PoseMean MeanMounting(const std::vector<TrackedView>& tracked, const std::vector<Isometry3d>& X_EC) {
+estimator::PoseMean MeanMounting(const std::vector<TrackedView>& tracked,
+                                 const std::vector<std::optional<Isometry3d>>& X_EC) {
   std::vector<estimator::PatternView> views;
   for (std::size_t i = 0; i < tracked.size(); ++i) {
-    if (tracked[i].X_WB && tracked[i].X_WE) views.push_back({*tracked[i].X_WB, *tracked[i].X_WE, X_EC[i]});
+    if (!tracked[i].X_WB || !tracked[i].X_WE || !X_EC[i]) continue;
+    views.push_back({*tracked[i].X_WB, *tracked[i].X_WE, *X_EC[i]});
   }
   return estimator::FindCameraMounting(views);
 }
@@ -87,6 +89,11 @@ void CompareWithTruth(const Scenario& scenario, CameraCalibration& result) {
 }
 
 }  // namespace
+
+int CameraCalibration::views_used() const {
+  return static_cast<int>(
+      std::count_if(fit.X_EC.begin(), fit.X_EC.end(), [](const auto& X_EC) { return X_EC.has_value(); }));
+}
 
 ImuCalibration ImuCalibrationFrom(std::span<const models::ImuSample> samples) {
   const estimator::ImuMounting found = estimator::FindImuMounting(samples);

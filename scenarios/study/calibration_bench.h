@@ -42,7 +42,7 @@ struct CameraCalibrationConfig {
 /// A view of the board.
 struct CalibrationPicture {
   models::Image image;
-  std::optional<SeenCorners> corners;  ///< nullopt where the board was not found: the view is not used.
+  std::optional<SeenCorners> corners;  ///< nullopt where the board was not found.
 };
 
 /// What views of a chessboard tell of the camera, and how wrong it is.
@@ -51,6 +51,7 @@ struct CameraCalibration {
   estimator::PoseMean X_BC;   ///< Eq. 2 over the views.
   models::Mounting mounting;  ///< The same for Calibration::camera.
   std::vector<CalibrationPicture> pictures;
+  int views_used() const;
   double focal_error_px = 0.0;            ///< The larger one of fx and fy.
   double principal_point_error_px = 0.0;  ///< Distance.
   double position_error_m = 0.0;

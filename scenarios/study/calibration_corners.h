@@ -21,8 +21,8 @@ std::optional<SeenCorners> FindCorners(const models::ImageView& image, const Che
 /// A camera as several views of a board tell it.
 struct CameraFit {
   models::CameraModel model;
-  std::vector<Eigen::Isometry3d> X_EC;  ///< One for each view.
-  double rms_px = 0.0;                  ///< Distance of the corners from where the fit has them.
+  std::vector<std::optional<Eigen::Isometry3d>> X_EC;  ///< One for each view; nullopt for those left out.
+  double rms_px = 0.0;                                 ///< Distance of the corners from where the fit has them.
 };
 
 /// Which terms of the lens's distortion are sought; the others are 0.
@@ -32,7 +32,9 @@ enum class LensTerms {
 };
 
 /// The camera that fits all views best, by OpenCV's calibrateCamera, which follows the toolbox that the paper used
-/// (Zhang 2000, Bouguet). Throws InputError for fewer than 3 views, and when no valid camera fits them.
+/// (Zhang 2000, Bouguet). Views that fit over four times worse than most, in which a corner
+/// was taken for something else, are left out. Throws InputError for fewer than 3 views, and when no valid camera fits
+/// them.
 CameraFit FitCamera(std::span<const SeenCorners> views, const Chessboard& board, int width_px, int height_px,
                     LensTerms terms = LensTerms::kRadial);
 

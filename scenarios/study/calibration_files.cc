@@ -48,7 +48,7 @@ Json ImuJson(const ImuCalibration& imu, const std::optional<Scenario>& scenario)
 Json CameraJson(const CameraCalibration& camera, const Scenario& scenario) {
   return {
       {"views", camera.pictures.size()},
-      {"views_with_board", camera.fit.X_EC.size()},
+      {"views_used", camera.views_used()},
       {"reprojection_rms_px", camera.fit.rms_px},
       {"found", {{"camera_model", ModelJson(camera.fit.model)}, {"camera", MountingJson(camera.mounting)}}},
       {"sigma",
@@ -121,8 +121,8 @@ std::string CalibrationText(const CalibrationRun& run) {
         "reprojection {:.3f} px\n"
         "  mounting: [{:.4f}, {:.4f}, {:.4f}] m, roll {:.3f} pitch {:.3f} yaw {:.3f} deg\n"
         "  error: focal {:.3f} px, principal point {:.3f} px, position {:.2f} mm, rotation {:.3f} deg\n",
-        c.fx_px, c.fy_px, c.cx_px, c.cy_px, c.k1, c.k2, camera.fit.X_EC.size(), camera.pictures.size(),
-        camera.fit.rms_px, p.x(), p.y(), p.z(), RadToDeg(roll), RadToDeg(pitch), RadToDeg(yaw), camera.focal_error_px,
+        c.fx_px, c.fy_px, c.cx_px, c.cy_px, c.k1, c.k2, camera.views_used(), camera.pictures.size(), camera.fit.rms_px,
+        p.x(), p.y(), p.z(), RadToDeg(roll), RadToDeg(pitch), RadToDeg(yaw), camera.focal_error_px,
         camera.principal_point_error_px, 1e3 * camera.position_error_m, RadToDeg(camera.rotation_error_rad));
   }
   return text;
