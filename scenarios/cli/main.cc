@@ -11,6 +11,7 @@
 #include <string>
 
 #include "models/error.h"
+#include "scenarios/cli/calibrate.h"
 #include "scenarios/cli/command.h"
 #include "scenarios/cli/estimate.h"
 #include "scenarios/cli/fly.h"
@@ -28,9 +29,10 @@ using touchdown::scenarios::AddCommand;
 using touchdown::scenarios::ExitStatus;
 using touchdown::scenarios::Run;
 
-AddCommand* const kCommands[] = {touchdown::scenarios::AddEstimate, touchdown::scenarios::AddFly,
-                                 touchdown::scenarios::AddPad, touchdown::scenarios::AddPaper,     touchdown::scenarios::AddReport,
-                                 touchdown::scenarios::AddScore,    touchdown::scenarios::AddTrain};
+AddCommand* const kCommands[] = {touchdown::scenarios::AddCalibrate, touchdown::scenarios::AddEstimate,
+                                 touchdown::scenarios::AddFly,       touchdown::scenarios::AddPad,
+                                 touchdown::scenarios::AddPaper,     touchdown::scenarios::AddReport,
+                                 touchdown::scenarios::AddScore,     touchdown::scenarios::AddTrain};
 
 int RunAndExplain(const Run& run) {
   try {

@@ -1,0 +1,119 @@
+#include "scenarios/cli/calibrate.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/error.h"
+#include "scenarios/cli/interrupt.h"
+#include "scenarios/cli/progress.h"
+#include "scenarios/cli/talk.h"
+#include "scenarios/flight/camera_info.h"
+#include "scenarios/flight/interrupted.h"
+#include "scenarios/flight/output_folder.h"
+#include "scenarios/flight/scenario.h"
+#include "scenarios/footage/imu_file.h"
+#include "scenarios/study/calibration_bench.h"
+#include "scenarios/study/calibration_files.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+struct Options {
+  std::string what;
+  std::optional<std::string> scenario;
+  std::optional<std::string> imu;
+  std::vector<std::string> overrides;
+  std::optional<std::string> seed;
+  bool all_terms = false;
+  std::string out;
+  Talk talk;
+
+  bool Wants(const char* sensor) const { return what == sensor || what == "all"; }
+};
+
+/// The IMU of a real vehicle that stands on level ground.
+ImuCalibration CalibrateRealImu(const std::string& file) {
+  constexpr models::TimeBase kMicroseconds{.ticks_per_s = 1'000'000};
+  std::vector<models::ImuSample> samples;
+  for (const ImuReading& reading : ReadImuFile(file, kMicroseconds)) samples.push_back(reading.sample);
+  try {
+    return ImuCalibrationFrom(samples);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", file, error.what()));
+  }
+}
+
+Scenario ScenarioOf(const Options& options) {
+  std::vector<Override> overrides(options.overrides.begin(), options.overrides.end());
+  if (options.seed) overrides.emplace_back("seed=" + *options.seed, "--seed " + *options.seed);
+  return LoadScenario(options.scenario.value(), overrides);
+}
+
+CalibrationRun Calibrate(const Options& options) {
+  if (options.imu && (options.scenario || options.what != "imu")) {
+    throw InputError("--imu FILE stands for a scenario, and goes with calibrate imu alone");
+  }
+  if (options.imu) return {.scenario = {}, .imu = CalibrateRealImu(*options.imu), .camera = {}};
+  if (!options.scenario) throw InputError("calibrate: name a scenario, or samples of a real IMU with --imu");
+  CalibrationRun run{.scenario = ScenarioOf(options), .imu = {}, .camera = {}};
+  if (options.Wants("imu")) run.imu = CalibrateImu(*run.scenario);
+  if (!options.Wants("camera")) return run;
+  Progress progress(!options.talk.ForPeople());
+  CameraCalibrationConfig config;
+  if (options.all_terms) config.terms = LensTerms::kAll;
+  run.camera = CalibrateCamera(*run.scenario, config, [&](double share) {
+    if (InterruptRequested()) throw Interrupted();
+    if (progress.IsDue()) progress.Tell(share, "views of the chessboard");
+  });
+  return run;
+}
+
+int CalibrateWith(const Options& options) {
+  OutputFolder folder(options.out, {.files = {"calibration.json", "calibration.yaml", "camera.yaml", "views.png"},
+                                    .mark = "\"touchdown.calibration\""});
+  const CalibrationRun run = Calibrate(options);
+  const std::string json = CalibrationJson(run);
+  folder.Write("calibration.json", json);
+  folder.Write("calibration.yaml", CalibrationYaml(CalibrationOf(run)));
+  if (run.camera) {
+    folder.Write("camera.yaml", CameraInfoYaml(run.camera->fit.model, "camera"));
+    folder.Write("views.png", CalibrationViewsPng(*run.camera, Chessboard()));
+  }
+  folder.Commit();
+  if (options.talk.json) fmt::print("{}", json);
+  if (options.talk.ForPeople()) {
+    fmt::print("{}{}/calibration.yaml: a scenario takes it as its calibration\n", CalibrationText(run), options.out);
+  }
+  return kPassed;
+}
+
+}  // namespace
+
+void AddCalibrate(CLI::App& app, Run& run) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("calibrate", "Find how camera and IMU are mounted, and the camera's lens");
+  command.add_option("WHAT", options->what, "imu, camera or all")
+      ->required()
+      ->check(CLI::IsMember({"imu", "camera", "all"}));
+  command.add_option("SCENARIO", options->scenario, "The scenario's YAML file, whose vehicle is calibrated");
+  command.add_option("--out", options->out, "Folder for the files")->required()->type_name("DIR");
+  command
+      .add_option("--imu", options->imu,
+                  "Instead of a scenario: samples of a real IMU in EuRoC's layout, at rest on level ground")
+      ->type_name("FILE");
+  command.add_option("--set", options->overrides, "Change a key of the scenario, as in --set camera.noise_sigma=5")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command.add_option("--seed", options->seed, "Seed of every random source (default: the scenario's)")->type_name("N");
+  command.add_flag("--all-terms", options->all_terms,
+                   "Find p1, p2 and k3 of the lens too, not just k1 and k2 as the paper");
+  AddTalk(command, options->talk);
+  command.callback([options, &run] { run = [options] { return CalibrateWith(*options); }; });
+}
+
+}  // namespace touchdown::scenarios
