@@ -140,7 +140,7 @@ void DescribeSimulation(ConfigVisitor& v, Scenario& s) {
     t.Check("", [&s] { s.tracking.Validate(s.time); });
   });
   v.Keys({"scene", "What lies around the pad. The layout is drawn from the seed."}, s.scene);
-  v.Keys({"world", "Wind and vibration."}, s.world);
+  v.Keys({"world", "Wind, vibration, and how the ground lies."}, s.world);
 }
 
 void DescribeAutopilot(ConfigVisitor& v, Scenario& s) {
