@@ -2,6 +2,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -11,6 +12,7 @@
 #include "sim/mujoco_model.h"
 #include "sim/scene.h"
 #include "sim/texture_filter.h"
+#include "sim/vehicle_shadow.h"
 
 namespace touchdown::sim {
 namespace {
@@ -22,7 +24,7 @@ constexpr PinholeView kView{.width_px = 480, .height_px = 480, .focal_px = 480.0
 MujocoModel CopyForTheEye(const mjModel& original) {
   MujocoModel model(mj_copyModel(nullptr, &original));
   if (!model) throw std::runtime_error("MuJoCo cannot copy the model");
-  model->vis.quality.numstacks = 2;
+  model->vis.quality.numstacks = std::max(2, model->vis.quality.numstacks);
   return model;
 }
 
@@ -37,6 +39,7 @@ struct ChaseView::Impl {
         data(MakeData(*model)),
         scene(*model, kView, GlScene::Pixels::kBgr, MakeOsMesaContext()),
         filter(*model, scene.resources()),
+        shadow(*model),
         pad_cover(mj_name2id(model.get(), mjOBJ_GEOM, kPadCoverName)) {
     mjv_defaultOption(&options);
     options.geomgroup[kInvisible] = 0;
@@ -56,6 +59,7 @@ struct ChaseView::Impl {
   MujocoData data;
   GlScene scene;
   TextureFilter filter;  ///< As it is made: every pixel's own mip level.
+  VehicleShadow shadow;
   int pad_cover;
   mjvOption options;
 };
@@ -84,7 +88,7 @@ void ChaseView::Follow(const Eigen::Vector3d& p_WB) {
   X_WC_.translation() = 0.5 * *followed_ - distance_m * forward;
 }
 
-void ChaseView::AddShadow(const Eigen::Isometry3d& X_WB) {
+void ChaseView::AddDiscsBelow(const Eigen::Isometry3d& X_WB) {
   constexpr double kHeight_m = 0.002, kHalfThickness_m = 0.0002;
   const Eigen::Vector4f kShade(0.0F, 0.0F, 0.0F, 0.25F);
   const double radius_m = 0.5 * vehicle_.rotor.propeller_diameter_m;
@@ -108,8 +112,9 @@ const cv::Mat3b& ChaseView::Render(const Eigen::Isometry3d& X_WB, bool pad_is_co
   Follow(X_WB.translation());
   impl.HideWallsBetween(X_WC_.translation());
   impl.scene.List(*impl.data, impl.options);
-  AddShadow(X_WB);
-  impl.scene.Draw(X_WC_, picture_.data);
+  const GroundShade* const shadow = impl.shadow.Cast(*impl.data);
+  if (shadow == nullptr) AddDiscsBelow(X_WB);
+  impl.scene.Draw(X_WC_, shadow, picture_.data);
   return picture_;
 }
 

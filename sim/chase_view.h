@@ -23,8 +23,9 @@ class ChaseView {
   ChaseView(const ChaseView&) = delete;
   ChaseView& operator=(const ChaseView&) = delete;
 
-  /// The vehicle at X_WB over a pad that lies bare or covered, blue, green, red. A dark disc on the floor straight
-  /// below each rotor tells where the vehicle is above. The picture is valid until the next call.
+  /// The vehicle at X_WB over a pad that lies bare or covered, blue, green, red. Its shadow tells where the
+  /// vehicle is above, or without a sun a dark disc on the floor straight below each rotor. The picture is valid until
+  /// the next call.
   const cv::Mat3b& Render(const Eigen::Isometry3d& X_WB, bool pad_is_covered);
 
   /// Where the camera of the newest picture is, frame C. It looks forward and down, from behind, at the middle between
@@ -37,7 +38,7 @@ class ChaseView {
   struct Impl;
 
   void Follow(const Eigen::Vector3d& p_WB);
-  void AddShadow(const Eigen::Isometry3d& X_WB);
+  void AddDiscsBelow(const Eigen::Isometry3d& X_WB);
 
   models::Vehicle vehicle_;
   PinholeView view_;

@@ -99,9 +99,10 @@ void GlScene::Add(mjtGeom type, const Eigen::Vector3d& size_m, const Eigen::Isom
   ++geoms_.ngeom;
 }
 
-void GlScene::Draw(const Eigen::Isometry3d& X_WC, std::uint8_t* pixels) {
+void GlScene::Draw(const Eigen::Isometry3d& X_WC, const GroundShade* shade, std::uint8_t* pixels) {
   geoms_.camera[0] = geoms_.camera[1] = CameraFor(view_, X_WC);
   mjr_render({0, 0, view_.width_px, view_.height_px}, &geoms_, &resources_);
+  if (shade != nullptr) shade_painter_.Paint(*shade);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, view_.width_px, view_.height_px, pixels_ == Pixels::kRed ? GL_RED : GL_BGR, GL_UNSIGNED_BYTE,
                bottom_up_.data());

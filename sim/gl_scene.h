@@ -10,12 +10,13 @@
 #include <vector>
 
 #include "sim/gl_context.h"
+#include "sim/ground_shade.h"
 #include "sim/pinhole_view.h"
 
 namespace touchdown::sim {
 
 /// A model drawn by MuJoCo on a GL context of its own: what every view of a room is made with, whatever it shows. There
-/// is no sky, shadow or fog.
+/// is no sky or fog, and of shadows what Draw is given.
 class GlScene {
  public:
   enum class Pixels {
@@ -40,9 +41,9 @@ class GlScene {
   void List(mjData& data, const mjvOption& options);
   /// Adds a thing to the list that is not in the model, at X_WG, of MuJoCo's size for its type.
   void Add(mjtGeom type, const Eigen::Vector3d& size_m, const Eigen::Isometry3d& X_WG, const Eigen::Vector4f& rgba);
-  /// Draws the list from X_WC (frame C: X right, Y down, Z forward) and writes the pixels, row 0 at the top, without
-  /// padding between rows.
-  void Draw(const Eigen::Isometry3d& X_WC, std::uint8_t* pixels);
+  /// Draws the list from X_WC (frame C: X right, Y down, Z forward), darkens the ground by `shade` unless it is null,
+  /// and writes the pixels, row 0 at the top, without padding between rows.
+  void Draw(const Eigen::Isometry3d& X_WC, const GroundShade* shade, std::uint8_t* pixels);
 
  private:
   /// MuJoCo's list of what is drawn.
@@ -68,6 +69,7 @@ class GlScene {
   std::unique_ptr<GlContext> gl_;
   GeomList geoms_;
   Resources resources_;
+  GroundShadePainter shade_painter_;
   std::vector<std::uint8_t> bottom_up_;
 };
 

@@ -28,9 +28,11 @@ void ImuConfig::Validate(const models::TimeBase& time) const {
   }
 }
 
-Imu::Imu(const ImuConfig& config, const Eigen::Isometry3d& X_BU, const models::TimeBase& time, std::uint64_t seed)
+Imu::Imu(const ImuConfig& config, const Eigen::Isometry3d& X_BU, const models::TimeBase& time, std::uint64_t seed,
+         const GroundTilt& ground)
     : config_(config),
       X_BU_(X_BU),
+      gravity_W_(ground.Gravity()),
       tick_s_(time.period_s()),
       period_(time.PeriodOf(config.rate_hz)),
       noise_(seed, "imu.noise") {
@@ -63,8 +65,8 @@ void Imu::Accumulate(const TrueState& truth) {
   const Vector3d w = truth.w_WB_B - 0.5 * tick_s_ * alpha;
   const Vector3d p_BU = X_BU_.translation();
   const Eigen::Matrix3d R_WB = truth.X_WB.linear() * models::RotationExp(-0.5 * tick_s_ * w);
-  const Vector3d up_W(0.0, 0.0, models::kGravity_m_s2);
-  const Vector3d specific_force_B = R_WB.transpose() * (truth.a_WB + up_W) + alpha.cross(p_BU) + w.cross(w.cross(p_BU));
+  const Vector3d specific_force_B =
+      R_WB.transpose() * (truth.a_WB - gravity_W_) + alpha.cross(p_BU) + w.cross(w.cross(p_BU));
   specific_force_sum_ += X_BU_.linear().transpose() * specific_force_B;
   rate_sum_ += X_BU_.linear().transpose() * w;
   ++count_;

@@ -7,6 +7,7 @@
 
 #include "models/random_stream.h"
 #include "models/signals.h"
+#include "sim/ground_tilt.h"
 #include "sim/true_state.h"
 
 namespace touchdown::sim {
@@ -33,7 +34,8 @@ struct ImuConfig {
 class Imu {
  public:
   /// Draws the bias from the stream "imu.bias"; noise comes from "imu.noise". `X_BU` is the true mounting.
-  Imu(const ImuConfig& config, const Eigen::Isometry3d& X_BU, const models::TimeBase& time, std::uint64_t seed);
+  Imu(const ImuConfig& config, const Eigen::Isometry3d& X_BU, const models::TimeBase& time, std::uint64_t seed,
+      const GroundTilt& ground = {});
 
   /// Call once a tick, in order; returns a sample on the ticks of its rate. The first call's tick may be before 0. The
   /// sample at tick 0 is of that instant, taken as unaccelerated.
@@ -44,6 +46,7 @@ class Imu {
 
   ImuConfig config_;
   Eigen::Isometry3d X_BU_;
+  Eigen::Vector3d gravity_W_;
   double tick_s_;
   models::Tick period_;
   models::RandomStream noise_;

@@ -181,6 +181,16 @@ cv::Mat1b PrintPoster(const SceneItem& item, RandomStream& random) {
   return kPosters[static_cast<std::size_t>(random.UniformInt(0, int(kPosters.size()) - 1))](item, random);
 }
 
+/// Speckled all over.
+cv::Mat1b PaintStone(const SceneItem& item, int face_width) {
+  RandomStream random(item.texture_seed, "print");
+  const double base = random.Uniform(70.0, 190.0);
+  cv::Mat1b faces(6 * face_width, face_width);
+  for (std::uint8_t& texel : faces) texel = cv::saturate_cast<std::uint8_t>(base + random.Uniform(-40.0, 40.0));
+  cv::GaussianBlur(faces, faces, {}, 1.2);
+  return faces;
+}
+
 }  // namespace
 
 cv::Mat1b PrintPad(const models::LandingPad& pad, int width, int height) {
@@ -232,6 +242,7 @@ cv::Mat1b PrintSheet(const SceneItem& item, int width, int height) {
 }
 
 cv::Mat1b PaintSolid(const SceneItem& item, int face_width) {
+  if (item.kind == Kind::kStone) return PaintStone(item, face_width);
   RandomStream random(item.texture_seed, "print");
   const double base = random.Uniform(40.0, 200.0);
   const bool label = random.Chance(0.6);

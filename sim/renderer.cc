@@ -10,6 +10,7 @@
 #include "sim/gl_scene.h"
 #include "sim/texture_filter.h"
 #include "sim/textures.h"
+#include "sim/vehicle_shadow.h"
 
 namespace touchdown::sim {
 namespace {
@@ -24,13 +25,14 @@ bool LiesOnTheFloorsCentre(const FloorFootprint& footprint) {
 
 struct Renderer::Impl {
   Impl(const mjModel& model, const PinholeView& view, std::unique_ptr<GlContext> gl)
-      : scene(model, view, GlScene::Pixels::kRed, std::move(gl)), filter(model, scene.resources()) {
+      : scene(model, view, GlScene::Pixels::kRed, std::move(gl)), filter(model, scene.resources()), shadow(model) {
     mjv_defaultOption(&options);
     options.geomgroup[kVehicle] = options.geomgroup[kInvisible] = 0;
   }
 
   GlScene scene;
   TextureFilter filter;
+  VehicleShadow shadow;
   mjvOption options;
 };
 
@@ -48,7 +50,7 @@ const models::Image& Renderer::Render(mjData_& data, const Eigen::Isometry3d& X_
   impl.options.geomgroup[kSurroundings] = footprint && LiesOnTheFloorsCentre(*footprint) ? 0 : 1;
   impl.filter.SuitTo(footprint, view_.focal_px);
   impl.scene.List(data, impl.options);
-  impl.scene.Draw(X_WC, image_.Row(0));
+  impl.scene.Draw(X_WC, impl.shadow.Cast(data), image_.Row(0));
   return image_;
 }
 

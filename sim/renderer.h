@@ -15,7 +15,8 @@ namespace touchdown::sim {
 
 /// What a camera without lens errors, exposure time and noise sees: MuJoCo's renderer on a GL context of its own.
 ///
-/// The camera's spectral response is the red channel. Of the geom groups, see GeomGroup, the vehicle is not shown.
+/// The camera's spectral response is the red channel. Of the geom groups, see GeomGroup, the vehicle is not shown,
+/// but under a sun its shadow is.
 /// Several renderers can live in one process, on one thread each or on the same.
 class Renderer {
  public:
@@ -27,7 +28,7 @@ class Renderer {
   Renderer& operator=(const Renderer&) = delete;
 
   /// The view from X_WC (frame C: X right, Y down, Z forward), row 0 at the top. `data` must have its kinematics
-  /// computed (mj_forward, mj_step); it is the scene that counts, not the vehicle in it. The image is valid until the
+  /// computed (mj_forward, mj_step); of the vehicle in it, only the shadow counts. The image is valid until the
   /// next call.
   const models::Image& Render(mjData_& data, const Eigen::Isometry3d& X_WC);
 

@@ -50,8 +50,20 @@ Eigen::Vector3d DrawSize(Kind kind, RandomStream& random) {
       const double diameter = random.Uniform(0.06, 0.22);
       return {diameter, diameter, random.Uniform(0.05, 0.30)};
     }
+    case Kind::kBall:
+      return Eigen::Vector3d::Constant(random.Uniform(0.10, 0.24));
+    case Kind::kStone: {
+      const double length = random.Uniform(0.06, 0.28);
+      return length * Eigen::Vector3d(1.0, random.Uniform(0.6, 0.95), random.Uniform(0.3, 0.6));
+    }
   }
   return Eigen::Vector3d::Zero();
+}
+
+Kind DrawSolid(const SceneConfig& config, RandomStream& random) {
+  if (!config.IsOutdoor()) return random.Chance(0.5) ? Kind::kBox : Kind::kCylinder;
+  constexpr std::array kSolids{Kind::kStone, Kind::kStone, Kind::kStone, Kind::kBox, Kind::kCylinder, Kind::kBall};
+  return kSolids[static_cast<std::size_t>(random.UniformInt(0, int{kSolids.size()} - 1))];
 }
 
 class Layout {
@@ -111,6 +123,7 @@ void SceneConfig::Validate() const {
   if (!(illumination > 0.0 && illumination <= 4.0)) {
     throw InputError("scene: illumination must be above 0 and at most 4");
   }
+  sun.Validate();
 }
 
 std::array<Eigen::Vector2d, 4> SceneItem::Corners() const {
@@ -137,7 +150,7 @@ Scene MakeScene(const SceneConfig& config, const models::LandingPad& pad, std::u
   Layout layout(scene, random);
   for (int i = 0; i < config.lone_circles; ++i) layout.Place(Kind::kRing);
   for (int i = 0; i < config.lone_letters; ++i) layout.Place(Kind::kLetterH);
-  for (int i = 0; i < config.objects; ++i) layout.Place(random.Chance(0.5) ? Kind::kBox : Kind::kCylinder);
+  for (int i = 0; i < config.objects; ++i) layout.Place(DrawSolid(config, random));
   for (int i = 0; i < config.posters; ++i) layout.Place(Kind::kPoster);
   return scene;
 }

@@ -12,7 +12,11 @@
 #include "models/angles.h"
 #include "models/random_stream.h"
 #include "sim/floor_pattern.h"
+#include "sim/grass_pattern.h"
 #include "sim/prints.h"
+#include "sim/shadow_mask.h"
+#include "sim/shadow_outline.h"
+#include "sim/solid.h"
 
 namespace touchdown::sim {
 namespace {
@@ -34,6 +38,13 @@ struct Placement {
     const double y = (0.5 - (row + 0.5) / height) * extent_m.y();
     return centre_m + Eigen::Vector2d(std::cos(yaw) * x - std::sin(yaw) * y, std::sin(yaw) * x + std::cos(yaw) * y);
   }
+
+  /// The other way round: column and row, whole at a texel's centre.
+  Eigen::Vector2d TexelAt(const Eigen::Vector2d& p_W, const cv::Size& size) const {
+    const Eigen::Vector2d p = p_W - centre_m;
+    const double x = std::cos(yaw) * p.x() + std::sin(yaw) * p.y(), y = std::cos(yaw) * p.y() - std::sin(yaw) * p.x();
+    return {size.width * (x / extent_m.x() + 0.5) - 0.5, size.height * (0.5 - y / extent_m.y()) - 0.5};
+  }
 };
 
 /// Green and blue over red.
@@ -45,13 +56,25 @@ struct Tint {
 /// Fills the textures of a model. The camera sees the red channel alone; green and blue are for the eyes of people.
 class Painter {
  public:
-  Painter(const Scene& scene, mjModel& model) : scene_(scene), model_(model), light_(scene) {}
+  Painter(const Scene& scene, mjModel& model) : scene_(scene), model_(model), room_light_(scene) {
+    if (scene.config.IsOutdoor()) CastShadows();
+  }
 
   void PaintFlat(const std::string& name, const Placement& place, const Tint& tint, const cv::Mat1b& print) {
     Write(name, tint, cv::Mat1f(cv::Mat1f(print).mul(LightOver(place, print.size()))));
   }
 
   void PaintSolidItem(const std::string& name, const Tint& tint, const cv::Mat1b& faces) { Write(name, tint, faces); }
+
+  void PaintGrass(const std::string& name, const TextureSize& size, double size_m, const GrassPattern& pattern) {
+    const Placement place{.extent_m = Eigen::Vector2d::Constant(size_m)};
+    const cv::Mat3b print = pattern.Print(size_m, size.width);
+    cv::Mat light, lit;
+    const cv::Mat1f light_over = LightOver(place, print.size());
+    cv::merge(std::vector<cv::Mat>(3, light_over), light);
+    print.convertTo(lit, CV_32F);
+    cv::Mat(lit.mul(light)).convertTo(Texels(name, print.size()), CV_8U, scene_.config.illumination);
+  }
 
   void PaintFloor(const std::string& name, const TextureSize& size, double size_m, const FloorPattern& pattern) {
     const Placement place{.extent_m = Eigen::Vector2d::Constant(size_m)};
@@ -66,12 +89,32 @@ class Painter {
   }
 
  private:
-  /// The room's light is smooth: a coarse grid of it, stretched over the texture.
+  void CastShadows() {
+    for (const SceneItem& item : scene_.items) {
+      if (!item.IsFlat()) shadows_.push_back(ShadowOutline(SolidOf(item), scene_.config.sun.Direction()));
+    }
+  }
+
   cv::Mat1f LightOver(const Placement& place, const cv::Size& size) const {
+    return scene_.config.IsOutdoor() ? SunOver(place, size) : RoomLightOver(place, size);
+  }
+
+  cv::Mat1f SunOver(const Placement& place, const cv::Size& size) const {
+    const auto texel_at = [&](const Eigen::Vector2d& p_W) { return place.TexelAt(p_W, size); };
+    cv::Mat1b shadow(size, 0);
+    for (const auto& outline : shadows_) FillOutline(outline, texel_at, 255, shadow);
+    cv::Mat1f light;
+    shadow.convertTo(light, CV_32F, (scene_.config.sun.Shade() - 1.0) / 255.0, 1.0);
+    return light;
+  }
+
+  /// The room's light is smooth: a coarse grid of it, stretched over the texture.
+  cv::Mat1f RoomLightOver(const Placement& place, const cv::Size& size) const {
     cv::Mat1f coarse(kLightCells, kLightCells), light;
     for (int row = 0; row < kLightCells; ++row) {
       for (int column = 0; column < kLightCells; ++column) {
-        coarse(row, column) = static_cast<float>(light_.At(place.TexelCentre(column, row, kLightCells, kLightCells)));
+        coarse(row, column) =
+            static_cast<float>(room_light_.At(place.TexelCentre(column, row, kLightCells, kLightCells)));
       }
     }
     cv::resize(coarse, light, size, 0, 0, cv::INTER_LINEAR);
@@ -79,22 +122,27 @@ class Painter {
   }
 
   void Write(const std::string& name, const Tint& tint, const cv::Mat& level) {
-    const int texture = mj_name2id(&model_, mjOBJ_TEXTURE, name.c_str());
-    if (texture < 0 || level.cols != model_.tex_width[texture] || level.rows != model_.tex_height[texture]) {
-      throw std::logic_error("the model has no such texture " + name + ": it is of another scene");
-    }
     const double gain = scene_.config.illumination;
     std::array<cv::Mat, 3> channels;
     level.convertTo(channels[0], CV_8U, gain);
     level.convertTo(channels[1], CV_8U, gain * tint.green);
     level.convertTo(channels[2], CV_8U, gain * tint.blue);
-    cv::Mat rgb(level.rows, level.cols, CV_8UC3, model_.tex_rgb + model_.tex_adr[texture]);
-    cv::merge(channels.data(), channels.size(), rgb);
+    cv::merge(channels.data(), channels.size(), Texels(name, level.size()));
+  }
+
+  /// The model's own memory.
+  cv::Mat Texels(const std::string& name, const cv::Size& size) {
+    const int texture = mj_name2id(&model_, mjOBJ_TEXTURE, name.c_str());
+    if (texture < 0 || size.width != model_.tex_width[texture] || size.height != model_.tex_height[texture]) {
+      throw std::logic_error("the model has no such texture " + name + ": it is of another scene");
+    }
+    return {size, CV_8UC3, model_.tex_rgb + model_.tex_adr[texture]};
   }
 
   const Scene& scene_;
   mjModel& model_;
-  RoomLight light_;
+  RoomLight room_light_;
+  std::vector<std::vector<Eigen::Vector2d>> shadows_;
 };
 
 Tint TintFor(const SceneItem& item) {
@@ -104,6 +152,16 @@ Tint TintFor(const SceneItem& item) {
 }
 
 }  // namespace
+
+TextureSize FloorTexture(const SceneConfig& config) {
+  const int texels = config.IsOutdoor() ? 1024 : 512;
+  return {.width = texels, .height = texels};
+}
+
+TextureSize FloorCentreTexture(const SceneConfig& config) {
+  const int texels = config.IsOutdoor() ? 2048 : 1024;
+  return {.width = texels, .height = texels};
+}
 
 TextureSize SizeFor(const SceneItem& item) {
   if (!item.IsFlat()) return {.cube = true, .width = kFaceTexels, .height = kFaceTexels};
@@ -154,9 +212,16 @@ double RoomLight::At(const Eigen::Vector2d& p_W) const {
 
 void PaintTextures(const Scene& scene, mjModel_& model) {
   Painter painter(scene, model);
-  const FloorPattern pattern(scene.floor_seed);
-  painter.PaintFloor("floor", kFloorTexture, scene.config.floor_size_m, pattern);
-  painter.PaintFloor("floor_centre", kFloorCentreTexture, kFloorCentreSize_m, pattern);
+  const TextureSize floor = FloorTexture(scene.config), centre = FloorCentreTexture(scene.config);
+  if (scene.config.IsOutdoor()) {
+    const GrassPattern grass(scene.floor_seed, scene.pad);
+    painter.PaintGrass("floor", floor, scene.config.floor_size_m, grass);
+    painter.PaintGrass("floor_centre", centre, kFloorCentreSize_m, grass);
+  } else {
+    const FloorPattern pattern(scene.floor_seed);
+    painter.PaintFloor("floor", floor, scene.config.floor_size_m, pattern);
+    painter.PaintFloor("floor_centre", centre, kFloorCentreSize_m, pattern);
+  }
   if (scene.config.pad) {
     const TextureSize size = PadTextureSize(scene.pad);
     painter.PaintFlat("pad", {.extent_m = {scene.pad.sheet_length_m, scene.pad.sheet_width_m}}, {},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <string>
 
@@ -15,8 +16,8 @@ struct TextureSize {
   int height = 0;
 };
 
-inline constexpr TextureSize kFloorTexture{.width = 512, .height = 512};
-inline constexpr TextureSize kFloorCentreTexture{.width = 1024, .height = 1024};
+TextureSize FloorTexture(const SceneConfig& config);
+TextureSize FloorCentreTexture(const SceneConfig& config);
 /// The square around the pad that has a floor texture of its own, finer than the rest.
 inline constexpr double kFloorCentreSize_m = 3.0;
 

@@ -21,11 +21,12 @@ MujocoModel LoadWorld(const WorldConfig& config, const models::Vehicle& vehicle,
   config.Validate();
   vehicle.Validate();
   MujocoModel model = LoadModel(SceneMjcf(scene, VehicleMjcf(vehicle), time.period_s()));
+  Eigen::Map<Vector3d>(model->opt.gravity) = config.ground_tilt.Gravity();
   if (config.paint_textures) PaintTextures(scene, *model);
   return model;
 }
 
-Eigen::Isometry3d LevelPose(const Vector3d& p_WB, double yaw) {
+Eigen::Isometry3d UprightPose(const Vector3d& p_WB, double yaw) {
   Eigen::Isometry3d X_WB(Eigen::AngleAxisd(yaw, Vector3d::UnitZ()));
   X_WB.translation() = p_WB;
   return X_WB;
@@ -35,6 +36,7 @@ Eigen::Isometry3d LevelPose(const Vector3d& p_WB, double yaw) {
 
 void WorldConfig::Validate() const {
   vibration.Validate();
+  ground_tilt.Validate();
   if (!wind_m_s.allFinite()) throw InputError("the wind must be finite");
 }
 
@@ -74,7 +76,7 @@ void World::Reset(const Eigen::Isometry3d& X_WB, bool rotors_at_hover) {
 }
 
 Eigen::Isometry3d World::RestingPose(double x_m, double y_m, double yaw) const {
-  return LevelPose({x_m, y_m, resting_height_m_}, yaw);
+  return UprightPose({x_m, y_m, resting_height_m_}, yaw);
 }
 
 void World::SetPush(const Vector3d& force_n, const Vector3d& torque_n_m) {
@@ -122,7 +124,7 @@ double World::FindRestingHeight() {
   for (int i = 0; i < kBisections; ++i) {
     const double middle = 0.5 * (falls + lifts);
     mj_resetData(model_.get(), data_.get());
-    SetFreePose(LevelPose({0.0, 0.0, middle}, 0.0), *data_);
+    SetFreePose(UprightPose({0.0, 0.0, middle}, 0.0), *data_);
     mj_forward(model_.get(), data_.get());
     (data_->qacc[2] > 0.0 ? lifts : falls) = middle;
   }

@@ -7,6 +7,7 @@
 #include "models/signals.h"
 #include "models/time.h"
 #include "models/vehicle.h"
+#include "sim/ground_tilt.h"
 #include "sim/hand.h"
 #include "sim/mujoco_errors.h"
 #include "sim/mujoco_model.h"
@@ -19,9 +20,10 @@ namespace touchdown::sim {
 struct WorldConfig {
   VibrationConfig vibration;
   Eigen::Vector3d wind_m_s = Eigen::Vector3d::Zero();  ///< Mean wind in W.
-  bool paint_textures = true;                          ///< Only a renderer needs them, and they take most of the start.
+  GroundTilt ground_tilt;
+  bool paint_textures = true;  ///< Only a renderer needs them, and they take most of the start.
 
-  /// Throws InputError when a number is not finite or the imbalance negative.
+  /// Throws InputError when a number is not finite, the imbalance negative or the ground too steep.
   void Validate() const;
 };
 
@@ -41,7 +43,8 @@ class World {
   /// Wind as configured, no push, pad uncovered: nothing of an earlier flight remains.
   void Reset(const Eigen::Isometry3d& X_WB, bool rotors_at_hover);
 
-  /// The pose at rest on its feet on the floor, the body's origin above (x, y): where the contact carries the weight.
+  /// The pose at rest on its feet on the floor, upright on it, the body's origin above (x, y): where the contact
+  /// carries the weight.
   Eigen::Isometry3d RestingPose(double x_m, double y_m, double yaw) const;
 
   const TrueState& state() const { return state_; }

@@ -19,20 +19,23 @@
 namespace touchdown::scenarios {
 namespace {
 
+Eigen::Matrix3d Upright(double yaw) { return models::RotationFromTaitBryan({.roll = 0.0, .pitch = 0.0, .yaw = yaw}); }
+
 Eigen::Isometry3d StartPose(const Start& start, const sim::World& world) {
   if (!start.airborne) return world.RestingPose(start.position_m.x(), start.position_m.y(), start.yaw);
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  X_WB.linear() = models::RotationFromTaitBryan({.roll = 0.0, .pitch = 0.0, .yaw = start.yaw});
+  X_WB.linear() = Upright(start.yaw);
   X_WB.translation() = start.position_m;
   return X_WB;
 }
 
-/// A vehicle that is in the air at tick 0 has taken off before: at rest on level ground, it has learned the biases of
-/// its IMU.
-void StandBeforeFlight(const models::TimeBase& time, sim::Imu& imu, estimator::StateEstimator& estimator,
-                       FlightAudience& audience) {
+/// A vehicle that is in the air at tick 0 has taken off before: at rest on the ground, heading as it starts, it has
+/// learned the biases of its IMU.
+void StandBeforeFlight(const Start& start, const models::TimeBase& time, sim::Imu& imu,
+                       estimator::StateEstimator& estimator, FlightAudience& audience) {
   constexpr double kStanding_s = 2.0;
   sim::TrueState standing;
+  standing.X_WB.linear() = Upright(start.yaw);
   for (standing.tick = -time.FromSeconds(kStanding_s); standing.tick < 0; ++standing.tick) {
     const auto sample = imu.Sample(standing);
     if (!sample) continue;
@@ -49,7 +52,7 @@ FlightLog FlyClosedLoop(const Scenario& s, FlightObservers observers, const Stop
   FlightAudience audience(observers);
   audience.OnStart(world);
   sim::Camera camera(s.camera, s.vehicle.X_BC(), world, s.time, s.seed);
-  sim::Imu imu(s.imu, s.vehicle.X_BU(), s.time, s.seed);
+  sim::Imu imu(s.imu, s.vehicle.X_BU(), s.time, s.seed, s.world.ground_tilt);
   sim::TrackingSystem tracking_system(s.tracking, s.time, s.seed);
 
   const models::Vehicle assumed = s.assumed_vehicle();
@@ -61,7 +64,7 @@ FlightLog FlyClosedLoop(const Scenario& s, FlightObservers observers, const Stop
                                                                              .on_stage = vision_timer.listener()}),
                                       {.attitude = s.attitude_estimator, .filter = s.pose_filter}, s.time,
                                       assumed.X_BU().linear());
-  if (s.start.airborne) StandBeforeFlight(s.time, imu, estimator, audience);
+  if (s.start.airborne) StandBeforeFlight(s.start, s.time, imu, estimator, audience);
   std::optional<sim::Hand> hand;
   std::optional<controller::FlightController> controller;
   if (s.hand.carries) {

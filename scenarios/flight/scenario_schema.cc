@@ -142,7 +142,7 @@ void DescribeSimulation(ConfigVisitor& v, Scenario& s) {
     t.Check("", [&s] { s.tracking.Validate(s.time); });
   });
   v.Keys({"scene", "What lies around the pad. The layout is drawn from the seed."}, s.scene);
-  v.Keys({"world", "Wind and vibration."}, s.world);
+  v.Keys({"world", "Wind, vibration, and how the ground lies."}, s.world);
   v.Section(
       {"calibration",
        "What estimator and autopilot are told of the sensors, and is the truth where it is left out: in place, or "

@@ -27,6 +27,13 @@ void DescribeGear(ConfigVisitor& v, models::LandingGear& g) {
 /// The keys of a camera's model of a file that may be a ROS camera_info calibration.
 ConfigNode CameraModelKeys(ConfigNode root) { return IsCameraInfo(root) ? CameraModelFromCameraInfo(root) : root; }
 
+void DescribeSun(ConfigVisitor& v, sim::Sun& c) {
+  v.Number({"elevation_deg", "Over the ground's plane."}, c.elevation, kDegree, Between(10.0, 90.0));
+  v.Number({"azimuth_deg", "Where it stands, from W's X towards Y."}, c.azimuth, kDegree, Between(-360.0, 360.0));
+  v.Number({"to_sky", "Its light on the ground over the sky's; 0 is overcast, without shadows."}, c.to_sky, kNoUnit,
+           Between(0.0, 20.0));
+}
+
 }  // namespace
 
 void DescribeCalibration(ConfigVisitor& v, Calibration& c, const models::CameraModel& camera,
@@ -155,20 +162,27 @@ void Describe(ConfigVisitor& v, sim::HandConfig& c) {
 }
 
 void Describe(ConfigVisitor& v, sim::SceneConfig& c) {
+  v.Choice({"setting", "A room, or a meadow with a path past the pad, under the sun."}, c.setting,
+           sim::SceneConfig::kSettingNames);
   v.Number({"floor_size_m", "Side of the square floor. The room ends with it."}, c.floor_size_m, kMetre,
            Between(4.0, 30.0));
   v.Integer({"posters", "Sheets rich in texture."}, c.posters, Between(0, 40));
   v.Integer({"lone_circles", "Rings without an H."}, c.lone_circles, Between(0, 40));
   v.Integer({"lone_letters", "Letters H without a ring."}, c.lone_letters, Between(0, 40));
-  v.Integer({"objects", "Solid boxes and cylinders."}, c.objects, Between(0, 40));
-  v.Number({"illumination", "Gain of the room's light, 1 is nominal."}, c.illumination, kNoUnit, PositiveUpTo(4.0));
+  v.Integer({"objects", "Solid boxes and cylinders; outdoors stones and balls too."}, c.objects, Between(0, 40));
+  v.Number({"illumination", "Gain of the light, 1 is nominal."}, c.illumination, kNoUnit, PositiveUpTo(4.0));
   v.Boolean({"pad", "Whether the landing pad is there."}, c.pad);
+  v.Section({"sun", "The sun and its shadows, outdoors; the room has none."}, {},
+            [&c](ConfigVisitor& s) { DescribeSun(s, c.sun); });
   v.Check("", [&c] { c.Validate(); });
 }
 
 void Describe(ConfigVisitor& v, sim::WorldConfig& c) {
   v.Vector3({"wind_m_s", "Mean wind in W, until an event changes it."}, c.wind_m_s, kMetrePerSecond,
             Between(-50.0, 50.0));
+  v.Numbers(
+      {"ground_tilt_deg", "Roll and pitch of the ground, and of W with it, against level; 15 degrees at the most."},
+      {&c.ground_tilt.roll, &c.ground_tilt.pitch}, kDegree, Between(-15.0, 15.0));
   v.Number({"imbalance_kg_m", "Mass times eccentricity of each rotor: it shakes IMU and camera."},
            c.vibration.imbalance_kg_m, {"kg m"}, Between(0.0, 1.0));
   v.Check("", [&c] { c.Validate(); });

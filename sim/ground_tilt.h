@@ -1,0 +1,22 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace touchdown::sim {
+
+/// How the ground lies, and the pad on it: W stays the pad's frame, and it is gravity that tilts in it.
+///
+/// L is the level frame that W becomes when the ground is levelled: R_LW = Ry(pitch) Rx(roll). A positive roll lowers
+/// the ground towards -Y, a positive pitch towards +X.
+struct GroundTilt {
+  double roll = 0.0;
+  double pitch = 0.0;
+
+  /// Throws InputError when an angle is not finite or the ground is steeper than 15 degrees.
+  void Validate() const;
+
+  /// Gravity in W, m/s^2.
+  Eigen::Vector3d Gravity() const;
+};
+
+}  // namespace touchdown::sim
