@@ -7,6 +7,16 @@
 #include "models/error.h"
 
 namespace touchdown::models {
+namespace {
+
+/// Half a width from a file or a calculation may be off by a rounding, which is no gap between strokes.
+constexpr double kNoGap_m = 1e-9;
+
+}  // namespace
+
+PadLetter LandingPad::letter() const {
+  return h_width_m - 2.0 * h_stroke_m <= kNoGap_m ? PadLetter::kRectangle : PadLetter::kH;
+}
 
 void LandingPad::Validate() const {
   for (const double size :
@@ -14,8 +24,8 @@ void LandingPad::Validate() const {
     if (!std::isfinite(size) || size <= 0.0) throw InputError("the pad's sizes must be positive and finite");
   }
   if (ring_width_m >= outer_radius_m) throw InputError("the pad's ring must be narrower than its radius");
-  if (2.0 * h_stroke_m >= h_width_m || h_stroke_m >= h_height_m) {
-    throw InputError("the pad's H must be wider than its two strokes and higher than its cross-bar");
+  if (h_width_m - 2.0 * h_stroke_m < -kNoGap_m || h_stroke_m >= h_height_m) {
+    throw InputError("the pad's H must be at least as wide as its two strokes, and higher than one");
   }
   if (std::hypot(h_height_m, h_width_m) / 2.0 >= inner_radius_m()) {
     throw InputError("the pad's H must fit inside its ring with a white gap");
@@ -34,9 +44,9 @@ bool LandingPad::IsBlack(const Eigen::Vector2d& p_W) const {
 
 bool LandingPad::IsLetter(const Eigen::Vector2d& p_W) const {
   const double x = std::abs(p_W.x()), y = std::abs(p_W.y());
-  const bool on_stroke = x <= h_height_m / 2.0 && y <= h_width_m / 2.0 && y >= h_width_m / 2.0 - h_stroke_m;
-  const bool on_bar = x <= h_stroke_m / 2.0 && y <= h_width_m / 2.0;
-  return on_stroke || on_bar;
+  if (x > h_height_m / 2.0 || y > h_width_m / 2.0) return false;
+  const bool on_stroke = y >= h_width_m / 2.0 - h_stroke_m, on_bar = x <= h_stroke_m / 2.0;
+  return on_stroke || on_bar || letter() == PadLetter::kRectangle;
 }
 
 Eigen::Isometry3d NearerTwin(const Eigen::Isometry3d& X_WB, double yaw) {

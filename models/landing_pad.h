@@ -8,10 +8,14 @@
 
 namespace touchdown::models {
 
+/// What stands within a landing pad's ring: the letter H, or in its place a solid rectangle (Sec. IV-C.3).
+enum class PadLetter { kH, kRectangle };
+
 /// The landing pad (Sec. III-B): a black ring around a black letter H, centred on a white sheet.
 ///
 /// Frame W lies at the pad's centre, Z up. The H's long strokes run along X, its cross-bar along Y, and the
-/// sheet's long side along X. A pad may bear marks beside its H; the built-in one has none.
+/// sheet's long side along X. An H whose two strokes meet, 2 h_stroke_m = h_width_m, is a solid rectangle of h_height_m
+/// by h_width_m. A pad may bear marks beside its H; the built-in one has none.
 struct LandingPad {
   double outer_radius_m = 0.090;
   double ring_width_m = 0.016;
@@ -24,9 +28,12 @@ struct LandingPad {
 
   double inner_radius_m() const { return outer_radius_m - ring_width_m; }
 
-  /// Throws InputError, without a file name, when a size is not finite and positive, the H does not fit inside
-  /// the ring with a white gap, the ring does not fit on the sheet, or a mark is refused by PadMark::Validate for the
-  /// ring's inner radius.
+  /// A rectangle when the strokes meet, to a nanometre.
+  PadLetter letter() const;
+
+  /// Throws InputError, without a file name, when a size is not finite and positive, the H's strokes overlap or are as
+  /// wide as it is high, the H does not fit inside the ring with a white gap, the ring does not fit on the sheet, or a
+  /// mark is refused by PadMark::Validate for the ring's inner radius.
   void Validate() const;
 
   /// Whether the point of the sheet's plane, in W, lies on black: on the ring, on the H or on a mark.

@@ -72,6 +72,16 @@ cv::Mat1b PrintLetter(const SceneItem& item, RandomStream& random) {
   return canvas;
 }
 
+/// A solid rectangle on its sheet, in proportions of its own.
+cv::Mat1b PrintRectangle(const SceneItem& item, RandomStream& random) {
+  const Tones tones(random);
+  cv::Mat1b canvas = Blank(item, tones.paper);
+  const double x = canvas.cols * random.Uniform(0.06, 0.15), y = canvas.rows * random.Uniform(0.06, 0.25);
+  const double right = canvas.cols - x, bottom = canvas.rows - y;
+  FillPolygon(canvas, {{x, y}, {right, y}, {right, bottom}, {x, bottom}}, tones.ink);
+  return canvas;
+}
+
 void WriteLines(cv::Mat1b& canvas, const cv::Rect& area, const Tones& tones, RandomStream& random) {
   static const std::string kGlyphs = "abcdefgijkmnprstuvwxyzABCEFGKLMNPRSTVWXYZ2345679&%$#?!=+";
   const double scale = random.Uniform(0.5, 1.6);
@@ -229,6 +239,9 @@ cv::Mat1b PrintSheet(const SceneItem& item, int width, int height) {
       break;
     case Kind::kLetterH:
       canvas = PrintLetter(item, random);
+      break;
+    case Kind::kRectangle:
+      canvas = PrintRectangle(item, random);
       break;
     case Kind::kPoster:
       canvas = PrintPoster(item, random);

@@ -16,8 +16,8 @@ inline constexpr double kInk = 25.0;
 /// The landing pad's sheet, each texel the mean of 25 samples of LandingPad::IsBlack where an edge crosses it.
 cv::Mat1b PrintPad(const models::LandingPad& pad, int width, int height);
 
-/// A ring, a letter H or a poster, drawn from the item's texture_seed for its aspect. Throws std::logic_error for a
-/// solid item.
+/// A ring, a letter H, a rectangle or a poster, drawn from the item's texture_seed for its aspect. Throws
+/// std::logic_error for a solid item.
 cv::Mat1b PrintSheet(const SceneItem& item, int width, int height);
 
 /// Six faces of a solid item, one below the other.

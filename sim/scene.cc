@@ -40,7 +40,8 @@ Eigen::Vector3d DrawSize(Kind kind, RandomStream& random) {
       const double length = random.Uniform(0.12, 0.30);
       return {length, length * random.Uniform(0.70, 1.0), 0.0};
     }
-    case Kind::kLetterH: {
+    case Kind::kLetterH:
+    case Kind::kRectangle: {
       const double length = random.Uniform(0.12, 0.28);
       return {length, length * random.Uniform(0.55, 1.0), 0.0};
     }
@@ -149,7 +150,8 @@ Scene MakeScene(const SceneConfig& config, const models::LandingPad& pad, std::u
   Scene scene{.config = config, .pad = pad, .items = {}, .floor_seed = random.Bits()};
   Layout layout(scene, random);
   for (int i = 0; i < config.lone_circles; ++i) layout.Place(Kind::kRing);
-  for (int i = 0; i < config.lone_letters; ++i) layout.Place(Kind::kLetterH);
+  const Kind letter = pad.letter() == models::PadLetter::kRectangle ? Kind::kRectangle : Kind::kLetterH;
+  for (int i = 0; i < config.lone_letters; ++i) layout.Place(letter);
   for (int i = 0; i < config.objects; ++i) layout.Place(DrawSolid(config, random));
   for (int i = 0; i < config.posters; ++i) layout.Place(Kind::kPoster);
   return scene;

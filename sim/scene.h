@@ -26,7 +26,7 @@ struct SceneConfig {
   double floor_size_m = 10.0;
   int posters = 14;           ///< Sheets rich in texture.
   int lone_circles = 6;       ///< Rings without an H inside.
-  int lone_letters = 6;       ///< Letters H without a ring.
+  int lone_letters = 6;       ///< Letters as the pad's, H or rectangle, without a ring.
   int objects = 8;            ///< Solid boxes and cylinders, outdoors stones and balls too.
   double illumination = 1.0;  ///< Gain of the light, 1: nominal. Paper saturates the image at about 1.13.
   bool pad = true;            ///< Whether the landing pad is there at all.
@@ -41,7 +41,7 @@ struct SceneConfig {
 
 /// A flat, printed thing on the floor, or a solid one, at its pose on the floor.
 struct SceneItem {
-  enum class Kind { kPoster, kRing, kLetterH, kBox, kCylinder, kBall, kStone };
+  enum class Kind { kPoster, kRing, kLetterH, kRectangle, kBox, kCylinder, kBall, kStone };
   Kind kind = Kind::kPoster;
   Eigen::Vector2d position_m = Eigen::Vector2d::Zero();  ///< Centre, in W.
   double yaw = 0.0;

@@ -146,7 +146,7 @@ class Painter {
 };
 
 Tint TintFor(const SceneItem& item) {
-  if (item.kind == SceneItem::Kind::kRing || item.kind == SceneItem::Kind::kLetterH) return {};
+  if (item.IsFlat() && item.kind != SceneItem::Kind::kPoster) return {};
   models::RandomStream random(item.texture_seed, "tint");
   return {random.Uniform(0.7, 1.3), random.Uniform(0.7, 1.3)};
 }

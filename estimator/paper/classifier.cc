@@ -40,9 +40,11 @@ Pattern PatternOf(const ComponentSet& set, const Component& component) {
   return pattern;
 }
 
-Classification Classify(const Pattern& pattern) {
+Classification Classify(const Pattern& pattern, models::PadLetter letter) {
+  const auto posteriors =
+      letter == models::PadLetter::kRectangle ? TouchdownRectangleClassifierPosteriors : TouchdownClassifierPosteriors;
   std::array<float, 3> posterior{};
-  TouchdownClassifierPosteriors(pattern.data(), posterior.data());
+  posteriors(pattern.data(), posterior.data());
   Classification result;
   std::copy(posterior.begin(), posterior.end(), result.posterior.begin());
   const auto best = std::max_element(posterior.begin(), posterior.end()) - posterior.begin();
@@ -50,8 +52,8 @@ Classification Classify(const Pattern& pattern) {
   return result;
 }
 
-Classification Classify(const ComponentSet& set, const Component& component) {
-  return Classify(PatternOf(set, component));
+Classification Classify(const ComponentSet& set, const Component& component, models::PadLetter letter) {
+  return Classify(PatternOf(set, component), letter);
 }
 
 }  // namespace touchdown::estimator

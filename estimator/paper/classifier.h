@@ -3,6 +3,7 @@
 #include <array>
 
 #include "estimator/estimator.h"
+#include "models/landing_pad.h"
 
 namespace touchdown::estimator {
 
@@ -19,17 +20,18 @@ using Pattern = std::array<float, kPatternSize>;
 /// What the network says of a component (Sec. IV-A.3).
 struct Classification {
   FrameTrace::Label label = FrameTrace::Label::kOther;  ///< The class of the largest posterior.
-  std::array<double, 3> posterior{};                    ///< Of kCircle, kH and kOther, in this order; sums to 1.
+  std::array<double, 3> posterior{};  ///< Of kCircle, kH (the pad's letter) and kOther, in this order; sums to 1.
 };
 
 /// The component's own dark pixels, without those of other components in its bounding box, stretched from the bounding
 /// box to the pattern by area averaging. `component` is one of `set`'s.
 Pattern PatternOf(const ComponentSet& set, const Component& component);
 
-/// The compiled-in 196-20-3 perceptron: logistic hidden units, softmax output (Sec. IV-A.3).
-Classification Classify(const Pattern& pattern);
+/// The compiled-in 196-20-3 perceptron that was trained on pads of this letter: logistic hidden units, softmax output
+/// (Sec. IV-A.3).
+Classification Classify(const Pattern& pattern, models::PadLetter letter);
 
-/// Classify(PatternOf(set, component)).
-Classification Classify(const ComponentSet& set, const Component& component);
+/// Classify(PatternOf(set, component), letter).
+Classification Classify(const ComponentSet& set, const Component& component, models::PadLetter letter);
 
 }  // namespace touchdown::estimator

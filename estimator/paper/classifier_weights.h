@@ -8,6 +8,9 @@ extern "C" {
 /// `posterior` receives the probabilities of circle, letter H and other, which sum to 1.
 void TouchdownClassifierPosteriors(const float pattern[196], float posterior[3]);
 
+/// The same as `touchdown train --letter rectangle` wrote it, for pads with a solid rectangle in place of the H.
+void TouchdownRectangleClassifierPosteriors(const float pattern[196], float posterior[3]);
+
 #ifdef __cplusplus
 }
 #endif

@@ -57,6 +57,9 @@ struct Patch {
 double NarrowestStripe(const models::LandingPad& pad) {
   const double gap = pad.inner_radius_m() - 0.5 * std::hypot(pad.h_height_m, pad.h_width_m);
   const double margin = 0.5 * std::min(pad.sheet_length_m, pad.sheet_width_m) - pad.outer_radius_m;
+  if (pad.letter() == models::PadLetter::kRectangle) {
+    return std::min({pad.ring_width_m, pad.h_height_m, pad.h_width_m, gap, margin});
+  }
   const double between_strokes = pad.h_width_m - 2.0 * pad.h_stroke_m;
   const double beside_bar = 0.5 * (pad.h_height_m - pad.h_stroke_m);
   return std::min({pad.ring_width_m, pad.h_stroke_m, gap, between_strokes, beside_bar, margin});

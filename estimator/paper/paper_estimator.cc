@@ -42,9 +42,10 @@ void PaperEstimatorConfig::Validate() const {
   covariance.Validate();
 }
 
-ComponentClassifier PaperEstimator::NetworkClassifier() {
-  return [](const ComponentSet& set, const Component& component) { return Classify(set, component); };
-}
+PaperEstimator::PaperEstimator(const EstimatorSetup& setup, const PaperEstimatorConfig& config)
+    : PaperEstimator(setup, config, [letter = setup.pad.letter()](const ComponentSet& set, const Component& component) {
+        return Classify(set, component, letter);
+      }) {}
 
 PaperEstimator::PaperEstimator(const EstimatorSetup& setup, const PaperEstimatorConfig& config,
                                ComponentClassifier classify)

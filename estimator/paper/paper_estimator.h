@@ -27,16 +27,15 @@ struct PaperEstimatorConfig {
 /// The paper's method (Sec. IV), a step after the other.
 class PaperEstimator final : public Estimator {
  public:
-  /// `classify` labels the components: the compiled-in network unless a test brings the truth. Throws InputError when
-  /// the camera, the pad or a setting is impossible.
-  explicit PaperEstimator(const EstimatorSetup& setup, const PaperEstimatorConfig& config = {},
-                          ComponentClassifier classify = NetworkClassifier());
+  /// Components are labelled by the compiled-in network of the pad's letter (Sec. IV-A.3). Throws InputError when the
+  /// camera, the pad or a setting is impossible.
+  explicit PaperEstimator(const EstimatorSetup& setup, const PaperEstimatorConfig& config = {});
+
+  /// The same, but `classify` labels the components, as where a test brings the truth.
+  PaperEstimator(const EstimatorSetup& setup, const PaperEstimatorConfig& config, ComponentClassifier classify);
 
   FrameEstimate Estimate(const models::ImageView& image, models::Tick mid_exposure,
                          const std::optional<Eigen::Vector3d>& gravity_B) override;
-
-  /// The compiled-in perceptron of Sec. IV-A.3.
-  static ComponentClassifier NetworkClassifier();
 
  private:
   /// Which of the two poses of a circle is taken.

@@ -87,22 +87,31 @@ double Sharpness(const models::LandingPad& pad) {
 
 /// How far from the edges of an H its parts are looked at, m.
 double EdgeMargin(const models::LandingPad& pad, double cell_m) {
-  const double narrowest_m =
-      std::min({pad.h_stroke_m, pad.h_width_m - 2.0 * pad.h_stroke_m, 0.5 * (pad.h_height_m - pad.h_stroke_m)});
+  double narrowest_m = pad.h_stroke_m;
+  if (pad.letter() == models::PadLetter::kH) {
+    const double between_strokes_m = pad.h_width_m - 2.0 * pad.h_stroke_m;
+    narrowest_m = std::min({narrowest_m, between_strokes_m, 0.5 * (pad.h_height_m - pad.h_stroke_m)});
+  }
   return std::min(0.25 * narrowest_m, 0.1 * pad.h_stroke_m + 0.5 * cell_m);
 }
 
-/// The parts of an H, each of which another letter may lack.
+/// The parts of an H, each of which another letter may lack; of a rectangle its four corners stand for the strokes'
+/// ends, and the rest for the bar.
 enum Part { kBar, kFirstStroke, kFirstBetween = kFirstStroke + 4, kBeside = kFirstBetween + 2, kParts };
 
 std::optional<int> PartAt(const models::LandingPad& pad, double margin_m, const Vector2d& p_W) {
   const double x = std::abs(p_W.x()), y = std::abs(p_W.y());
   const double half_height = pad.h_height_m / 2.0, half_width = pad.h_width_m / 2.0, stroke = pad.h_stroke_m;
   const double between = half_width - stroke, half_bar = stroke / 2.0;
-  if (x < half_bar - margin_m && y < between) return kBar;
-  if (x > half_bar && x < half_height - margin_m && y > between + margin_m && y < half_width - margin_m) {
-    return kFirstStroke + (p_W.x() > 0.0 ? 1 : 0) + (p_W.y() > 0.0 ? 2 : 0);
+  const int stroke_end = kFirstStroke + (p_W.x() > 0.0 ? 1 : 0) + (p_W.y() > 0.0 ? 2 : 0);
+  const bool inside = x < half_height - margin_m && y < half_width - margin_m;
+  if (pad.letter() == models::PadLetter::kRectangle) {
+    constexpr double kCorner = 0.6;  // Of the way from the middle. An ellipse of the same area lacks half of it.
+    if (inside) return x > kCorner * half_height && y > kCorner * half_width ? stroke_end : kBar;
+  } else if (x < half_bar - margin_m && y < between) {
+    return kBar;
   }
+  if (inside && x > half_bar && y > between + margin_m) return stroke_end;
   if (x > half_bar + margin_m && x < half_height && y < between - margin_m) return kFirstBetween + (p_W.x() > 0.0);
   const bool on_box = x < half_height + margin_m && y < half_width + margin_m;
   if (!on_box && x < half_height + stroke && y < half_width + stroke) return kBeside;
@@ -120,8 +129,8 @@ Vector2d PrintPlace::OnPrint(const Vector2d& p_plane) const {
 }
 
 void PrintMatchConfig::Validate() const {
-  for (const double share :
-       {least_ring, least_between_strokes, least_bar, least_stroke, least_strokes, least_beside, least_contrast}) {
+  for (const double share : {least_ring, least_between_strokes, least_bar, least_rectangle, least_stroke, least_strokes,
+                             least_beside, least_contrast}) {
     if (!(share > 0.0 && share <= 1.0)) throw InputError("a print's least shares must be within (0, 1]");
   }
 }
@@ -217,8 +226,10 @@ PrintMatch::Seen PrintMatch::At(const RectifiedDisc& disc, const PrintPlace& pla
 }
 
 bool PrintMatch::Passes(const Seen& seen, double ring_contrast) const {
+  const bool is_rectangle = pad_.letter() == models::PadLetter::kRectangle;
+  const double least_bar = is_rectangle ? config_.least_rectangle : config_.least_bar;
   return seen.contrast >= config_.least_contrast * ring_contrast &&
-         seen.between_strokes >= config_.least_between_strokes && seen.bar >= config_.least_bar &&
+         seen.between_strokes >= config_.least_between_strokes && seen.bar >= least_bar &&
          seen.stroke >= config_.least_stroke && seen.strokes >= config_.least_strokes &&
          seen.beside >= config_.least_beside;
 }

@@ -27,11 +27,12 @@ struct PrintPlace {
 struct PrintMatchConfig {
   double least_ring = 0.75;  ///< Of the ring's circumference: of a square frame less is where a ring would be.
   double least_between_strokes =
-      0.93;                     ///< Of the white above and of that below the bar: an N, M, X or 8 has black there.
-  double least_bar = 0.5;       ///< Of the bar: a U or II has none.
-  double least_stroke = 0.25;   ///< Of each of the four half strokes: glare may hide most of one,
-  double least_strokes = 0.75;  ///< but of all four together only so much.
-  double least_beside = 0.8;    ///< Of the white beside the H, where marks that nobody described may be.
+      0.93;                       ///< Of the white above and of that below the bar: an N, M, X or 8 has black there.
+  double least_bar = 0.5;         ///< Of the bar: a U or II has none.
+  double least_rectangle = 0.85;  ///< Of a solid rectangle but for its corners: an H or a frame lacks a third of it.
+  double least_stroke = 0.25;     ///< Of each of the four half strokes, or corners: glare may hide most of one,
+  double least_strokes = 0.75;    ///< but of all four together only so much.
+  double least_beside = 0.8;      ///< Of the white beside the H, where marks that nobody described may be.
   /// Least contrast of the H over that of the ring.
   double least_contrast = 0.2;
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -18,25 +19,25 @@ namespace {
 
 struct Options {
   std::string out;
+  models::PadLetter letter = models::PadLetter::kH;
   std::uint64_t seed = 1;
   Talk talk;
 };
 
 int TrainWith(const Options& options) {
-  OutputFolder folder(options.out, {.files = {"confusion.json", "confusion.txt", "classifier_weights.c", "circle.png",
-                                              "h.png", "other.png", "mistaken.png", "frames.png"},
-                                    .mark = "\"touchdown.classifier\""});
+  OutputFolder folder(options.out, {.files = ClassifierFileNames(options.letter), .mark = "\"touchdown.classifier\""});
   ClassifierStudy study = [&] {
     Progress progress(!options.talk.ForPeople());
-    return StudyClassifier({}, options.seed, [&](const std::string& text, double share) {
-      if (InterruptRequested()) throw Interrupted();
-      if (progress.IsDue()) progress.Tell(share, text);
-    });
+    return StudyClassifier(ClassifierStudyConfig::For(options.letter), options.seed,
+                           [&](const std::string& text, double share) {
+                             if (InterruptRequested()) throw Interrupted();
+                             if (progress.IsDue()) progress.Tell(share, text);
+                           });
   }();
   for (const StudyFile& file : ClassifierFiles(study)) folder.Write(file.name, file.content);
   folder.Commit();
-  if (options.talk.json) fmt::print("{}", ToJson(study.test));
-  if (options.talk.ForPeople()) fmt::print("{}files in {}\n", ToText(study.test), options.out);
+  if (options.talk.json) fmt::print("{}", ToJson(study.test, study.letter));
+  if (options.talk.ForPeople()) fmt::print("{}files in {}\n", ToText(study.test, study.letter), options.out);
   return kPassed;
 }
 
@@ -46,6 +47,11 @@ void AddTrain(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
   CLI::App& command = *app.add_subcommand("train", "Train the classifier on rendered scenes and write it as C code");
   command.add_option("--out", options->out, "Folder for the code, the confusion matrix and the pictures")->required();
+  const std::map<std::string, models::PadLetter> letters{{"h", models::PadLetter::kH},
+                                                         {"rectangle", models::PadLetter::kRectangle}};
+  command.add_option("--letter", options->letter, "What stands within the pads' rings: h (default) or rectangle")
+      ->option_text("NAME")
+      ->transform(CLI::CheckedTransformer(letters));
   command.add_option("--seed", options->seed, "Seed of scenes, views and training")->capture_default_str();
   AddTalk(command, options->talk);
   command.callback([options, &run] { run = [options] { return TrainWith(*options); }; });

@@ -4,8 +4,8 @@
 
 namespace touchdown::scenarios {
 
-/// `touchdown train --out DIR [--seed N]`: the classifier's training set, its training, its confusion matrix on scenes
-/// never trained on, and its C code.
+/// `touchdown train --out DIR [--letter h|rectangle] [--seed N]`: the classifier's training set, its training, its
+/// confusion matrix on scenes never trained on, and its C code.
 AddCommand AddTrain;
 
 }  // namespace touchdown::scenarios

@@ -11,8 +11,7 @@ namespace {
 
 constexpr int kLineLimit = 118;
 
-constexpr const char* kFunction = R"(
-void TouchdownClassifierPosteriors(const float pattern[INPUTS], float posterior[OUTPUTS]) {
+constexpr const char* kFunctionBody = R"((const float pattern[INPUTS], float posterior[OUTPUTS]) {
   float hidden[HIDDEN];
   for (int j = 0; j < HIDDEN; ++j) hidden[j] = kHiddenBiases[j];
   for (int i = 0; i < INPUTS; ++i) {
@@ -35,6 +34,11 @@ void TouchdownClassifierPosteriors(const float pattern[INPUTS], float posterior[
   for (int k = 0; k < OUTPUTS; ++k) posterior[k] /= sum;
 }
 )";
+
+std::string FunctionName(models::PadLetter letter) {
+  return letter == models::PadLetter::kRectangle ? "TouchdownRectangleClassifierPosteriors"
+                                                 : "TouchdownClassifierPosteriors";
+}
 
 /// A C literal that reads back as the same float.
 std::string Literal(double value) {
@@ -77,7 +81,7 @@ std::string Matrix(const std::string& declaration, std::span<const double> value
 
 }  // namespace
 
-std::string ClassifierCode(const Perceptron& network,
+std::string ClassifierCode(const Perceptron& network, models::PadLetter letter,
                            const std::vector<std::pair<std::string, std::string>>& provenance) {
   const Perceptron::Shape& shape = network.shape();
   if (shape.inputs != 196 || shape.outputs != 3)
@@ -92,7 +96,7 @@ std::string ClassifierCode(const Perceptron& network,
   code += Vector("kHiddenBiases[HIDDEN]", network.hidden_biases());
   code += Matrix("kOutputWeights[HIDDEN][OUTPUTS]", network.output_weights(), shape.outputs);
   code += Vector("kOutputBiases[OUTPUTS]", network.output_biases());
-  return code + kFunction;
+  return code + "\nvoid " + FunctionName(letter) + kFunctionBody;
 }
 
 }  // namespace touchdown::scenarios

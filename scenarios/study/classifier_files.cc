@@ -1,3 +1,4 @@
+#include <array>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -9,6 +10,17 @@ namespace touchdown::scenarios {
 namespace {
 
 using estimator::FrameTrace;
+using models::PadLetter;
+
+constexpr std::array kLabels{FrameTrace::Label::kCircle, FrameTrace::Label::kH, FrameTrace::Label::kOther};
+
+std::string WeightsFile(PadLetter letter) {
+  return letter == PadLetter::kRectangle ? "classifier_weights_rectangle.c" : "classifier_weights.c";
+}
+
+std::string PatternFile(FrameTrace::Label label, PadLetter letter) {
+  return std::string(ClassName(label, letter)) + ".png";
+}
 
 std::string Png(const cv::Mat& picture) {
   std::vector<unsigned char> bytes;
@@ -38,7 +50,7 @@ std::vector<std::pair<std::string, std::string>> Provenance(const ClassifierStud
 cv::Mat1b MistakenSheet(const ClassifierStudy& study) {
   constexpr int kColumns = 24;
   cv::Mat sheet;
-  for (const auto label : {FrameTrace::Label::kCircle, FrameTrace::Label::kH, FrameTrace::Label::kOther}) {
+  for (const auto label : kLabels) {
     const cv::Mat1b part = PatternSheet(study.mistaken, label, kColumns, 4);
     sheet.empty() ? part.copyTo(sheet) : cv::vconcat(sheet, part, sheet);
     sheet.push_back(cv::Mat(4, sheet.cols, CV_8U, cv::Scalar(0)));
@@ -50,16 +62,23 @@ cv::Mat1b MistakenSheet(const ClassifierStudy& study) {
 
 std::vector<StudyFile> ClassifierFiles(const ClassifierStudy& study) {
   std::vector<StudyFile> files{
-      {"confusion.json", ToJson(study.test)},
-      {"confusion.txt", "Scenes never trained on\n" + ToText(study.test) + "\nTraining set\n" + ToText(study.training)},
-      {"classifier_weights.c", ClassifierCode(study.network, Provenance(study))},
+      {"confusion.json", ToJson(study.test, study.letter)},
+      {"confusion.txt", "Scenes never trained on\n" + ToText(study.test, study.letter) + "\nTraining set\n" +
+                            ToText(study.training, study.letter)},
+      {WeightsFile(study.letter), ClassifierCode(study.network, study.letter, Provenance(study))},
       {"mistaken.png", Png(MistakenSheet(study))},
   };
-  for (const auto label : {FrameTrace::Label::kCircle, FrameTrace::Label::kH, FrameTrace::Label::kOther}) {
-    files.push_back({std::string(ClassName(label)) + ".png", Png(PatternSheet(study.test_patterns, label, 24, 12))});
+  for (const auto label : kLabels) {
+    files.push_back({PatternFile(label, study.letter), Png(PatternSheet(study.test_patterns, label, 24, 12))});
   }
   if (!study.pictures.empty()) files.push_back({"frames.png", Png(ContactSheet(study.pictures))});
   return files;
+}
+
+std::vector<std::string> ClassifierFileNames(PadLetter letter) {
+  std::vector<std::string> names{"confusion.json", "confusion.txt", WeightsFile(letter), "mistaken.png", "frames.png"};
+  for (const auto label : kLabels) names.push_back(PatternFile(label, letter));
+  return names;
 }
 
 }  // namespace touchdown::scenarios

@@ -11,12 +11,17 @@ namespace touchdown::scenarios {
 namespace {
 
 using estimator::FrameTrace;
+using models::PadLetter;
 
-constexpr std::array<std::string_view, kClasses> kNames{"circle", "h", "other"};
+std::array<std::string_view, kClasses> NamesFor(PadLetter letter) {
+  return {"circle", letter == PadLetter::kRectangle ? "rectangle" : "h", "other"};
+}
 
 }  // namespace
 
-std::string_view ClassName(FrameTrace::Label label) { return kNames[static_cast<std::size_t>(label)]; }
+std::string_view ClassName(FrameTrace::Label label, PadLetter letter) {
+  return NamesFor(letter)[static_cast<std::size_t>(label)];
+}
 
 FrameTrace::Label LabelOf(const Perceptron& network, const estimator::Pattern& pattern) {
   const std::vector<double> posterior = network.Posteriors(pattern);
@@ -53,24 +58,27 @@ ConfusionMatrix Confuse(const Perceptron& network, std::span<const LabelledPatte
   return matrix;
 }
 
-std::string ToText(const ConfusionMatrix& matrix) {
-  std::string text = fmt::format("{:<14}{:>10}{:>10}{:>10}{:>10}\n", "true \\ given", "circle", "h", "other", "right");
+std::string ToText(const ConfusionMatrix& matrix, PadLetter letter) {
+  const auto names = NamesFor(letter);
+  std::string text =
+      fmt::format("{:<14}{:>10}{:>10}{:>10}{:>10}\n", "true \\ given", names[0], names[1], names[2], "right");
   for (int i = 0; i < kClasses; ++i) {
     const auto& row = matrix.count[static_cast<std::size_t>(i)];
-    text += fmt::format("{:<14}{:>10}{:>10}{:>10}{:>9.2f}%\n", kNames[static_cast<std::size_t>(i)], row[0], row[1],
+    text += fmt::format("{:<14}{:>10}{:>10}{:>10}{:>9.2f}%\n", names[static_cast<std::size_t>(i)], row[0], row[1],
                         row[2], 100.0 * matrix.Recall(i));
   }
-  text += fmt::format("False positives: circle {:.3f}%, h {:.3f}%\n", 100.0 * matrix.FalsePositiveRate(0),
-                      100.0 * matrix.FalsePositiveRate(1));
+  text += fmt::format("False positives: {} {:.3f}%, {} {:.3f}%\n", names[0], 100.0 * matrix.FalsePositiveRate(0),
+                      names[1], 100.0 * matrix.FalsePositiveRate(1));
   return text;
 }
 
-std::string ToJson(const ConfusionMatrix& matrix) {
+std::string ToJson(const ConfusionMatrix& matrix, PadLetter letter) {
+  const auto names = NamesFor(letter);
   nlohmann::ordered_json json{{"schema", "touchdown.classifier"}, {"version", 1}};
   for (int i = 0; i < kClasses; ++i) {
-    const std::string name(kNames[static_cast<std::size_t>(i)]);
+    const std::string name(names[static_cast<std::size_t>(i)]);
     for (int j = 0; j < kClasses; ++j) {
-      const std::string given(kNames[static_cast<std::size_t>(j)]);
+      const std::string given(names[static_cast<std::size_t>(j)]);
       json["given"][name][given] = matrix.count[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
     }
     json["right"][name] = matrix.Recall(i);

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "models/landing_pad.h"
 #include "scenarios/study/classifier_network.h"
 #include "scenarios/study/classifier_samples.h"
 
@@ -13,8 +14,8 @@ namespace touchdown::scenarios {
 
 inline constexpr int kClasses = 3;
 
-/// "circle", "h" or "other".
-std::string_view ClassName(estimator::FrameTrace::Label label);
+/// "circle", "h" (or "rectangle") or "other".
+std::string_view ClassName(estimator::FrameTrace::Label label, models::PadLetter letter);
 
 /// The class of the network's largest posterior.
 estimator::FrameTrace::Label LabelOf(const Perceptron& network, const estimator::Pattern& pattern);
@@ -32,10 +33,10 @@ struct ConfusionMatrix {
 
 ConfusionMatrix Confuse(const Perceptron& network, std::span<const LabelledPattern> patterns);
 
-/// The matrix as a table for people ...
-std::string ToText(const ConfusionMatrix& matrix);
+/// The matrix of a network for pads of this letter as a table for people ...
+std::string ToText(const ConfusionMatrix& matrix, models::PadLetter letter);
 /// ... and for programs.
-std::string ToJson(const ConfusionMatrix& matrix);
+std::string ToJson(const ConfusionMatrix& matrix, models::PadLetter letter);
 
 /// The first patterns of a class as a sheet of `columns` x `rows` enlarged pictures.
 cv::Mat1b PatternSheet(std::span<const LabelledPattern> patterns, estimator::FrameTrace::Label label, int columns,

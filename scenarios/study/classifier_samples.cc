@@ -19,12 +19,24 @@ using Labels = std::vector<std::optional<FrameTrace::Label>>;
 
 constexpr double kPadViews = 0.4;
 
+/// Every third rectangle becomes an H.
+void ExchangeSomeForHs(std::vector<sim::SceneItem>& items) {
+  int rectangles = 0;
+  for (sim::SceneItem& item : items) {
+    if (item.kind == sim::SceneItem::Kind::kRectangle && ++rectangles % 3 == 0) {
+      item.kind = sim::SceneItem::Kind::kLetterH;
+    }
+  }
+}
+
 sim::Scene DrawScene(const SceneSamplesConfig& config, RandomStream& random) {
   sim::SceneConfig scene;
   scene.lone_circles = config.lone_circles;
   scene.lone_letters = config.lone_letters;
   scene.illumination = random.Uniform(0.4, 1.1);
-  return sim::MakeScene(scene, DrawPad(random), random.Bits());
+  sim::Scene drawn = sim::MakeScene(scene, DrawPad(config.letter, random), random.Bits());
+  if (config.letter == models::PadLetter::kRectangle) ExchangeSomeForHs(drawn.items);
+  return drawn;
 }
 
 cv::Scalar Colour(const std::optional<FrameTrace::Label>& label) {
@@ -74,15 +86,17 @@ void SceneSamplesConfig::Validate() const {
   }
 }
 
-models::LandingPad DrawPad(RandomStream& random) {
+models::LandingPad DrawPad(models::PadLetter letter, RandomStream& random) {
+  const bool solid = letter == models::PadLetter::kRectangle;
   models::LandingPad pad;
+  if (solid) pad.h_stroke_m = 0.5 * pad.h_width_m;
   if (random.Chance(0.5)) return pad;
   pad.ring_width_m = pad.outer_radius_m * random.Uniform(0.07, 0.30);
   const double room = 2.0 * pad.inner_radius_m() * random.Uniform(0.55, 0.88);
   const double slope = random.Uniform(0.45, 0.95);
   pad.h_height_m = room / std::hypot(1.0, slope);
   pad.h_width_m = slope * pad.h_height_m;
-  pad.h_stroke_m = pad.h_width_m * random.Uniform(0.14, 0.34);
+  pad.h_stroke_m = pad.h_width_m * (solid ? 0.5 : random.Uniform(0.14, 0.34));
   return pad;
 }
 

@@ -25,6 +25,7 @@ struct LabelledPattern {
 
 /// What one scene gives.
 struct SceneSamplesConfig {
+  models::PadLetter letter = models::PadLetter::kH;  ///< Of the scene's pad and of its lone letters.
   models::CameraModel camera;
   ViewConfig views;
   TruthConfig truth;
@@ -43,12 +44,13 @@ struct SceneSamples {
   std::vector<cv::Mat3b> pictures;  ///< The first frames, with each component's box in its label's colour.
 };
 
-/// A landing pad of proportions that somebody might print: half the time the default one.
-models::LandingPad DrawPad(models::RandomStream& random);
+/// A landing pad of this letter, of proportions that somebody might print: half the time those of the default one.
+models::LandingPad DrawPad(models::PadLetter letter, models::RandomStream& random);
 
 /// Builds a scene from the seed, renders frames of it from many views, and binarizes, labels and classifies by the
-/// truth. Four views in ten look for the pad, the others for a lone ring or letter. The same seed gives the same
-/// samples. `optics` are config.camera's. `pictures` is how many annotated frames to keep.
+/// truth. Four views in ten look for the pad, the others for a lone ring or letter. Among lone rectangles every third
+/// is an H instead: clutter. The same seed gives the same samples. `optics` are config.camera's. `pictures` is how many
+/// annotated frames to keep.
 SceneSamples CollectSceneSamples(const SceneSamplesConfig& config, sim::CameraOptics& optics, std::uint64_t seed,
                                  int pictures);
 

@@ -31,13 +31,17 @@ cv::Size Texels(const Eigen::Vector2d& size_m) {
           static_cast<int>(std::ceil(size_m.y() * kTexelsPerMetre))};
 }
 
-/// Diameter of the largest disc within the hull that holds no ink, m.
-double GapOf(const cv::Mat1b& ink, const std::vector<cv::Point>& hull) {
+cv::Mat1b WhiteWithin(const std::vector<cv::Point>& hull, const cv::Mat1b& ink) {
   cv::Mat1b white = cv::Mat1b::zeros(ink.size());
   cv::fillConvexPoly(white, hull, cv::Scalar(255));
   white &= ~ink;
+  return white;
+}
+
+/// Diameter of the largest disc that fits into the texels that are not 0, m.
+double LargestDisc(const cv::Mat1b& texels) {
   cv::Mat1f distance;
-  cv::distanceTransform(white, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  cv::distanceTransform(texels, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
   double largest = 0.0;
   cv::minMaxLoc(distance, nullptr, &largest);
   return 2.0 * largest / kTexelsPerMetre;
@@ -50,8 +54,8 @@ GroundShape ShapeOf(FrameTrace::Label label, const Sheet& sheet) {
   GroundShape shape;
   shape.label = label;
   shape.yaw = sheet.yaw;
-  shape.ink_share = static_cast<double>(texels.size()) / std::max(1.0, cv::contourArea(hull));
-  shape.gap_m = GapOf(sheet.ink, hull);
+  shape.ink_share = std::min(1.0, static_cast<double>(texels.size()) / std::max(1.0, cv::contourArea(hull)));
+  shape.gap_m = LargestDisc(shape.ink_share < 1.0 ? WhiteWithin(hull, sheet.ink) : sheet.ink);
   const cv::Rect box = cv::boundingRect(hull);
   shape.position_m = sheet.PointAt(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
   for (const cv::Point& texel : hull) {
@@ -97,9 +101,11 @@ std::vector<GroundShape> ShapesOf(const sim::Scene& scene) {
     shapes.push_back(ShapeOf(FrameTrace::Label::kCircle, PadSheet(scene.pad, true)));
     shapes.push_back(ShapeOf(FrameTrace::Label::kH, PadSheet(scene.pad, false)));
   }
+  const bool solid = scene.pad.letter() == models::PadLetter::kRectangle;
+  const auto letter_kind = solid ? sim::SceneItem::Kind::kRectangle : sim::SceneItem::Kind::kLetterH;
   for (const sim::SceneItem& item : scene.items) {
     const bool ring = item.kind == sim::SceneItem::Kind::kRing;
-    if (!ring && item.kind != sim::SceneItem::Kind::kLetterH) continue;
+    if (!ring && item.kind != letter_kind) continue;
     shapes.push_back(ShapeOf(ring ? FrameTrace::Label::kCircle : FrameTrace::Label::kH, LoneSheet(item)));
   }
   return shapes;

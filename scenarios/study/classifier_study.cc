@@ -133,6 +133,18 @@ Patterns ChooseTrainingSet(const ClassifierStudyConfig& config, const Patterns& 
 
 }  // namespace
 
+ClassifierStudyConfig ClassifierStudyConfig::For(models::PadLetter letter) {
+  ClassifierStudyConfig config;
+  config.scene.letter = letter;
+  if (letter == models::PadLetter::kRectangle) {
+    config.training_scenes = 12;
+    config.validation_scenes = 3;
+    config.test_scenes = 8;
+    config.training.max_epochs = config.training.patience_epochs = 40;
+  }
+  return config;
+}
+
 void ClassifierStudyConfig::Validate() const {
   scene.Validate();
   training.Validate();
@@ -158,7 +170,8 @@ ClassifierStudy StudyClassifier(const ClassifierStudyConfig& config, std::uint64
                                       {.vary = VaryPattern, .progress = report});
 
   Pool test = Collect(config, seed, "test", config.test_scenes, count);
-  ClassifierStudy study{.seed = seed,
+  ClassifierStudy study{.letter = config.scene.letter,
+                        .seed = seed,
                         .network = result.network,
                         .training = Confuse(result.network, set),
                         .test = Confuse(result.network, test.patterns),

@@ -25,6 +25,9 @@ struct ClassifierStudyConfig {
   int first_network_epochs = 20;
   TrainingConfig training;
 
+  /// The settings with which the compiled-in network of this letter was trained. The rectangle's study is smaller.
+  static ClassifierStudyConfig For(models::PadLetter letter);
+
   /// Throws InputError when a count is not positive or a share is outside [0, 1].
   void Validate() const;
 };
@@ -33,6 +36,7 @@ struct ClassifierStudyConfig {
 using StudyProgress = std::function<void(const std::string& text, double share)>;
 
 struct ClassifierStudy {
+  models::PadLetter letter = models::PadLetter::kH;
   std::uint64_t seed = 0;
   Perceptron network;
   ConfusionMatrix training;
@@ -54,9 +58,12 @@ struct StudyFile {
   std::string content;
 };
 
-/// The study's files: confusion.json, confusion.txt, classifier_weights.c, and the pictures circle.png, h.png,
-/// other.png (test patterns of each class), mistaken.png (those the network gets wrong: circles, Hs, others) and
-/// frames.png.
+/// The study's files: confusion.json, confusion.txt, classifier_weights.c (classifier_weights_rectangle.c), and the
+/// pictures circle.png, h.png (rectangle.png), other.png (test patterns of each class), mistaken.png (those the network
+/// gets wrong: circles, letters, others) and frames.png.
 std::vector<StudyFile> ClassifierFiles(const ClassifierStudy& study);
+
+/// The names of ClassifierFiles.
+std::vector<std::string> ClassifierFileNames(models::PadLetter letter);
 
 }  // namespace touchdown::scenarios

@@ -35,11 +35,12 @@ bool TouchesBorder(const Component& component, const cv::Size& image) {
          component.v + component.height >= image.height;
 }
 
-/// Whether as much of the shape is ink, and as much of what it encloses is white, as should be.
+/// Whether as much of the shape is ink, and as much of what it encloses is white, if any of it is, as should be.
 bool InkFits(const Component& component, const ProjectedShape& shape, const TruthConfig& config) {
   const double ink = component.area / shape.ink_area;
-  const double white = (shape.hull_area - component.area) / (shape.hull_area - shape.ink_area);
-  return ink >= config.least_ink && ink <= config.most_ink && white >= config.least_white;
+  const double white_area = shape.hull_area - shape.ink_area;
+  const bool as_white = white_area <= 0.0 || (shape.hull_area - component.area) / white_area >= config.least_white;
+  return ink >= config.least_ink && ink <= config.most_ink && as_white;
 }
 
 /// Whether the middle ninth of the component's box is all but free of it: a ring's must be, or it has melted together

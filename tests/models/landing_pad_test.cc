@@ -103,6 +103,40 @@ TEST(LandingPad, TellsItsLetterFromRingAndMarks) {
   }
 }
 
+LandingPad PadWithRectangle() {
+  LandingPad pad;
+  pad.h_stroke_m = 0.028;
+  return pad;
+}
+
+TEST(LandingPad, HasARectangleWhereItsStrokesMeet) {
+  EXPECT_EQ(LandingPad().letter(), PadLetter::kH);
+  const LandingPad pad = PadWithRectangle();
+  EXPECT_NO_THROW(pad.Validate());
+  EXPECT_EQ(pad.letter(), PadLetter::kRectangle);
+  for (double x = -0.06; x <= 0.06; x += 0.0005) {
+    for (double y = -0.06; y <= 0.06; y += 0.0005) {
+      EXPECT_EQ(pad.IsLetter({x, y}), std::abs(x) <= 0.050 && std::abs(y) <= 0.028) << x << " " << y;
+    }
+  }
+  EXPECT_TRUE(pad.IsLetter({0.049, 0.0})) << "where the strokes meet";
+}
+
+TEST(LandingPad, HasARectangleOfAnyWidthWhoseHalfIsRounded) {
+  for (int i = 1; i < 2000; ++i) {
+    LandingPad pad;
+    pad.h_width_m = 1e-5 * i * 3.1;
+    for (const double half : {pad.h_width_m / 2.0, pad.h_width_m * 0.1 * 5.0, pad.h_width_m / 3.0 * 1.5}) {
+      pad.h_stroke_m = half;
+      EXPECT_EQ(pad.letter(), PadLetter::kRectangle);
+      EXPECT_NO_THROW(pad.Validate());
+      EXPECT_TRUE(pad.IsLetter({0.049, 0.0}));
+    }
+    pad.h_stroke_m = 0.5 * (pad.h_width_m - 1e-6);
+    EXPECT_EQ(pad.letter(), PadLetter::kH) << "a micrometre apart";
+  }
+}
+
 TEST(LandingPadValidate, RefusesAMarkThatIsNotWithinItsRing) {
   LandingPad pad = MarkedPad();
   pad.marks[0].centre_m = {0.0, 0.069};
@@ -122,7 +156,7 @@ TEST(LandingPadValidate, RefusesWhatCannotBePrinted) {
       [](LandingPad& p) { p.h_height_m = std::nan(""); },
       [](LandingPad& p) { p.h_width_m = std::numeric_limits<double>::infinity(); },
       [](LandingPad& p) { p.h_stroke_m = 0.0; },
-      [](LandingPad& p) { p.h_stroke_m = 0.028; },
+      [](LandingPad& p) { p.h_stroke_m = 0.029; },
       [](LandingPad& p) { p.h_height_m = 0.015; },
       [](LandingPad& p) { p.h_height_m = 0.140; },
       [](LandingPad& p) { p.sheet_length_m = 0.1; },

@@ -27,6 +27,15 @@ TEST(PrintPad, InksTheAreaOfTheRingAndTheLetter) {
   EXPECT_NEAR(InkedArea(PrintPad(pad, 1024, 512), pad), ring + letter, 0.001 * (ring + letter));
 }
 
+TEST(PrintPad, InksASolidRectangle) {
+  models::LandingPad pad;
+  pad.h_stroke_m = 0.5 * pad.h_width_m;
+  const double ring =
+      models::kPi * (pad.outer_radius_m * pad.outer_radius_m - pad.inner_radius_m() * pad.inner_radius_m());
+  const double area = ring + pad.h_height_m * pad.h_width_m;
+  EXPECT_NEAR(InkedArea(PrintPad(pad, 1024, 512), pad), area, 0.001 * area);
+}
+
 /// Two marks that touch nothing.
 models::LandingPad MarkedPad() {
   models::LandingPad pad;

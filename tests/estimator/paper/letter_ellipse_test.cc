@@ -37,6 +37,19 @@ TEST(LetterEllipse, SeesTheStrokesStraightFromAbove) {
   }
 }
 
+TEST(LetterEllipse, OfARectangleLiesAlongItsLongSide) {
+  models::LandingPad pad;
+  pad.h_stroke_m = 0.5 * pad.h_width_m;
+  const LetterEllipse letter{pad};
+  EXPECT_TRUE(letter.HasDirection());
+  EXPECT_DOUBLE_EQ(letter.StrokeAngle({{0.0, 0.0}, {2.0, 1.0}, 0.3}), 0.3);
+  for (const double yaw : {-1.2, -0.3, 0.0, 0.8}) {
+    const auto angle = letter.StrokeAngleSeenFrom(tests::CameraAbovePad({0.3, 0.2, 1.0}, yaw).inverse());
+    ASSERT_TRUE(angle);
+    EXPECT_NEAR(models::WrapToHalfPi(*angle - (yaw - models::kPi / 2.0)), 0.0, 1e-6);
+  }
+}
+
 TEST(LetterEllipse, IsTurnedByPerspectiveWhenSeenFromAside) {
   const LetterEllipse letter{models::LandingPad()};
   // Tilted about the image's up, which lies at 45 degrees to the strokes.

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace touchdown::estimator {
 namespace {
 
@@ -25,6 +28,21 @@ TEST(LetterOutline, IsAsLongAsTheHIsRound) {
   constexpr double kSpacing_m = 0.0005;
   const double length = 4.0 * pad.h_height_m + 2.0 * pad.h_width_m - 2.0 * pad.h_stroke_m;
   EXPECT_NEAR(static_cast<double>(LetterOutline(pad, kSpacing_m).size()) * kSpacing_m, length, 0.02 * length);
+}
+
+TEST(LetterOutline, OfARectangleIsItsFourSides) {
+  models::LandingPad pad;
+  pad.h_stroke_m = 0.5 * pad.h_width_m;
+  constexpr double kSpacing_m = 0.0005;
+  const double x = pad.h_height_m / 2.0, y = pad.h_width_m / 2.0;
+  const auto outline = LetterOutline(pad, kSpacing_m);
+  for (const Vector2d& p : outline) {
+    EXPECT_NEAR(std::max(std::abs(p.x()) - x, std::abs(p.y()) - y), 0.0, 1e-12) << p.transpose();
+    EXPECT_LT(DistanceFromLetter(pad, p), 1e-12);
+  }
+  EXPECT_NEAR(static_cast<double>(outline.size()) * kSpacing_m, 4.0 * (x + y), 0.01);
+  EXPECT_NEAR(DistanceFromLetter(pad, {0.0, 0.0}), y, 1e-12) << "in its middle there is no edge";
+  EXPECT_NEAR(DistanceFromLetter(pad, {x + 0.003, y + 0.004}), 0.005, 1e-12);
 }
 
 TEST(LetterOutline, TellsHowFarAPointIsFromIt) {

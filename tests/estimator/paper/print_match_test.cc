@@ -183,6 +183,45 @@ TEST_F(PrintMatchTest, FindsThinAndFatAndFlatHs) {
   EXPECT_TRUE(Find(kPrint)) << "in a thin ring";
 }
 
+TEST_F(PrintMatchTest, FindsARectangleAndItsDirection) {
+  pad_.h_stroke_m = 0.5 * pad_.h_width_m;
+  for (const View& view : {View{.distance = 0.25, .tilt_deg = 0.0}, View{.distance = 0.5, .tilt_deg = 30.0},
+                           View{.distance = 0.5, .tilt_deg = 55.0}, View{.distance = 1.8, .tilt_deg = 10.0}}) {
+    const auto place = Find(kPrint, view);
+    ASSERT_TRUE(place) << view.distance << " m, " << view.tilt_deg;
+    EXPECT_LT(AngleError(*place), models::DegToRad(view.distance < 1.0 ? 1.0 : 3.0)) << view.distance;
+  }
+}
+
+TEST_F(PrintMatchTest, RefusesWhatIsNoSolidRectangle) {
+  pad_.h_stroke_m = 0.5 * pad_.h_width_m;
+  const Black h = [](const LandingPad&, const Vector2d& p) { return LandingPad().IsLetter(p); };
+  const Black fat_h = [](const LandingPad&, const Vector2d& p) {
+    LandingPad fat;
+    fat.h_stroke_m = 0.34 * fat.h_width_m;
+    return fat.IsLetter(p);
+  };
+  const Black frame = [](const LandingPad& pad, const Vector2d& p) {
+    return pad.IsLetter(p) && !pad.IsLetter(p / 0.7);
+  };
+  const Black ellipse = [](const LandingPad& pad, const Vector2d& p) {  // As large as the rectangle.
+    return p.cwiseQuotient(Vector2d(pad.h_height_m, pad.h_width_m)).norm() < 1.0 / std::sqrt(models::kPi);
+  };
+  const Black disc = [](const LandingPad&, const Vector2d& p) { return p.norm() < 0.042; };
+  const Black triangle = [](const LandingPad& pad, const Vector2d& p) {
+    const double share = (p.x() / pad.h_height_m + 0.5);
+    return share > 0.0 && share < 1.0 && std::abs(p.y()) < pad.h_width_m * share;
+  };
+  const Black nothing = [](const LandingPad&, const Vector2d&) { return false; };
+  for (const double distance : {0.3, 0.8, 1.5}) {
+    int i = 0;
+    for (const Black& print : {h, fat_h, frame, ellipse, disc, triangle, nothing}) {
+      EXPECT_FALSE(Find(print, {.distance = distance})) << distance << " " << i;
+      ++i;
+    }
+  }
+}
+
 TEST_F(PrintMatchTest, ExpectsTheMarksThatAreDescribed) {
   // A bar that joins the upper ends of the strokes makes the H an A.
   pad_.marks = {models::PadMark{

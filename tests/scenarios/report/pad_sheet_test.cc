@@ -99,6 +99,18 @@ TEST(PadSheet, MeasuresWhatThePadIsInThePrint) {
   EXPECT_NEAR(raster.InkEnd(stroke + 20.0 * down, -right), 8.0, 0.05);
 }
 
+TEST(PadSheet, PrintsASolidRectangleWithoutASeam) {
+  LandingPad pad;
+  pad.h_stroke_m = 0.5 * pad.h_width_m;
+  const Raster raster(pad);
+  const Vector2d centre(105.0, 148.5);
+  EXPECT_NEAR(raster.InkEnd(centre, {1.0, 0.0}), 28.0, 0.05);
+  EXPECT_NEAR(raster.InkEnd(centre, {0.0, 1.0}), 50.0, 0.05);
+  for (double x = -27.9; x < 28.0; x += 0.01) {
+    EXPECT_LT(raster.At(centre + Vector2d(x, 30.0)), 10.0) << x;
+  }
+}
+
 TEST(PadSheet, MeasuresWhatTheMarksAreInThePrint) {
   LandingPad pad;
   pad.marks = {{.shape = models::PadMark::Shape::kDisc, .centre_m = {0.02, 0.05}, .diameter_m = 0.01},

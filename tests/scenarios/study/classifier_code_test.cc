@@ -15,6 +15,8 @@
 namespace touchdown::scenarios {
 namespace {
 
+using models::PadLetter;
+
 const std::vector<std::pair<std::string, std::string>> kProvenance{{"seed", "7"}, {"machine", "abacus"}};
 
 Perceptron RandomClassifier(std::uint64_t seed) {
@@ -41,18 +43,28 @@ TEST(ClassifierCode, HoldsEveryParameterSoThatItReadsBackAsItself) {
   network.parameters()[1] = static_cast<float>(-1.25e-12);
   network.parameters()[2] = 0.0;
   network.parameters()[3] = static_cast<float>(3.0e9);
-  const std::vector<float> numbers = Numbers(ClassifierCode(network, kProvenance));
+  const std::vector<float> numbers = Numbers(ClassifierCode(network, PadLetter::kH, kProvenance));
   ASSERT_EQ(numbers.size(), network.parameters().size());
   for (std::size_t i = 0; i < numbers.size(); ++i) EXPECT_EQ(numbers[i], static_cast<float>(network.parameters()[i]));
 }
 
 TEST(ClassifierCode, SaysAtItsHeadHowItWasMade) {
-  const std::string code = ClassifierCode(RandomClassifier(2), kProvenance);
+  const std::string code = ClassifierCode(RandomClassifier(2), PadLetter::kH, kProvenance);
   EXPECT_NE(code.substr(0, code.find("*/")).find("seed: 7\n *   machine: abacus\n"), std::string::npos);
 }
 
+TEST(ClassifierCode, NamesItsFunctionByTheLetter) {
+  const Perceptron network = RandomClassifier(2);
+  const std::string h = ClassifierCode(network, PadLetter::kH, {}),
+                    rectangle = ClassifierCode(network, PadLetter::kRectangle, {});
+  EXPECT_NE(h.find("void TouchdownClassifierPosteriors("), std::string::npos);
+  const std::string name = "TouchdownRectangleClassifierPosteriors";
+  ASSERT_NE(rectangle.find("void " + name + "("), std::string::npos);
+  EXPECT_EQ(std::regex_replace(rectangle, std::regex(name), "TouchdownClassifierPosteriors"), h);
+}
+
 TEST(ClassifierCode, KeepsToTheHousesLineLength) {
-  const std::string code = ClassifierCode(RandomClassifier(2), kProvenance);
+  const std::string code = ClassifierCode(RandomClassifier(2), PadLetter::kH, kProvenance);
   std::istringstream lines(code);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 120U) << line;
 }
@@ -62,7 +74,7 @@ TEST(ClassifierCode, CompilesToTheSameNetwork) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "classifier_code_test";
   std::filesystem::create_directories(folder);
   const std::filesystem::path source = folder / "weights.c", library = folder / "weights.so";
-  std::ofstream(source) << ClassifierCode(network, kProvenance);
+  std::ofstream(source) << ClassifierCode(network, PadLetter::kH, kProvenance);
   const std::string command = "cc -std=c99 -O2 -Wall -Wextra -Wpedantic -Werror -shared -fPIC -I" TOUCHDOWN_SOURCE_DIR
                               " -o '" +
                               library.string() + "' '" + source.string() + "' -lm";
@@ -85,8 +97,8 @@ TEST(ClassifierCode, CompilesToTheSameNetwork) {
 }
 
 TEST(ClassifierCode, RefusesANetworkOfAnotherShape) {
-  EXPECT_THROW(ClassifierCode(Perceptron(Perceptron::Shape{10, 20, 3}), {}), std::invalid_argument);
-  EXPECT_THROW(ClassifierCode(Perceptron(Perceptron::Shape{196, 20, 4}), {}), std::invalid_argument);
+  EXPECT_THROW(ClassifierCode(Perceptron(Perceptron::Shape{10, 20, 3}), PadLetter::kH, {}), std::invalid_argument);
+  EXPECT_THROW(ClassifierCode(Perceptron(Perceptron::Shape{196, 20, 4}), PadLetter::kH, {}), std::invalid_argument);
 }
 
 }  // namespace

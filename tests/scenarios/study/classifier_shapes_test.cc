@@ -29,5 +29,30 @@ TEST(ClassifierShapes, OfAPadAreItsRingAndItsHWithoutItsMarks) {
   }
 }
 
+TEST(ClassifierShapes, OfARectangleAreSolid) {
+  models::LandingPad pad;
+  pad.h_stroke_m = 0.5 * pad.h_width_m;
+  const std::vector<GroundShape> shapes = ShapesOfPad(pad);
+  ASSERT_EQ(shapes.size(), 2u);
+  EXPECT_EQ(shapes[1].label, estimator::FrameTrace::Label::kH);
+  EXPECT_NEAR(shapes[1].radius_m, std::hypot(0.050, 0.028), 0.001);
+  EXPECT_EQ(shapes[1].ink_share, 1.0);
+  EXPECT_NEAR(shapes[1].gap_m, 0.056, 0.002) << "as wide as the rectangle";
+}
+
+TEST(ClassifierShapes, OfASceneAreTheLoneLettersOfThePadsKind) {
+  sim::SceneConfig scene;
+  scene.posters = scene.lone_circles = scene.objects = 0;
+  scene.lone_letters = 3;
+  models::LandingPad pad;
+  pad.h_stroke_m = 0.5 * pad.h_width_m;
+  sim::Scene drawn = sim::MakeScene(scene, pad, 1);
+  const std::vector<GroundShape> rectangles = ShapesOf(drawn);
+  ASSERT_EQ(rectangles.size(), 5u);
+  for (std::size_t i = 2; i < rectangles.size(); ++i) EXPECT_EQ(rectangles[i].ink_share, 1.0);
+  drawn.items.back().kind = sim::SceneItem::Kind::kLetterH;
+  EXPECT_EQ(ShapesOf(drawn).size(), 4u) << "an H is clutter beside rectangles";
+}
+
 }  // namespace
 }  // namespace touchdown::scenarios
