@@ -41,8 +41,12 @@ void PrintSummary(const std::vector<ComparedQuantity>& compared, const std::stri
 Json SummaryJson(const std::vector<ComparedQuantity>& compared) {
   Json rows = Json::array();
   for (const ComparedQuantity& row : compared) {
-    rows.push_back({{"quantity", row.quantity}, {"unit", row.unit}, {"published", nullptr}, {"ours", row.ours},
-                    {"kept", row.IsKept()}, {"spread", row.spread}});
+    rows.push_back({{"quantity", row.quantity},
+                    {"unit", row.unit},
+                    {"published", nullptr},
+                    {"ours", row.ours},
+                    {"kept", row.IsKept()},
+                    {"spread", row.spread}});
     if (row.published) rows.back()["published"] = *row.published;
   }
   return rows;
@@ -72,8 +76,8 @@ int Reproduce(const Options& options) {
 
 void AddPaper(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
-  CLI::App& command =
-      *app.add_subcommand("paper", "Measure everything that the paper reports, and put it beside the published figures");
+  CLI::App& command = *app.add_subcommand(
+      "paper", "Measure everything that the paper reports, and put it beside the published figures");
   command.add_option("--out", options->out, "Folder for the report; a run that was stopped goes on there")
       ->required()
       ->type_name("DIR");

@@ -9,9 +9,9 @@
 #include "models/angles.h"
 #include "models/landing_pad.h"
 #include "models/random_stream.h"
-#include "scenarios/study/classifier_camera.h"
 #include "scenarios/paper/circle_limit.h"
 #include "scenarios/paper/text.h"
+#include "scenarios/study/classifier_camera.h"
 #include "sim/camera_optics.h"
 #include "sim/scene.h"
 
@@ -38,10 +38,9 @@ constexpr double kPublishedAttitude_deg = 1.5;
 /// The body with its camera at that distance from the pad, the pad's centre on the optical axis.
 Eigen::Isometry3d PoseOf(const models::Vehicle& vehicle, double distance_m, double roll_rad, RandomStream& hand) {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  X_WB.linear() =
-      models::RotationFromTaitBryan({.roll = roll_rad + kHandTilt_rad * hand.Normal(),
-                                     .pitch = kHandTilt_rad * hand.Normal(),
-                                     .yaw = kHandYaw_rad * hand.Normal()});
+  X_WB.linear() = models::RotationFromTaitBryan({.roll = roll_rad + kHandTilt_rad * hand.Normal(),
+                                                 .pitch = kHandTilt_rad * hand.Normal(),
+                                                 .yaw = kHandYaw_rad * hand.Normal()});
   const Eigen::Isometry3d X_BC = vehicle.X_BC();
   const Vector3d p_WC = -distance_m * (X_WB.linear() * X_BC.linear()).col(2) + kHandShift_m * hand.NormalVector3();
   X_WB.translation() = p_WC - X_WB.linear() * X_BC.translation();
@@ -121,10 +120,10 @@ Json MeasurePlacement(const PaperVehicle& vehicle, int placement, int frames, co
       const Eigen::Isometry3d X_WB = PoseOf(vehicle.truth, distance_m, DegToRad(roll_deg), hand);
       const Eigen::Isometry3d X_WC = X_WB * vehicle.truth.X_BC();
       const Vector3d gravity_error(kGravity_rad * hand.Normal(), kGravity_rad * hand.Normal(), 0.0);
-      const Vector3d gravity_B =
-          models::RotationExp(gravity_error) * (-X_WB.linear().transpose() * Vector3d::UnitZ());
+      const Vector3d gravity_B = models::RotationExp(gravity_error) * (-X_WB.linear().transpose() * Vector3d::UnitZ());
       const auto estimator = estimator::MakeEstimator(
-          told.estimator, {.camera = told.assumed_camera(), .pad = told.pad, .X_BC = told.assumed_vehicle().X_BC()});
+          told.estimator,
+          {.camera = told.assumed_camera(), .pad = told.pad, .X_BC = told.assumed_vehicle().X_BC(), .time = told.time});
       ErrorSums sums;
       models::Image image = scene_camera.Take({.X_WC = X_WC});
       const double noise_share = kNoiseSigma / EdgeStep(image, told.pad, camera, X_WC);
@@ -146,7 +145,7 @@ struct Cell {
   int frames = 0, found = 0;
   double position_rmse_mm = 0.0, position_systematic_mm = 0.0, position_random_mm = 0.0;
   double tilt_rmse_deg = 0.0, tilt_systematic_deg = 0.0, tilt_random_deg = 0.0;
-  std::optional<double> position_limit_mm, tilt_limit_deg;
+  std::optional<double> position_limit_mm = std::nullopt, tilt_limit_deg = std::nullopt;
 };
 
 std::string IdOf(int placement) { return fmt::format("accuracy_{}", 1 + placement); }
@@ -224,11 +223,15 @@ ReportSection Report(const PaperPlan& plan, const Measured& measured) {
   }
   ReportSection section{.id = "accuracy", .title = "5 DOF accuracy (Sec. VI-B.5, Fig. 10)"};
   section.paragraphs = {fmt::format(
-      "The vehicle is held still with the pad's centre on the optical axis: {} placements a cell, each in a room of its own, {} "
+      "The vehicle is held still with the pad's centre on the optical axis: {} placements a cell, each in a room of "
+      "its own, {} "
       "frames each. A placement's mean error is systematic (calibration, pixel grid), what remains over its frames is "
-      "random. Roll and pitch errors together are the attitude's; the vertical that chooses between the circle's two poses is "
-      "0.5° off about each axis. The limit is the Cram&eacute;r-Rao bound for the ring's outer edge alone, for pixels as sharp "
-      "as they can be, at the noise and contrast of the frames; it holds for the random part. Seen frontally there is none: "
+      "random. Roll and pitch errors together are the attitude's; the vertical that chooses between the circle's two "
+      "poses is "
+      "0.5° off about each axis. The limit is the Cram&eacute;r-Rao bound for the ring's outer edge alone, for pixels "
+      "as sharp "
+      "as they can be, at the noise and contrast of the frames; it holds for the random part. Seen frontally there is "
+      "none: "
       "a tilt moves the edge as a shift does.",
       plan.placements, plan.frames_per_placement)};
   const std::string csv = CellsCsv(cells);
@@ -242,22 +245,22 @@ ReportSection Report(const PaperPlan& plan, const Measured& measured) {
                              .caption = "RMSE of the attitude over roll, for each distance; dashed the limit.",
                              .csv = csv,
                              .plot = PlotOverRoll("attitude_rmse_deg", "attitude_limit_deg", "attitude RMSE, deg")});
-  ReportTable table{.name = "fig_10_cells",
-                    .caption = "Position (mm) and attitude (deg): RMSE, systematic and random part, limit of the random part.",
-                    .head = {"distance, m", "roll, deg", "found", "position", "syst.", "random", "limit", "attitude",
-                             "syst.", "random", "limit"},
-                    .rows = {}};
+  ReportTable table{
+      .name = "fig_10_cells",
+      .caption = "Position (mm) and attitude (deg): RMSE, systematic and random part, limit of the random part.",
+      .head = {"distance, m", "roll, deg", "found", "position", "syst.", "random", "limit", "attitude", "syst.",
+               "random", "limit"},
+      .rows = {}};
   const Cell* worst = &cells.front();
   for (const Cell& cell : cells) {
     const auto or_none = [](const std::optional<double>& value, int digits) {
       return value ? Fixed(*value, digits) : std::string("none");
     };
-    table.rows.push_back({Fixed(cell.distance_m, 2), Fixed(cell.roll_deg, 0),
-                          Fixed(100.0 * cell.found / cell.frames, 1) + " %", Fixed(cell.position_rmse_mm, 1),
-                          Fixed(cell.position_systematic_mm, 1), Fixed(cell.position_random_mm, 1),
-                          or_none(cell.position_limit_mm, 1), Fixed(cell.tilt_rmse_deg, 2),
-                          Fixed(cell.tilt_systematic_deg, 2), Fixed(cell.tilt_random_deg, 2),
-                          or_none(cell.tilt_limit_deg, 2)});
+    table.rows.push_back(
+        {Fixed(cell.distance_m, 2), Fixed(cell.roll_deg, 0), Fixed(100.0 * cell.found / cell.frames, 1) + " %",
+         Fixed(cell.position_rmse_mm, 1), Fixed(cell.position_systematic_mm, 1), Fixed(cell.position_random_mm, 1),
+         or_none(cell.position_limit_mm, 1), Fixed(cell.tilt_rmse_deg, 2), Fixed(cell.tilt_systematic_deg, 2),
+         Fixed(cell.tilt_random_deg, 2), or_none(cell.tilt_limit_deg, 2)});
     if (cell.tilt_rmse_deg > worst->tilt_rmse_deg) worst = &cell;
   }
   section.tables.push_back(std::move(table));

@@ -5,7 +5,8 @@
 
 namespace touchdown::scenarios {
 
-/// Position and attitude errors over distances and roll angles (Sec. VI-B.5, Fig. 10), each beside the Cramer-Rao limit.
+/// Position and attitude errors over distances and roll angles (Sec. VI-B.5, Fig. 10), each beside the Cramer-Rao
+/// limit.
 Experiment AccuracyExperiment(const PaperPlan& plan, const PaperVehicle& vehicle);
 
 }  // namespace touchdown::scenarios

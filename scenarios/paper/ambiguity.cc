@@ -11,8 +11,8 @@
 #include "estimator/paper/pad_pose.h"
 #include "models/angles.h"
 #include "models/random_stream.h"
-#include "scenarios/study/classifier_camera.h"
 #include "scenarios/paper/text.h"
+#include "scenarios/study/classifier_camera.h"
 #include "scenarios/study/statistics.h"
 #include "sim/camera_optics.h"
 
@@ -36,8 +36,7 @@ Eigen::Isometry3d DrawView(double tilt_rad, double distance_m, RandomStream& ran
   const double yaw = random.Uniform(-1.2, 1.2), direction = random.Uniform(-models::kPi, models::kPi);
   const Eigen::Matrix3d R_WL = models::RotationFromTaitBryan({.roll = models::kPi, .yaw = yaw});
   Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();
-  X_WC.linear() =
-      models::RotationExp(tilt_rad * Vector3d(std::cos(direction), std::sin(direction), 0.0)) * R_WL;
+  X_WC.linear() = models::RotationExp(tilt_rad * Vector3d(std::cos(direction), std::sin(direction), 0.0)) * R_WL;
   X_WC.translation() = -distance_m * X_WC.linear().col(2);
   return X_WC;
 }
@@ -52,12 +51,13 @@ Vector3d Perturbed(const Vector3d& v, double angle, double direction) {
 struct Count {
   int choices = 0;
   int wrong = 0;
-  int wrong_far = 0;     ///< Of them, where both poses are well apart.
-  int caught = 0;        ///< Of wrong_far, those that the outlier rule rejects after a right pose one frame before.
+  int wrong_far = 0;      ///< Of them, where both poses are well apart.
+  int caught = 0;         ///< Of wrong_far, those that the outlier rule rejects after a right pose one frame before.
   double wrong_mm = 0.0;  ///< Distance of the wrong pose's place from the right one's, summed over wrong_far.
 };
 
-Eigen::Isometry3d BodyAt(const estimator::CirclePose& pose, const Eigen::Isometry3d& X_WC, const Eigen::Isometry3d& X_BC) {
+Eigen::Isometry3d BodyAt(const estimator::CirclePose& pose, const Eigen::Isometry3d& X_WC,
+                         const Eigen::Isometry3d& X_BC) {
   // The heading that the camera truly has, so that what is compared is the branch alone.
   const Vector3d up_W = -X_WC.linear().col(1);
   const double psi_C = std::atan2(up_W.y(), up_W.x());
@@ -78,11 +78,13 @@ void Choose(const std::array<estimator::CirclePose, 2>& poses, const Eigen::Isom
   const Vector3d z_C = X_WC.linear().transpose() * Vector3d::UnitZ();
   const std::size_t right = estimator::ResolveByGravity(poses, z_C);
   const bool far = models::AngleBetween(poses[0].n_C, poses[1].n_C) > kFarApart_rad;
-  const Eigen::Isometry3d right_X_WB = BodyAt(poses[right], X_WC, X_BC), wrong_X_WB = BodyAt(poses[1 - right], X_WC, X_BC);
+  const Eigen::Isometry3d right_X_WB = BodyAt(poses[right], X_WC, X_BC),
+                          wrong_X_WB = BodyAt(poses[1 - right], X_WC, X_BC);
   const bool rejected = far && GateRejects(right_X_WB, wrong_X_WB, {});
   for (std::size_t i = 0; i < kGravityErrors_deg.size(); ++i) {
     for (int k = 0; k < kDirections; ++k) {
-      const Vector3d reference = Perturbed(z_C, DegToRad(kGravityErrors_deg[i]), random.Uniform(0.0, 2.0 * models::kPi));
+      const Vector3d reference =
+          Perturbed(z_C, DegToRad(kGravityErrors_deg[i]), random.Uniform(0.0, 2.0 * models::kPi));
       Count& count = counts[i];
       ++count.choices;
       if (estimator::ResolveByGravity(poses, reference) == right) continue;
@@ -105,8 +107,11 @@ Json Measure(const PaperVehicle& vehicle, double tilt_deg, int views, const Stop
   const std::array noise{kNoiseSigma};
   SceneCamera camera(scene, optics, noise, seed);
   RandomStream random(seed, "paper.ambiguity");
-  const auto estimator = estimator::MakeEstimator(
-      told.estimator, {.camera = told.assumed_camera(), .pad = told.pad, .X_BC = X_BC, .frame_order = estimator::FrameOrder::kFlight});
+  const auto estimator = estimator::MakeEstimator(told.estimator, {.camera = told.assumed_camera(),
+                                                                   .pad = told.pad,
+                                                                   .X_BC = X_BC,
+                                                                   .time = told.time,
+                                                                   .frame_order = estimator::FrameOrder::kFlight});
   Counts counts;
   int found = 0;
   for (int i = 0; i < views; ++i) {
@@ -142,22 +147,26 @@ std::string Percent(int part, int whole) { return whole == 0 ? "none" : Fixed(10
 
 ReportSection Report(const PaperPlan& plan, const Measured& measured) {
   ReportSection section{.id = "ambiguity", .title = "The ambiguity (Sec. IV-C.2)"};
-  section.paragraphs.push_back(fmt::format(
-      "{} views at each tilt, 0.5, 1 and 1.5 m away, noise as in a flight; from each ring's ellipse both poses, and Eq. 14 with a "
-      "vertical that is off by so much in {} directions. The right pose is the one that the true vertical chooses. Where both are within "
-      "{:.0f}° of each other it hardly matters which is taken; wrong choices that do matter are given to the outlier rule, one frame "
-      "after a right pose.",
-      plan.ambiguity_views, kDirections, RadToDeg(kFarApart_rad)));
+  section.paragraphs.push_back(
+      fmt::format("{} views at each tilt, 0.5, 1 and 1.5 m away, noise as in a flight; from each ring's ellipse both "
+                  "poses, and Eq. 14 with a "
+                  "vertical that is off by so much in {} directions. The right pose is the one that the true vertical "
+                  "chooses. Where both are within "
+                  "{:.0f}° of each other it hardly matters which is taken; wrong choices that do matter are given to "
+                  "the outlier rule, one frame "
+                  "after a right pose.",
+                  plan.ambiguity_views, kDirections, RadToDeg(kFarApart_rad)));
   ReportTable rates{.name = "ambiguity",
                     .caption = "Share of wrong choices, by the tilt of the view and the error of the vertical.",
                     .head = {"tilt, deg"},
                     .rows = {}};
   for (const double error : kGravityErrors_deg) rates.head.push_back(fmt::format("{}°", error));
-  ReportTable caught{.name = "ambiguity_outliers",
-                     .caption = fmt::format("Of the wrong choices with the poses over {:.0f}° apart, over all errors of the vertical.",
-                                            RadToDeg(kFarApart_rad)),
-                     .head = {"tilt, deg", "wrong choices", "off by, mm", "caught by the outlier rule"},
-                     .rows = {}};
+  ReportTable caught{
+      .name = "ambiguity_outliers",
+      .caption = fmt::format("Of the wrong choices with the poses over {:.0f}° apart, over all errors of the vertical.",
+                             RadToDeg(kFarApart_rad)),
+      .head = {"tilt, deg", "wrong choices", "off by, mm", "caught by the outlier rule"},
+      .rows = {}};
   std::string csv = "tilt_deg,gravity_error_deg,choices,wrong,wrong_share\n";
   for (const double tilt_deg : kTilts_deg) {
     const Json& errors = measured.at(IdOf(tilt_deg)).at("errors");
@@ -166,8 +175,8 @@ ReportSection Report(const PaperPlan& plan, const Measured& measured) {
     for (std::size_t i = 0; i < kGravityErrors_deg.size(); ++i) {
       const int choices = errors[i].at("choices").get<int>(), wrong = errors[i].at("wrong").get<int>();
       cells.push_back(Percent(wrong, choices));
-      csv += CsvLine({Fixed(tilt_deg, 0), Fixed(kGravityErrors_deg[i], 1), std::to_string(choices), std::to_string(wrong),
-                      choices > 0 ? Fixed(static_cast<double>(wrong) / choices, 5) : ""});
+      csv += CsvLine({Fixed(tilt_deg, 0), Fixed(kGravityErrors_deg[i], 1), std::to_string(choices),
+                      std::to_string(wrong), choices > 0 ? Fixed(static_cast<double>(wrong) / choices, 5) : ""});
       all.wrong_far += errors[i].at("wrong_far").get<int>();
       all.caught += errors[i].at("caught").get<int>();
       all.wrong_mm += errors[i].at("wrong_mm").get<double>();
@@ -179,20 +188,23 @@ ReportSection Report(const PaperPlan& plan, const Measured& measured) {
   }
   section.tables = {std::move(rates), std::move(caught)};
   std::string curves;
-  constexpr std::array<const char*, 7> kColours = {"MUTED", "SECOND", "ESTIMATE", "FOURTH", "THIRD", "FIRST", "SET_POINT"};
+  constexpr std::array<const char*, 7> kColours = {"MUTED", "SECOND", "ESTIMATE", "FOURTH",
+                                                   "THIRD", "FIRST",  "SET_POINT"};
   for (std::size_t i = 0; i < kGravityErrors_deg.size(); ++i) {
     curves += fmt::format(
-        "data using 'tilt_deg':(column('gravity_error_deg')=={0} ? 100*column('wrong_share') : NaN) with linespoints pt 7 ps "
+        "data using 'tilt_deg':(column('gravity_error_deg')=={0} ? 100*column('wrong_share') : NaN) with linespoints "
+        "pt 7 ps "
         "0.5 lw 1.4 lc rgb {1} title '{0} deg', \\\n",
         kGravityErrors_deg[i], kColours[i]);
   }
-  section.figures.push_back({.name = "ambiguity",
-                             .title = "Wrong choices",
-                             .caption = "Over the tilt of the view, for errors of the vertical from 0 to 15°.",
-                             .csv = csv,
-                             .plot = "set key outside right title 'vertical off by'\nset xlabel 'tilt, deg'\nset ylabel 'wrong "
-                                     "choices, %'\nset yrange [0:*]\nset datafile missing NaN\nplot " +
-                                     curves + "NaN notitle\n"});
+  section.figures.push_back(
+      {.name = "ambiguity",
+       .title = "Wrong choices",
+       .caption = "Over the tilt of the view, for errors of the vertical from 0 to 15°.",
+       .csv = csv,
+       .plot = "set key outside right title 'vertical off by'\nset xlabel 'tilt, deg'\nset ylabel 'wrong "
+               "choices, %'\nset yrange [0:*]\nset datafile missing NaN\nplot " +
+               curves + "NaN notitle\n"});
   return section;
 }
 

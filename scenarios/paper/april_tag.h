@@ -6,8 +6,8 @@
 
 namespace touchdown::scenarios {
 
-/// AprilTag 3 (Krogius, Haggenmiller, Olson 2019) as it comes, undecimated, one thread: the yardstick for what looking at
-/// a frame costs.
+/// AprilTag 3 (Krogius, Haggenmiller, Olson 2019) as it comes, undecimated, one thread: the yardstick for what looking
+/// at a frame costs.
 class AprilTagDetector {
  public:
   AprilTagDetector();

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "models/angles.h"
-#include "scenarios/study/calibration_bench.h"
 #include "scenarios/paper/text.h"
+#include "scenarios/study/calibration_bench.h"
 #include "scenarios/study/statistics.h"
 
 namespace touchdown::scenarios {
@@ -71,12 +71,16 @@ ReportSection Report(const PaperPlan& plan, const Measured& measured) {
                                          {"camera in body: rotation", "rotation_error_deg", "deg", 3},
                                          {"IMU in body: tilt", "imu_tilt_error_deg", "deg", 3}}};
   ReportSection section{.id = "calibrations", .title = "Calibrations (Sec. III-D, Eqs. 1 and 2)"};
-  section.paragraphs.push_back(fmt::format(
-      "The camera looks at a chessboard from 27 places while the tracking system sees vehicle and board: intrinsics and the "
-      "board's pose from the corners, the camera's mounting by Eq. 2. The IMU's mounting is the shortest rotation that takes the "
-      "gravity measured on level ground to the body's vertical: it holds the accelerometer's bias of that day, and cannot tell "
-      "a turn about the vertical. {} calibrations of the same vehicle; the first is what all flights below are flown with.",
-      plan.seeds));
+  section.paragraphs.push_back(
+      fmt::format("The camera looks at a chessboard from 27 places while the tracking system sees vehicle and board: "
+                  "intrinsics and the "
+                  "board's pose from the corners, the camera's mounting by Eq. 2. The IMU's mounting is the shortest "
+                  "rotation that takes the "
+                  "gravity measured on level ground to the body's vertical: it holds the accelerometer's bias of that "
+                  "day, and cannot tell "
+                  "a turn about the vertical. {} calibrations of the same vehicle; the first is what all flights below "
+                  "are flown with.",
+                  plan.seeds));
   ReportTable table{.name = "calibrations",
                     .caption = "Errors against the truth.",
                     .head = {"of", "unit", "mean", "worst", "flown with"},

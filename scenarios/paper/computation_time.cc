@@ -69,7 +69,8 @@ std::vector<FrameCost> CostsOf(const Json& measured) {
   return costs;
 }
 
-std::vector<double> Of(const std::vector<FrameCost>& costs, const std::function<std::optional<double>(const FrameCost&)>& what) {
+std::vector<double> Of(const std::vector<FrameCost>& costs,
+                       const std::function<std::optional<double>(const FrameCost&)>& what) {
   std::vector<double> values;
   for (const FrameCost& cost : costs) {
     if (const auto value = what(cost)) values.push_back(*value);
@@ -106,15 +107,18 @@ ReportSection Report(const Measured& measured) {
   const double ratio = json.at("vision_ms_same_frames").get<double>() / json.at("april_tag_ms").get<double>();
   ReportSection section{.id = "computation-time", .title = "Computation time (Sec. VI-B.4, Fig. 9)"};
   section.paragraphs.push_back(fmt::format(
-      "The autonomous flight of seed 1, one core, nothing beside it that this program runs. Recognition is everything from the image to what may be "
-      "the pad; geometry is edges, ellipses, the print's check, and the pose. A frame takes {} ms in the mean, {} ms at the 99th "
-      "percentile. AprilTag 3, undecimated, takes {} ms for every fourth of the same frames in the same run. The paper's onboard computer is a 1.86 GHz Core 2 Duo: "
+      "The autonomous flight of seed 1, one core, nothing beside it that this program runs. Recognition is everything "
+      "from the image to what may be "
+      "the pad; geometry is edges, ellipses, the print's check, and the pose. A frame takes {} ms in the mean, {} ms "
+      "at the 99th "
+      "percentile. AprilTag 3, undecimated, takes {} ms for every fourth of the same frames in the same run. The "
+      "paper's onboard computer is a 1.86 GHz Core 2 Duo: "
       "times are not comparable, shares and growth are.",
       Fixed(Mean(total), 2), Fixed(Quantile(total, 0.99), 2), Fixed(json.at("april_tag_ms").get<double>(), 1)));
   std::string csv = "t_s,height_m,recognition_ms,geometry_ms,total_ms\n";
   for (const FrameCost& cost : costs) {
-    csv += CsvLine({Fixed(cost.t_s, 4), Fixed(cost.height_m, 4), Fixed(cost.recognition_ms, 3), Fixed(cost.geometry_ms, 3),
-                    Fixed(cost.total_ms(), 3)});
+    csv += CsvLine({Fixed(cost.t_s, 4), Fixed(cost.height_m, 4), Fixed(cost.recognition_ms, 3),
+                    Fixed(cost.geometry_ms, 3), Fixed(cost.total_ms(), 3)});
   }
   section.figures.push_back(
       {.name = "fig_9_computation_time",
@@ -122,7 +126,8 @@ ReportSection Report(const Measured& measured) {
        .caption = "Per frame over the flight; the thin line is the height (right axis).",
        .csv = csv,
        .plot = fmt::format(
-           "set key top left horizontal\nset xlabel 't, s'\nset ylabel 'ms a frame'\nset y2label 'height, m' textcolor rgb "
+           "set key top left horizontal\nset xlabel 't, s'\nset ylabel 'ms a frame'\nset y2label 'height, m' textcolor "
+           "rgb "
            "MUTED\nset y2tics textcolor rgb MUTED\nset y2range [0:2]\nset yrange [0:{}]\n"
            "plot data using 't_s':'height_m' axes x1y2 with lines lw 0.8 lc rgb MUTED title 'height', \\\n"
            "     data using 't_s':'total_ms' with lines lw 1 lc rgb INK title 'whole', \\\n"
@@ -151,12 +156,11 @@ Experiment ComputationTimeExperiment(const PaperPlan& /*plan*/, const PaperVehic
   Scenario scenario = ShippedFlight("takeoff_hover_land", 1);
   vehicle.Equip(scenario);
   constexpr double kFlight_s = 26.0;
-  return {.measurements = {{.id = kId,
-                            .expected_s = kFlight_s,
-                            .alone = true,
-                            .take = [scenario](const StopRequested& stop_requested) {
-                              return Measure(scenario, stop_requested);
-                            }}},
+  return {.measurements =
+              {{.id = kId,
+                .expected_s = kFlight_s,
+                .alone = true,
+                .take = [scenario](const StopRequested& stop_requested) { return Measure(scenario, stop_requested); }}},
           .report = Report};
 }
 

@@ -20,12 +20,10 @@ std::vector<Condition> Conditions() {
   std::vector<Condition> conditions{
       {"as_it_is", "as it is: noise 3 of 255, exposure 4 ms, vibration, clutter", [](Scenario&) {}},
       {"calibrated_perfectly", "camera and mountings known exactly", [](Scenario& s) { s.calibration = {}; }},
-      {"steady", "rotors balanced: no vibration",
-       [](Scenario& s) { s.world.vibration.imbalance_kg_m = 0.0; }},
+      {"steady", "rotors balanced: no vibration", [](Scenario& s) { s.world.vibration.imbalance_kg_m = 0.0; }},
       {"uncluttered", "nothing on the floor but the pad",
        [](Scenario& s) { s.scene.posters = s.scene.lone_circles = s.scene.lone_letters = s.scene.objects = 0; }},
-      {"undistorted", "a lens without distortion",
-       [](Scenario& s) {
+      {"undistorted", "a lens without distortion", [](Scenario& s) {
          s.camera.model.k1 = s.camera.model.k2 = 0.0;
          s.calibration.camera_model.reset();
        }}};
@@ -46,9 +44,8 @@ std::string IdOf(const Condition& condition, int seed) { return fmt::format("con
 Scenario HoverIn(const Condition& condition, const PaperPlan& plan, const PaperVehicle& vehicle, int seed) {
   Scenario scenario = ShippedFlight("takeoff_hover_land", static_cast<std::uint64_t>(seed));
   scenario.start = {.airborne = true, .position_m = {0.05, -0.05, 1.0}};
-  scenario.script = {{.kind = controller::ManoeuvreKind::kHover,
-                      .position_m = {0.0, 0.0, 1.0},
-                      .duration_s = plan.condition_hover_s}};
+  scenario.script = {
+      {.kind = controller::ManoeuvreKind::kHover, .position_m = {0.0, 0.0, 1.0}, .duration_s = plan.condition_hover_s}};
   scenario.expect = Outcome::kHovered;
   vehicle.Equip(scenario);
   condition.change(scenario);
@@ -67,14 +64,16 @@ double MeanOf(const Measured& measured, const PaperPlan& plan, const Condition& 
 
 ReportSection Report(const PaperPlan& plan, const Measured& measured) {
   ReportSection section{.id = "conditions", .title = "What makes the error"};
-  section.paragraphs.push_back(fmt::format(
-      "A hover of {:.0f} s at 1 m, {} rooms each, with one thing changed at a time; RMSE against the truth, with contour points "
-      "at their sub-pixel places and, on the same frames, on whole pixels. The paper has 38.8 mm, 1.3° and 1.4° when hovering.",
-      plan.condition_hover_s, plan.condition_seeds));
+  section.paragraphs.push_back(
+      fmt::format("A hover of {:.0f} s at 1 m, {} rooms each, with one thing changed at a time; RMSE against the "
+                  "truth, with contour points "
+                  "at their sub-pixel places and, on the same frames, on whole pixels. The paper has 38.8 mm, 1.3° and "
+                  "1.4° when hovering.",
+                  plan.condition_hover_s, plan.condition_seeds));
   ReportTable table{.name = "conditions",
                     .caption = "Mean over the rooms.",
-                    .head = {"condition", "XY, mm", "Z, mm", "roll, deg", "pitch, deg", "yaw, deg", "XY, mm, whole pixels",
-                             "roll, deg, whole pixels", "pitch, deg, whole pixels"},
+                    .head = {"condition", "XY, mm", "Z, mm", "roll, deg", "pitch, deg", "yaw, deg",
+                             "XY, mm, whole pixels", "roll, deg, whole pixels", "pitch, deg, whole pixels"},
                     .rows = {}};
   for (const Condition& condition : Conditions()) {
     std::vector<std::string> cells{condition.name};

@@ -7,12 +7,12 @@
 #include <unistd.h>
 
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <cctype>
 #include <iterator>
 #include <regex>
 #include <stdexcept>
@@ -30,20 +30,20 @@ constexpr double kSvgUnitsPerCm = 48.0;
 
 /// The page's colours by day (scenarios/report/web/page.css), by the names of its variables.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kColours = {{{"paper", "#ffffff"},
-                                                                                      {"ink", "#1a1f26"},
-                                                                                      {"muted", "#5a6572"},
-                                                                                      {"line", "#dfe3e8"},
-                                                                                      {"grid", "#e8ebef"},
-                                                                                      {"estimate", "#0072b2"},
-                                                                                      {"vision", "#5fb0e0"},
-                                                                                      {"set-point", "#d55e00"},
-                                                                                      {"first", "#8f2763"},
-                                                                                      {"second", "#14917f"},
-                                                                                      {"third", "#b98900"},
-                                                                                      {"fourth", "#6a50c7"},
-                                                                                      {"failed", "#b3261e"},
-                                                                                      {"event", "#d0409a"},
-                                                                                      {"pass", "#10713c"}}};
+                                                                                     {"ink", "#1a1f26"},
+                                                                                     {"muted", "#5a6572"},
+                                                                                     {"line", "#dfe3e8"},
+                                                                                     {"grid", "#e8ebef"},
+                                                                                     {"estimate", "#0072b2"},
+                                                                                     {"vision", "#5fb0e0"},
+                                                                                     {"set-point", "#d55e00"},
+                                                                                     {"first", "#8f2763"},
+                                                                                     {"second", "#14917f"},
+                                                                                     {"third", "#b98900"},
+                                                                                     {"fourth", "#6a50c7"},
+                                                                                     {"failed", "#b3261e"},
+                                                                                     {"event", "#d0409a"},
+                                                                                     {"pass", "#10713c"}}};
 
 /// A folder of its own that goes when it goes.
 class ScratchFolder {
@@ -93,8 +93,8 @@ void RunGnuplot(const fs::path& script, const fs::path& words) {
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, words.c_str(), O_WRONLY | O_CREAT, 0600);
   pid_t child = 0;
-  const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, Pointers(arguments).data(),
-                                 Pointers(environment).data());
+  const int error =
+      posix_spawnp(&child, "gnuplot", &actions, nullptr, Pointers(arguments).data(), Pointers(environment).data());
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) {
     throw InputError("gnuplot, which draws the figures, cannot be run; on Debian: apt-get install gnuplot-nox");

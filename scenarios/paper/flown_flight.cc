@@ -54,8 +54,8 @@ std::optional<Eigen::Isometry3d> TrackedAt(std::span<const TrackingRecord> track
   if (b.tick - a.tick > period) return std::nullopt;
   const double share = static_cast<double>(tick - a.tick) / static_cast<double>(b.tick - a.tick);
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  X_WB.linear() = a.X_WB.linear() *
-                  models::RotationExp(share * models::RotationLog(a.X_WB.linear().transpose() * b.X_WB.linear()));
+  X_WB.linear() =
+      a.X_WB.linear() * models::RotationExp(share * models::RotationLog(a.X_WB.linear().transpose() * b.X_WB.linear()));
   X_WB.translation() = a.X_WB.translation() + share * (b.X_WB.translation() - a.X_WB.translation());
   return X_WB;
 }
@@ -142,9 +142,9 @@ Json FlyAndSumUp(const Scenario& scenario, const FlightSummaryOptions& options, 
             {"truth", ErrorsJson(log.frames)},
             {"tracking", ErrorsJson(AgainstTracking(log.frames, log.tracking, tracking_period))}};
   if (options.integer_contours) json["integer"] = ErrorsJson(shadow.frames());
-  for (const char* name : {"estimate.availability", "estimate.false_pads", "estimate.ring_frames", "flight.max_tilt_deg",
-                           "flight.sim_time_s", "flight.max_xy_offset_m", "flight.touchdown_xy_error_m",
-                           "flight.touchdown_speed_m_s"}) {
+  for (const char* name :
+       {"estimate.availability", "estimate.false_pads", "estimate.ring_frames", "flight.max_tilt_deg",
+        "flight.sim_time_s", "flight.max_xy_offset_m", "flight.touchdown_xy_error_m", "flight.touchdown_speed_m_s"}) {
     if (const auto found = metrics.find(name); found != metrics.end()) json[name] = found->second;
   }
   double height_m = 0.0;

@@ -18,9 +18,9 @@ struct FlightSummaryOptions {
   bool series = false;            ///< Also the flight over time.
 };
 
-/// Flies and sums up: outcome, whether it passed, the errors of vision's poses as in Table I (mm and deg, NaN-free: what
-/// a flight does not have is left out) against the truth and against the tracking system, availability, false pads, and
-/// where the vehicle came to rest.
+/// Flies and sums up: outcome, whether it passed, the errors of vision's poses as in Table I (mm and deg, NaN-free:
+/// what a flight does not have is left out) against the truth and against the tracking system, availability, false
+/// pads, and where the vehicle came to rest.
 Json FlyAndSumUp(const Scenario& scenario, const FlightSummaryOptions& options, const StopRequested& stop_requested);
 
 }  // namespace touchdown::scenarios

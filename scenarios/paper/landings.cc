@@ -58,7 +58,8 @@ std::string Spread(const Interval& interval, int digits) {
 
 void Compare(const std::string& which, const Deviations& d, ReportSection& section) {
   const std::string why =
-      "No wind, and no landing gear that bounces; the blind descent ends at the ground by prediction, not by cutting the "
+      "No wind, and no landing gear that bounces; the blind descent ends at the ground by prediction, not by cutting "
+      "the "
       "motors high above it.";
   const auto row = [&](const char* what, const char* unit, double published, const std::vector<double>& values) {
     if (values.empty()) return;
@@ -95,19 +96,22 @@ ReportSection Report(const PaperPlan& plan, const Measured& measured) {
   const Deviations row = DeviationsOf(measured, AutonomousFlightIds(plan)), many = DeviationsOf(measured, ids);
   ReportSection section{.id = "landings", .title = "Landings (Sec. VI-B.3)"};
   const Interval share = ShareInterval(many.landed, many.flights);
-  section.paragraphs.push_back(fmt::format(
-      "In a row: the {} autonomous flights above. Beyond them {} landings from about the hover at 1 m, 0.1 m (1 sigma, along "
-      "X and Y) off and 5° turned, each in a room of its own: {} came to rest on their gear (95 %: {} to {} %). Deviations "
-      "are of the vehicle at rest, from the pad's centre and heading.",
-      row.flights, many.flights, many.landed, Fixed(100.0 * share.low, 1), Fixed(100.0 * share.high, 1)));
+  section.paragraphs.push_back(
+      fmt::format("In a row: the {} autonomous flights above. Beyond them {} landings from about the hover at 1 m, 0.1 "
+                  "m (1 sigma, along "
+                  "X and Y) off and 5° turned, each in a room of its own: {} came to rest on their gear (95 %: {} to "
+                  "{} %). Deviations "
+                  "are of the vehicle at rest, from the pad's centre and heading.",
+                  row.flights, many.flights, many.landed, Fixed(100.0 * share.low, 1), Fixed(100.0 * share.high, 1)));
   Compare(fmt::format("{} landings in a row", row.flights), row, section);
   Compare(fmt::format("{} landings", many.flights), many, section);
   section.figures.push_back(
       {.name = "landing_places",
        .title = "Where the vehicle came to rest",
-       .caption = fmt::format("{} landings; the ring of the pad is 90 mm in radius, the paper's mean deviations are the "
-                              "dashed box.",
-                              many.flights),
+       .caption =
+           fmt::format("{} landings; the ring of the pad is 90 mm in radius, the paper's mean deviations are the "
+                       "dashed box.",
+                       many.flights),
        .csv = PlacesCsv(many),
        .plot = fmt::format("set size ratio -1\nset xlabel 'x, mm'\nset ylabel 'y, mm'\nset xrange [-100:100]\n"
                            "set yrange [-100:100]\nunset key\n"

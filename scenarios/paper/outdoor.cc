@@ -37,7 +37,8 @@ ReportSection Report(const PaperPlan& plan, const Measured& measured) {
   ReportSection section{.id = "outdoor", .title = "Outdoor flight (Sec. VI-C, Fig. 11)"};
   section.paragraphs.push_back(fmt::format(
       "Takeoff, hover and landing on grass with a path and objects beside the pad, in the sun, which casts shadows of "
-      "them and of the vehicle, and on ground that is not level. The pose is relative to the pad. {} of {} flights landed; "
+      "them and of the vehicle, and on ground that is not level. The pose is relative to the pad. {} of {} flights "
+      "landed; "
       "the pad was found in a share of at least {} of the frames that show it whole; {} frames showed a false one.",
       landed, plan.seeds, Fixed(availability, 3), false_pads));
   ReportTable table{.name = "outdoor",
@@ -72,11 +73,10 @@ Experiment OutdoorExperiment(const PaperPlan& plan, const PaperVehicle& vehicle)
   for (int seed = 1; seed <= plan.seeds; ++seed) {
     Scenario scenario = ShippedFlight("outdoor", static_cast<std::uint64_t>(seed));
     vehicle.Equip(scenario);
-    experiment.measurements.push_back({.id = IdOf(seed),
-                                       .expected_s = kFlight_s,
-                                       .take = [scenario, seed](const StopRequested& stop_requested) {
-                                         return FlyAndSumUp(scenario, {.series = seed == 1}, stop_requested);
-                                       }});
+    experiment.measurements.push_back(
+        {.id = IdOf(seed), .expected_s = kFlight_s, .take = [scenario, seed](const StopRequested& stop_requested) {
+           return FlyAndSumUp(scenario, {.series = seed == 1}, stop_requested);
+         }});
   }
   experiment.report = [plan](const Measured& measured) { return Report(plan, measured); };
   return experiment;

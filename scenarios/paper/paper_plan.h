@@ -16,7 +16,7 @@ struct PaperPlan {
   int recognition_frames = 50;  ///< A scene, with the pad, and as many without it.
   int placements = 10;          ///< For each cell of Fig. 10 ...
   int frames_per_placement = 60;
-  int trade_frames = 24;  ///< At each height, for each radius.
+  int trade_frames = 24;     ///< At each height, for each radius.
   int ambiguity_views = 60;  ///< At each tilt.
   int condition_seeds = 3;
   double condition_hover_s = 10.0;

@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "scenarios/report/page_assets.h"
 #include "scenarios/paper/base64.h"
 #include "scenarios/paper/text.h"
+#include "scenarios/report/page_assets.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -129,12 +129,16 @@ data SectionData(const ReportSection& section, Files& files) {
   return result;
 }
 
-std::string MarkdownRow(const std::vector<std::string>& cells) { return fmt::format("| {} |\n", fmt::join(cells, " | ")); }
+std::string MarkdownRow(const std::vector<std::string>& cells) {
+  return fmt::format("| {} |\n", fmt::join(cells, " | "));
+}
 
 std::string Readme(const ReportHead& head, const std::vector<ReportSection>& sections) {
   std::string text = fmt::format(
-      "# The paper, measured\n\nMade by `{}`; do not edit. Every figure of the paper beside ours: [report.html](report.html) is the "
-      "same as one page, with all tables and figures and a word on each; `figures/` holds each as CSV and PDF, `table_1.tex` Table I "
+      "# The paper, measured\n\nMade by `{}`; do not edit. Every figure of the paper beside ours: "
+      "[report.html](report.html) is the "
+      "same as one page, with all tables and figures and a word on each; `figures/` holds each as CSV and PDF, "
+      "`table_1.tex` Table I "
       "for LaTeX.\n\n",
       head.command);
   text += MarkdownRow({"quantity", "unit", "published", "ours", "ratio", "kept", "spread"});
@@ -142,15 +146,19 @@ std::string Readme(const ReportHead& head, const std::vector<ReportSection>& sec
   for (const ReportSection& section : sections) {
     for (const ComparedQuantity& row : section.compared) {
       std::string quantity = row.quantity;
-      for (std::size_t at = 0; (at = quantity.find('|', at)) != std::string::npos; at += 2) quantity.insert(at, 1, '\\');
-      text += MarkdownRow({quantity, row.unit, Published(row), Figure3(row.ours), Ratio(row), Verdict(row), row.spread});
+      for (std::size_t at = 0; (at = quantity.find('|', at)) != std::string::npos; at += 2)
+        quantity.insert(at, 1, '\\');
+      text +=
+          MarkdownRow({quantity, row.unit, Published(row), Figure3(row.ours), Ratio(row), Verdict(row), row.spread});
     }
   }
   for (const ReportSection& section : sections) {
     if (section.figures.empty() && section.pictures.empty()) continue;
     text += fmt::format("\n## {}\n", section.title);
-    for (const ReportPicture& each : section.pictures) text += fmt::format("\n![{0}](figures/{1}.jpg)\n", each.title, each.name);
-    for (const Figure& each : section.figures) text += fmt::format("\n![{0}](figures/{1}.svg)\n", each.title, each.name);
+    for (const ReportPicture& each : section.pictures)
+      text += fmt::format("\n![{0}](figures/{1}.jpg)\n", each.title, each.name);
+    for (const Figure& each : section.figures)
+      text += fmt::format("\n![{0}](figures/{1}.svg)\n", each.title, each.name);
   }
   return text;
 }

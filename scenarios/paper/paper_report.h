@@ -11,10 +11,10 @@ namespace touchdown::scenarios {
 
 /// What the report tells of itself.
 struct ReportHead {
-  std::string mark;  ///< By which the page is known again.
+  std::string mark = {};  ///< By which the page is known again.
   bool quick = false;
-  std::string command;
-  std::vector<std::pair<std::string, std::string>> platform;
+  std::string command = {};
+  std::vector<std::pair<std::string, std::string>> platform = {};
 };
 
 /// The report's files by their names within its folder: report.html, README.md (the summary, and the figures as

@@ -7,7 +7,7 @@ namespace touchdown::scenarios {
 /// A row of the paper's Table I: RMSE hand-held, hovering and in autonomous flight.
 struct TableOneRow {
   const char* label;
-  const char* key;   ///< Of the same error as FlyAndSumUp tells it, in the row's unit.
+  const char* key;  ///< Of the same error as FlyAndSumUp tells it, in the row's unit.
   const char* unit;
   std::array<double, 3> published;
 };

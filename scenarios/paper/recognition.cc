@@ -11,11 +11,11 @@
 #include "models/angles.h"
 #include "models/random_stream.h"
 #include "scenarios/flight/pad_view.h"
+#include "scenarios/paper/recognition_pictures.h"
+#include "scenarios/paper/text.h"
 #include "scenarios/study/classifier_camera.h"
 #include "scenarios/study/classifier_truth.h"
 #include "scenarios/study/classifier_views.h"
-#include "scenarios/paper/recognition_pictures.h"
-#include "scenarios/paper/text.h"
 #include "scenarios/study/statistics.h"
 #include "sim/camera_optics.h"
 
@@ -32,9 +32,7 @@ constexpr double kFalsePad_px = 30.0;  // As estimate.false_pads has it.
 
 /// Views as flights and hands have them, and worse: large perspective, blur, weak contrast.
 ViewConfig Views() {
-  return {.nearest_m = kDistances_m.front(),
-          .farthest_m = kDistances_m.back(),
-          .largest_tilt_deg = kTilts_deg.back()};
+  return {.nearest_m = kDistances_m.front(), .farthest_m = kDistances_m.back(), .largest_tilt_deg = kTilts_deg.back()};
 }
 
 /// A frame of a room and all that is known of it.
@@ -47,10 +45,9 @@ class Room {
         shapes_(ShapesOf(scene_)),
         optics_(told.camera.model),
         camera_(scene_, optics_, views_.noise_sigmas, random_.Bits()),
-        estimator_(estimator::MakeEstimator(told.estimator, {.camera = told.camera.model,
-                                                             .pad = told.pad,
-                                                             .X_BC = told.vehicle.X_BC(),
-                                                             .time = told.time})) {}
+        estimator_(estimator::MakeEstimator(
+            told.estimator,
+            {.camera = told.camera.model, .pad = told.pad, .X_BC = told.vehicle.X_BC(), .time = told.time})) {}
 
   struct Seen {
     View view;
@@ -129,8 +126,12 @@ Json CountFalse(const Scenario& told, int number, int frames, const StopRequeste
     pairs += status == FrameStatus::kNoEllipse || seen.estimate.pose ? 1 : 0;
     pads += seen.estimate.pose ? 1 : 0;
   }
-  return {{"frames", frames}, {"given", given}, {"frames_false_circle", frames_false_circle},
-          {"frames_false_letter", frames_false_letter}, {"pairs", pairs}, {"pads", pads}};
+  return {{"frames", frames},
+          {"given", given},
+          {"frames_false_circle", frames_false_circle},
+          {"frames_false_letter", frames_false_letter},
+          {"pairs", pairs},
+          {"pads", pads}};
 }
 
 std::size_t BinOf(double value, std::span<const double> edges) {
@@ -218,12 +219,13 @@ void ReportFalse(const FalseCounts& sum, ReportSection& section) {
                 {"letter H, p2", Percent(p2, 3), Percent(frames_p2, 2)},
                 {"pair that meets the geometric constraint", "-", Percent(pairs, 3)},
                 {"landing pad", "-", Percent(pads, 3)}}});
-  section.compared.push_back({.quantity = "False pads, share of frames with decoys alone",
-                              .unit = "%",
-                              .published = 100.0 * std::min(frames_p1.value, frames_p2.value),
-                              .ours = 100.0 * pads.value,
-                              .spread = fmt::format("of {} frames; 95 %: up to {} %", sum.frames, Fixed(100.0 * pads.high, 3)),
-                              .why = "The bound is the paper's: below min(p1, p2) of the same frames."});
+  section.compared.push_back(
+      {.quantity = "False pads, share of frames with decoys alone",
+       .unit = "%",
+       .published = 100.0 * std::min(frames_p1.value, frames_p2.value),
+       .ours = 100.0 * pads.value,
+       .spread = fmt::format("of {} frames; 95 %: up to {} %", sum.frames, Fixed(100.0 * pads.high, 3)),
+       .why = "The bound is the paper's: below min(p1, p2) of the same frames."});
 }
 
 void ReportFound(const PaperPlan& plan, const Measured& measured, ReportSection& section) {
@@ -241,12 +243,13 @@ void ReportFound(const PaperPlan& plan, const Measured& measured, ReportSection&
       }
     }
   }
-  ReportTable table{.name = "recognition_recall",
-                    .caption = fmt::format("Found, of {} frames that show the ring whole: {}. Of {} frames in these rooms {} "
-                                           "showed a pad where there was none.",
-                                           frames, Percent(ShareInterval(found, frames), 1), all, false_pads),
-                    .head = {"distance, m"},
-                    .rows = {}};
+  ReportTable table{
+      .name = "recognition_recall",
+      .caption = fmt::format("Found, of {} frames that show the ring whole: {}. Of {} frames in these rooms {} "
+                             "showed a pad where there was none.",
+                             frames, Percent(ShareInterval(found, frames), 1), all, false_pads),
+      .head = {"distance, m"},
+      .rows = {}};
   for (std::size_t k = 0; k + 1 < kTilts_deg.size(); ++k) {
     table.head.push_back(fmt::format("tilt {:.0f} to {:.0f}°", kTilts_deg[k], kTilts_deg[k + 1]));
   }
@@ -262,11 +265,13 @@ void ReportFound(const PaperPlan& plan, const Measured& measured, ReportSection&
 
 ReportSection Report(const PaperPlan& plan, const Measured& measured) {
   ReportSection section{.id = "recognition", .title = "Landing pad recognition (Secs. IV-A, VI-A, Figs. 2, 4, 5)"};
-  section.paragraphs.push_back(fmt::format(
-      "{} rooms with a floor, light, posters, objects and a dozen lone rings and lone letters of their own, seen from {} to {} m, up to {:.0f}° "
-      "tilted, a third of the views as in a calm hover, others in motion, out of focus, in weak contrast and with noise "
-      "of up to 7 of 255.",
-      plan.recognition_scenes, kDistances_m.front(), kDistances_m.back(), kTilts_deg.back()));
+  section.paragraphs.push_back(
+      fmt::format("{} rooms with a floor, light, posters, objects and a dozen lone rings and lone letters of their "
+                  "own, seen from {} to {} m, up to {:.0f}° "
+                  "tilted, a third of the views as in a calm hover, others in motion, out of focus, in weak contrast "
+                  "and with noise "
+                  "of up to 7 of 255.",
+                  plan.recognition_scenes, kDistances_m.front(), kDistances_m.back(), kTilts_deg.back()));
   ReportFalse(SumFalse(plan, measured), section);
   ReportFound(plan, measured, section);
   section.pictures = PicturesFromJson(measured.at(kPicturesId));
@@ -293,9 +298,9 @@ Experiment RecognitionExperiment(const PaperPlan& plan, const PaperVehicle& vehi
                                          return CountFound(told, room, frames, stop_requested);
                                        }});
   }
-  experiment.measurements.push_back({.id = kPicturesId,
-                                     .expected_s = 8.0,
-                                     .take = [told](const StopRequested&) { return TakeRecognitionPictures(told); }});
+  experiment.measurements.push_back({.id = kPicturesId, .expected_s = 8.0, .take = [told](const StopRequested&) {
+                                       return TakeRecognitionPictures(told);
+                                     }});
   experiment.report = [plan](const Measured& measured) { return Report(plan, measured); };
   return experiment;
 }

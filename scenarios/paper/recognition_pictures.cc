@@ -10,9 +10,9 @@
 #include "estimator/paper/binarize.h"
 #include "estimator/paper/components.h"
 #include "models/angles.h"
+#include "scenarios/paper/base64.h"
 #include "scenarios/report/annotated_frame.h"
 #include "scenarios/study/classifier_camera.h"
-#include "scenarios/paper/base64.h"
 #include "sim/camera_optics.h"
 
 namespace touchdown::scenarios {
@@ -53,7 +53,8 @@ class Studio {
         optics_(told.camera.model),
         camera_(sim::MakeScene(told.scene, told.pad, seed), optics_, kNoise, seed),
         estimator_(estimator::MakeEstimator(
-            told.estimator, {.camera = told.camera.model, .pad = told.pad, .X_BC = told.vehicle.X_BC(), .time = told.time})) {}
+            told.estimator,
+            {.camera = told.camera.model, .pad = told.pad, .X_BC = told.vehicle.X_BC(), .time = told.time})) {}
 
   struct Taken {
     models::Image image;
@@ -102,7 +103,8 @@ cv::Mat Grid(const std::vector<cv::Mat3b>& tiles, int columns) {
   return grid;
 }
 
-Json PictureJson(const std::string& name, const std::string& title, const std::string& caption, const cv::Mat& picture) {
+Json PictureJson(const std::string& name, const std::string& title, const std::string& caption,
+                 const cv::Mat& picture) {
   constexpr int kQuality = 82;
   std::vector<unsigned char> jpeg;
   if (!cv::imencode(".jpg", picture, jpeg, {cv::IMWRITE_JPEG_QUALITY, kQuality})) {
@@ -114,8 +116,12 @@ Json PictureJson(const std::string& name, const std::string& title, const std::s
 /// Fig. 2: the picture, its dark pixels, its components, what they are.
 Json Stages(const Scenario& told) {
   Studio studio(told, 4);
-  Studio::Taken taken = studio.Take({.distance_m = 1.0, .tilt_deg = 12.0, .direction_deg = 40.0, .yaw_deg = 25.0,
-                                     .off_u_px = -60.0, .off_v_px = 30.0});
+  Studio::Taken taken = studio.Take({.distance_m = 1.0,
+                                     .tilt_deg = 12.0,
+                                     .direction_deg = 40.0,
+                                     .yaw_deg = 25.0,
+                                     .off_u_px = -60.0,
+                                     .off_v_px = 30.0});
   models::Image dark = estimator::Binarize(taken.image.View());
   const estimator::ComponentSet set = estimator::ExtractComponents(dark.View());
   cv::Mat3b boxes = Coloured(taken.image);
@@ -126,23 +132,54 @@ Json Stages(const Scenario& told) {
   labels.components = taken.seen.trace.components;
   const cv::Mat3b classified =
       AnnotateFrame(taken.image.View(), told.camera.model, {.trace = labels, .pad_px = taken.seen.pad_px});
-  return PictureJson("fig_2_stages", "Fig. 2: the steps of the recognition",
-                     "The image, its dark pixels, the connected components, and their classes: circles green, letters H "
-                     "blue, others red, the pad an orange cross.",
-                     Grid({Coloured(taken.image), Coloured(dark), boxes, classified}, 2));
+  return PictureJson(
+      "fig_2_stages", "Fig. 2: the steps of the recognition",
+      "The image, its dark pixels, the connected components, and their classes: circles green, letters H "
+      "blue, others red, the pad an orange cross.",
+      Grid({Coloured(taken.image), Coloured(dark), boxes, classified}, 2));
 }
 
 /// Fig. 4: posters, lone rings and letters, strong perspective, blur.
 Json ClutteredViews(const Scenario& told) {
-  const std::array<Look, 6> looks = {
-      {{.distance_m = 0.45, .tilt_deg = 5.0, .direction_deg = 0.0, .yaw_deg = 10.0, .off_u_px = 20.0, .off_v_px = -15.0},
-       {.distance_m = 1.2, .tilt_deg = 42.0, .direction_deg = 70.0, .yaw_deg = -30.0, .off_u_px = 30.0, .off_v_px = 40.0},
-       {.distance_m = 1.9, .tilt_deg = 15.0, .direction_deg = 190.0, .yaw_deg = 70.0, .off_u_px = -90.0, .off_v_px = 60.0},
-       {.distance_m = 0.9, .tilt_deg = 48.0, .direction_deg = -60.0, .yaw_deg = 45.0, .off_u_px = 0.0, .off_v_px = -60.0},
-       {.distance_m = 1.0, .tilt_deg = 18.0, .direction_deg = 120.0, .yaw_deg = -60.0, .off_u_px = 120.0, .off_v_px = -60.0,
-        .v_m_s = {1.0, 0.6, 0.0}, .exposure_s = 0.010},
-       {.distance_m = 1.4, .tilt_deg = 30.0, .direction_deg = 10.0, .yaw_deg = 0.0, .off_u_px = -40.0, .off_v_px = 90.0,
-        .defocus_px = 1.3}}};
+  const std::array<Look, 6> looks = {{{.distance_m = 0.45,
+                                       .tilt_deg = 5.0,
+                                       .direction_deg = 0.0,
+                                       .yaw_deg = 10.0,
+                                       .off_u_px = 20.0,
+                                       .off_v_px = -15.0},
+                                      {.distance_m = 1.2,
+                                       .tilt_deg = 42.0,
+                                       .direction_deg = 70.0,
+                                       .yaw_deg = -30.0,
+                                       .off_u_px = 30.0,
+                                       .off_v_px = 40.0},
+                                      {.distance_m = 1.9,
+                                       .tilt_deg = 15.0,
+                                       .direction_deg = 190.0,
+                                       .yaw_deg = 70.0,
+                                       .off_u_px = -90.0,
+                                       .off_v_px = 60.0},
+                                      {.distance_m = 0.9,
+                                       .tilt_deg = 48.0,
+                                       .direction_deg = -60.0,
+                                       .yaw_deg = 45.0,
+                                       .off_u_px = 0.0,
+                                       .off_v_px = -60.0},
+                                      {.distance_m = 1.0,
+                                       .tilt_deg = 18.0,
+                                       .direction_deg = 120.0,
+                                       .yaw_deg = -60.0,
+                                       .off_u_px = 120.0,
+                                       .off_v_px = -60.0,
+                                       .v_m_s = {1.0, 0.6, 0.0},
+                                       .exposure_s = 0.010},
+                                      {.distance_m = 1.4,
+                                       .tilt_deg = 30.0,
+                                       .direction_deg = 10.0,
+                                       .yaw_deg = 0.0,
+                                       .off_u_px = -40.0,
+                                       .off_v_px = 90.0,
+                                       .defocus_px = 1.3}}};
   std::vector<cv::Mat3b> tiles;
   std::uint64_t seed = 11;
   for (const Look& look : looks) {
@@ -151,10 +188,11 @@ Json ClutteredViews(const Scenario& told) {
     tiles.push_back(
         AnnotateFrame(taken.image.View(), told.camera.model, {.trace = taken.seen.trace, .pad_px = taken.seen.pad_px}));
   }
-  return PictureJson("fig_4_clutter", "Fig. 4: recognition in clutter",
-                     "Six rooms; the fifth view is blurred by motion, the sixth out of focus. Circles and letters that are "
-                     "recognized by themselves are no pad.",
-                     Grid(tiles, 3));
+  return PictureJson(
+      "fig_4_clutter", "Fig. 4: recognition in clutter",
+      "Six rooms; the fifth view is blurred by motion, the sixth out of focus. Circles and letters that are "
+      "recognized by themselves are no pad.",
+      Grid(tiles, 3));
 }
 
 /// Fig. 5: the patch around the pad, and the ellipses fitted to its contours.
@@ -164,9 +202,14 @@ Json FittedPatches(const Scenario& told) {
   Studio studio(told, 21);
   for (int i = 0; i < 8; ++i) {
     const bool moves = i % 3 == 2;
-    const Look look{.distance_m = 0.5 + 0.12 * i, .tilt_deg = 6.0 * i, .direction_deg = 77.0 * i, .yaw_deg = -80.0 + 23.0 * i,
-                    .off_u_px = 15.0 * (i % 4) - 20.0, .off_v_px = 20.0 - 12.0 * (i % 3),
-                    .v_m_s = moves ? Vector3d(0.9, -0.7, 0.0) : Vector3d::Zero(), .exposure_s = moves ? 0.012 : 0.004};
+    const Look look{.distance_m = 0.5 + 0.12 * i,
+                    .tilt_deg = 6.0 * i,
+                    .direction_deg = 77.0 * i,
+                    .yaw_deg = -80.0 + 23.0 * i,
+                    .off_u_px = 15.0 * (i % 4) - 20.0,
+                    .off_v_px = 20.0 - 12.0 * (i % 3),
+                    .v_m_s = moves ? Vector3d(0.9, -0.7, 0.0) : Vector3d::Zero(),
+                    .exposure_s = moves ? 0.012 : 0.004};
     Studio::Taken taken = studio.Take(look);
     if (!taken.seen.ring_box) continue;
     const estimator::PixelBox& box = *taken.seen.ring_box;
@@ -186,10 +229,11 @@ Json FittedPatches(const Scenario& told) {
   }
   const int columns = static_cast<int>(patches.size());
   patches.insert(patches.end(), fitted.begin(), fitted.end());
-  return PictureJson("fig_5_ellipses", "Fig. 5: fitted ellipses",
-                     "Patches of the pad from various perspectives, every third blurred by motion, stretched to squares, and "
-                     "below them the ellipses of both of the ring's edges and of the H, with their axes.",
-                     Grid(patches, columns));
+  return PictureJson(
+      "fig_5_ellipses", "Fig. 5: fitted ellipses",
+      "Patches of the pad from various perspectives, every third blurred by motion, stretched to squares, and "
+      "below them the ellipses of both of the ring's edges and of the H, with their axes.",
+      Grid(patches, columns));
 }
 
 }  // namespace

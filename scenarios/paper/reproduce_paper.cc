@@ -74,7 +74,6 @@ void WriteReport(const fs::path& out, const ReproductionOptions& options, const 
   folder.Commit();
 }
 
-
 }  // namespace
 
 std::vector<ComparedQuantity> ReproducePaper(const fs::path& out, const ReproductionOptions& options,
@@ -93,16 +92,16 @@ std::vector<ComparedQuantity> ReproducePaper(const fs::path& out, const Reproduc
   const PaperVehicle vehicle{.truth = TrueVehicle(), .calibration = CalibrationOf(measured)};
 
   const std::vector<Experiment> experiments{calibrations,
-                                      RecognitionExperiment(plan, vehicle),
-                                      YawExperiment(plan, vehicle),
-                                      TableOneExperiment(plan, vehicle),
-                                      LandingsExperiment(plan, vehicle),
-                                      ComputationTimeExperiment(plan, vehicle),
-                                      AccuracyExperiment(plan, vehicle),
-                                      PadSizeExperiment(plan, vehicle),
-                                      OutdoorExperiment(plan, vehicle),
-                                      AmbiguityExperiment(plan, vehicle),
-                                      ConditionsExperiment(plan, vehicle)};
+                                            RecognitionExperiment(plan, vehicle),
+                                            YawExperiment(plan, vehicle),
+                                            TableOneExperiment(plan, vehicle),
+                                            LandingsExperiment(plan, vehicle),
+                                            ComputationTimeExperiment(plan, vehicle),
+                                            AccuracyExperiment(plan, vehicle),
+                                            PadSizeExperiment(plan, vehicle),
+                                            OutdoorExperiment(plan, vehicle),
+                                            AmbiguityExperiment(plan, vehicle),
+                                            ConditionsExperiment(plan, vehicle)};
   std::vector<Measurement> all;
   for (const Experiment& experiment : experiments) {
     all.insert(all.end(), experiment.measurements.begin(), experiment.measurements.end());

@@ -12,46 +12,46 @@ namespace touchdown::scenarios {
 
 /// A line of the report's summary: a figure of the paper beside ours. Smaller is better.
 struct ComparedQuantity {
-  std::string quantity;
-  std::string unit;
-  std::optional<double> published;  ///< nullopt where the paper gives words alone.
+  std::string quantity = {};
+  std::string unit = {};
+  std::optional<double> published = {};  ///< nullopt where the paper gives words alone.
   double ours = 0.0;
-  std::string spread;  ///< "19.0 worst of 10 seeds", "95 %: 1.2 to 1.9".
-  std::string why;     ///< What makes the difference, in a sentence.
+  std::string spread = {};  ///< "19.0 worst of 10 seeds", "95 %: 1.2 to 1.9".
+  std::string why = {};     ///< What makes the difference, in a sentence.
 
   bool IsKept() const { return !published || ours <= *published; }
 };
 
 struct ReportTable {
-  std::string name;  ///< Of its CSV file.
-  std::string caption;
-  std::vector<std::string> head;
-  std::vector<std::vector<std::string>> rows;
+  std::string name = {};  ///< Of its CSV file.
+  std::string caption = {};
+  std::vector<std::string> head = {};
+  std::vector<std::vector<std::string>> rows = {};
 };
 
 /// A picture, as it is, beside the drawn figures.
 struct ReportPicture {
-  std::string name;  ///< Of its file, without ending.
-  std::string title;
-  std::string caption;
-  std::string jpeg;
+  std::string name = {};  ///< Of its file, without ending.
+  std::string title = {};
+  std::string caption = {};
+  std::string jpeg = {};
 };
 
 /// One experiment of the paper in the report.
 struct ReportSection {
-  std::string id;
-  std::string title;                    ///< "Hand-held (Sec. VI-B.1, Fig. 6)".
-  std::vector<std::string> paragraphs;  ///< HTML.
-  std::vector<Figure> figures;
-  std::vector<ReportPicture> pictures;
-  std::vector<ReportTable> tables;
-  std::vector<ComparedQuantity> compared;
+  std::string id = {};
+  std::string title = {};                    ///< "Hand-held (Sec. VI-B.1, Fig. 6)".
+  std::vector<std::string> paragraphs = {};  ///< HTML.
+  std::vector<Figure> figures = {};
+  std::vector<ReportPicture> pictures = {};
+  std::vector<ReportTable> tables = {};
+  std::vector<ComparedQuantity> compared = {};
 };
 
 /// What is to be measured, and how it is told.
 struct Experiment {
-  std::vector<Measurement> measurements;
-  std::function<ReportSection(const Measured&)> report;
+  std::vector<Measurement> measurements = {};
+  std::function<ReportSection(const Measured&)> report = {};
 };
 
 }  // namespace touchdown::scenarios

@@ -5,10 +5,9 @@
 namespace touchdown::scenarios {
 
 ShadowEstimator::ShadowEstimator(const Scenario& s, const estimator::EstimatorConfig& estimator)
-    : estimator_(estimator::MakeEstimator(estimator, {.camera = s.assumed_camera(),
-                                                      .pad = s.pad,
-                                                      .X_BC = s.assumed_vehicle().X_BC(),
-                                                      .time = s.time}),
+    : estimator_(estimator::MakeEstimator(
+                     estimator,
+                     {.camera = s.assumed_camera(), .pad = s.pad, .X_BC = s.assumed_vehicle().X_BC(), .time = s.time}),
                  {.attitude = s.attitude_estimator, .filter = s.pose_filter}, s.time,
                  s.assumed_vehicle().X_BU().linear()) {}
 

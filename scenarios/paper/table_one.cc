@@ -31,7 +31,8 @@ std::string IdOf(const Case& which, int seed) { return fmt::format("{}_{}", whic
 Scenario FlightOf(const Case& which, const PaperPlan& plan, const PaperVehicle& vehicle, int seed) {
   std::vector<std::string> set;
   if (which.flight == std::string("hand_held")) set.push_back(fmt::format("hand.duration_s={}", plan.hand_s));
-  if (which.flight == std::string("disturbed_hover")) set.push_back(fmt::format("script.1.duration_s={}", plan.hover_s));
+  if (which.flight == std::string("disturbed_hover"))
+    set.push_back(fmt::format("script.1.duration_s={}", plan.hover_s));
   Scenario scenario = ShippedFlight(which.flight, static_cast<std::uint64_t>(seed), set);
   vehicle.Equip(scenario);
   return scenario;
@@ -56,8 +57,9 @@ std::string WithSpread(const std::vector<double>& values, int digits) {
 
 const char* WhyOf(const TableOneRow& row, std::size_t column) {
   if (row.key == std::string("yaw_deg")) {
-    return column == 0 ? "The H's ellipse is not rectified: the more the view is tilted, the further off, as in the paper."
-                       : "Tilts are small, and the unrectified H is nearly the true one.";
+    return column == 0
+               ? "The H's ellipse is not rectified: the more the view is tilted, the further off, as in the paper."
+               : "Tilts are small, and the unrectified H is nearly the true one.";
   }
   if (row.key == std::string("z_mm")) {
     return "Against the truth; the paper's own reference is good to a few millimetres.";
@@ -123,25 +125,31 @@ std::string Conditions(const PaperPlan& plan, const Measured& measured, const Ca
 }
 
 ReportSection Report(const PaperPlan& plan, const Measured& measured) {
-  ReportSection section{.id = "table-one", .title = "Hand-held, hovering, autonomous flight (Sec. VI-B.1-3, Figs. 6-8, Table I)"};
+  ReportSection section{.id = "table-one",
+                        .title = "Hand-held, hovering, autonomous flight (Sec. VI-B.1-3, Figs. 6-8, Table I)"};
   section.paragraphs.push_back(
-      "Vision's unfiltered pose of the body, over the frames with status ok, on the rendered camera with lens, noise, blur and "
-      "latency, in rooms full of decoys; estimator and autopilot know camera and mountings as the calibrations above found "
+      "Vision's unfiltered pose of the body, over the frames with status ok, on the rendered camera with lens, noise, "
+      "blur and "
+      "latency, in rooms full of decoys; estimator and autopilot know camera and mountings as the calibrations above "
+      "found "
       "them. Mean over the seeds ± standard deviation.");
   for (const Case& which : kCases) section.paragraphs.push_back(Conditions(plan, measured, which));
   section.tables.push_back(
       Table(plan, measured, "table_1_truth", "Table I against the truth, sub-pixel contour points.", "truth"));
-  section.tables.push_back(Table(plan, measured, "table_1_tracking",
-                                 "The same against the simulated tracking system, whose noise, occlusions and outliers are "
-                                 "in the figures as they are in the paper's.",
-                                 "tracking"));
-  section.tables.push_back(Table(plan, measured, "table_1_integer",
-                                 "The same flights and frames with contour points on whole pixels, against the truth: the "
-                                 "paper does not say which it used.",
-                                 "integer"));
+  section.tables.push_back(
+      Table(plan, measured, "table_1_tracking",
+            "The same against the simulated tracking system, whose noise, occlusions and outliers are "
+            "in the figures as they are in the paper's.",
+            "tracking"));
+  section.tables.push_back(
+      Table(plan, measured, "table_1_integer",
+            "The same flights and frames with contour points on whole pixels, against the truth: the "
+            "paper does not say which it used.",
+            "integer"));
   for (const Case& which : kCases) {
-    const std::vector<Figure> figures = FlightFigures(
-        which.figure, fmt::format("Fig. {}: {}", which.figure[4], which.name), measured.at(IdOf(which, 1)).at("series"));
+    const std::vector<Figure> figures =
+        FlightFigures(which.figure, fmt::format("Fig. {}: {}", which.figure[4], which.name),
+                      measured.at(IdOf(which, 1)).at("series"));
     section.figures.insert(section.figures.end(), figures.begin(), figures.end());
   }
   section.compared = Compared(plan, measured);
@@ -155,12 +163,12 @@ Experiment TableOneExperiment(const PaperPlan& plan, const PaperVehicle& vehicle
   for (const Case& which : kCases) {
     for (int seed = 1; seed <= plan.seeds; ++seed) {
       const Scenario scenario = FlightOf(which, plan, vehicle, seed);
-      experiment.measurements.push_back(
-          {.id = IdOf(which, seed),
-           .expected_s = which.expected_s,
-           .take = [scenario, seed](const StopRequested& stop_requested) {
-             return FlyAndSumUp(scenario, {.integer_contours = true, .series = seed == 1}, stop_requested);
-           }});
+      experiment.measurements.push_back({.id = IdOf(which, seed),
+                                         .expected_s = which.expected_s,
+                                         .take = [scenario, seed](const StopRequested& stop_requested) {
+                                           return FlyAndSumUp(scenario, {.integer_contours = true, .series = seed == 1},
+                                                              stop_requested);
+                                         }});
     }
   }
   experiment.report = [plan](const Measured& measured) { return Report(plan, measured); };

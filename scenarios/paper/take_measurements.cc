@@ -1,6 +1,5 @@
 #include "scenarios/paper/take_measurements.h"
 
-
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -92,9 +91,8 @@ Measured TakeMeasurements(const std::vector<Measurement>& measurements, const Me
       (measurement.alone ? alone : together).push_back(&measurement);
     }
   }
-  std::stable_sort(together.begin(), together.end(), [](const Measurement* a, const Measurement* b) {
-    return a->expected_s > b->expected_s;
-  });
+  std::stable_sort(together.begin(), together.end(),
+                   [](const Measurement* a, const Measurement* b) { return a->expected_s > b->expected_s; });
   Crew crew(store, stop_requested, progress, measured, done_s, whole_s);
   crew.Take(together, jobs);
   crew.Take(alone, 1);

@@ -13,8 +13,8 @@ namespace touchdown::scenarios {
 using MeasurementProgress = std::function<void(double share, const std::string& text)>;
 
 /// Takes what the store does not hold yet, `jobs` at a time, the longest first, those that must be alone last, and
-/// returns all. When one fails, or a stop is requested, those that are running are stopped or finished, what is done stays
-/// in the store, and the first exception is thrown again: Interrupted, or what the measurement threw.
+/// returns all. When one fails, or a stop is requested, those that are running are stopped or finished, what is done
+/// stays in the store, and the first exception is thrown again: Interrupted, or what the measurement threw.
 Measured TakeMeasurements(const std::vector<Measurement>& measurements, const MeasurementStore& store, int jobs,
                           const StopRequested& stop_requested, const MeasurementProgress& progress);
 

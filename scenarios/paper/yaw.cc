@@ -51,10 +51,11 @@ std::string RowsCsv(const std::vector<YawErrors>& rows) {
 }
 
 void ReportTurned(const Measured& measured, ReportSection& section) {
-  ReportTable table{.name = "yaw_methods",
-                    .caption = "Largest and RMS error over a whole turn in steps of one degree, by the height of the H in the image.",
-                    .head = {"method"},
-                    .rows = {}};
+  ReportTable table{
+      .name = "yaw_methods",
+      .caption = "Largest and RMS error over a whole turn in steps of one degree, by the height of the H in the image.",
+      .head = {"method"},
+      .rows = {}};
   constexpr double kHOverHeight_px = 32.0;  // 0.1 m at 320 px of focal length, at 1 m.
   for (const double height_m : kHeights_m) {
     table.head.push_back(fmt::format("{:.0f} px: largest, deg", kHOverHeight_px / height_m));
@@ -65,8 +66,7 @@ void ReportTurned(const Measured& measured, ReportSection& section) {
     std::replace(words.begin(), words.end(), '_', ' ');
     table.rows.push_back({words});
     for (const double height_m : kHeights_m) {
-      const ErrorSize size =
-          SizeOfErrors(RowsOf(measured.at(TurnedId(height_m))), static_cast<YawMethod>(method));
+      const ErrorSize size = SizeOfErrors(RowsOf(measured.at(TurnedId(height_m))), static_cast<YawMethod>(method));
       table.rows.back().push_back(Fixed(size.largest_deg, 3));
       table.rows.back().push_back(Fixed(size.rms_deg, 3));
     }
@@ -79,30 +79,35 @@ void ReportTurned(const Measured& measured, ReportSection& section) {
        .caption = "H and rectangle 100 px high; the ellipse by sub-pixel contour points.",
        .csv = RowsCsv(rows),
        .plot = "set key top right horizontal\nset xlabel 'yaw, deg'\nset ylabel 'error, deg'\nset xrange [0:180]\n"
-               "plot data using 'yaw_deg':'ellipse_of_h_subpixel_deg' with lines lw 1.3 lc rgb ESTIMATE title 'ellipse of H', \\\n"
-               "     data using 'yaw_deg':'moments_of_h_grey_deg' with lines lw 1.3 lc rgb SECOND title 'moments of H', \\\n"
+               "plot data using 'yaw_deg':'ellipse_of_h_subpixel_deg' with lines lw 1.3 lc rgb ESTIMATE title 'ellipse "
+               "of H', \\\n"
+               "     data using 'yaw_deg':'moments_of_h_grey_deg' with lines lw 1.3 lc rgb SECOND title 'moments of "
+               "H', \\\n"
                "     data using 'yaw_deg':'ellipse_of_rectangle_subpixel_deg' with lines lw 1.3 lc rgb SET_POINT title "
                "'ellipse of rectangle'\n"});
   const auto largest = [&](YawMethod method) { return SizeOfErrors(rows, method).largest_deg; };
   const double h_deg = largest(YawMethod::kEllipseOfHSubpixel);
-  section.compared.push_back({.quantity = "Yaw of a turned H by its ellipse, largest error",
-                              .unit = "deg",
-                              .published = kPublishedEllipse_deg,
-                              .ours = h_deg,
-                              .spread = fmt::format("whole pixels {}", Fixed(largest(YawMethod::kEllipseOfHInteger), 3)),
-                              .why = "A larger, sharper synthetic H with its contour at sub-pixel places."});
-  section.compared.push_back({.quantity = "Yaw of a turned H by image moments, largest error",
-                              .unit = "deg",
-                              .published = kPublishedMoments_deg,
-                              .ours = largest(YawMethod::kMomentsOfHGrey),
-                              .spread = fmt::format("of the binary image {}", Fixed(largest(YawMethod::kMomentsOfHBinary), 3)),
-                              .why = "All pixels count, and grey ones by how dark they are."});
-  section.compared.push_back({.quantity = "Yaw of a turned rectangle by its ellipse, largest error",
-                              .unit = "deg",
-                              .published = h_deg,
-                              .ours = largest(YawMethod::kEllipseOfRectangleSubpixel),
-                              .spread = fmt::format("whole pixels {}", Fixed(largest(YawMethod::kEllipseOfRectangleInteger), 3)),
-                              .why = "'Even smaller errors' than the H's: the bound is our H's own."});
+  section.compared.push_back(
+      {.quantity = "Yaw of a turned H by its ellipse, largest error",
+       .unit = "deg",
+       .published = kPublishedEllipse_deg,
+       .ours = h_deg,
+       .spread = fmt::format("whole pixels {}", Fixed(largest(YawMethod::kEllipseOfHInteger), 3)),
+       .why = "A larger, sharper synthetic H with its contour at sub-pixel places."});
+  section.compared.push_back(
+      {.quantity = "Yaw of a turned H by image moments, largest error",
+       .unit = "deg",
+       .published = kPublishedMoments_deg,
+       .ours = largest(YawMethod::kMomentsOfHGrey),
+       .spread = fmt::format("of the binary image {}", Fixed(largest(YawMethod::kMomentsOfHBinary), 3)),
+       .why = "All pixels count, and grey ones by how dark they are."});
+  section.compared.push_back(
+      {.quantity = "Yaw of a turned rectangle by its ellipse, largest error",
+       .unit = "deg",
+       .published = h_deg,
+       .ours = largest(YawMethod::kEllipseOfRectangleSubpixel),
+       .spread = fmt::format("whole pixels {}", Fixed(largest(YawMethod::kEllipseOfRectangleInteger), 3)),
+       .why = "'Even smaller errors' than the H's: the bound is our H's own."});
 }
 
 double MeanOf(const Measured& measured, const std::vector<std::string>& ids, const char* key) {
@@ -123,10 +128,11 @@ void ReportFlown(const PaperPlan& plan, const Measured& measured, ReportSection&
     landed += flight.at("as_expected").get<bool>() ? 1 : 0;
     false_pads += static_cast<int>(flight.value("estimate.false_pads", 0.0));
   }
-  section.paragraphs.push_back(fmt::format(
-      "A pad with a solid rectangle as large as the H in its place, the network retrained on it "
-      "(<code>touchdown train --letter rectangle</code>): {} of {} flights took off, hovered and landed; {} frames showed a false pad.",
-      landed, plan.seeds, false_pads));
+  section.paragraphs.push_back(
+      fmt::format("A pad with a solid rectangle as large as the H in its place, the network retrained on it "
+                  "(<code>touchdown train --letter rectangle</code>): {} of {} flights took off, hovered and landed; "
+                  "{} frames showed a false pad.",
+                  landed, plan.seeds, false_pads));
   ReportTable table{.name = "rectangle_flights",
                     .caption = "The autonomous flight over both pads, RMSE against the truth, mean over the seeds.",
                     .head = {"letter", "XY, mm", "Z, mm", "roll, deg", "pitch, deg", "yaw, deg"},
@@ -144,8 +150,10 @@ void ReportFlown(const PaperPlan& plan, const Measured& measured, ReportSection&
 ReportSection Report(const PaperPlan& plan, const Measured& measured) {
   ReportSection section{.id = "yaw", .title = "Yaw from the letter (Sec. IV-C.3)"};
   section.paragraphs.push_back(
-      "A synthetic H, turned in steps of one degree, seen from straight above without noise: the error of the major axis of the "
-      "ellipse fitted to its contour, as the estimator does it, of image moments, and of the ellipse on a solid rectangle of the "
+      "A synthetic H, turned in steps of one degree, seen from straight above without noise: the error of the major "
+      "axis of the "
+      "ellipse fitted to its contour, as the estimator does it, of image moments, and of the ellipse on a solid "
+      "rectangle of the "
       "same size.");
   ReportTurned(measured, section);
   ReportFlown(plan, measured, section);
@@ -165,11 +173,10 @@ Experiment YawExperiment(const PaperPlan& plan, const PaperVehicle& vehicle) {
   for (int seed = 1; seed <= plan.seeds; ++seed) {
     Scenario scenario = ShippedFlight("rectangle_pad", static_cast<std::uint64_t>(seed));
     vehicle.Equip(scenario);
-    experiment.measurements.push_back({.id = FlownId(seed),
-                                       .expected_s = kFlight_s,
-                                       .take = [scenario](const StopRequested& stop_requested) {
-                                         return FlyAndSumUp(scenario, {}, stop_requested);
-                                       }});
+    experiment.measurements.push_back(
+        {.id = FlownId(seed), .expected_s = kFlight_s, .take = [scenario](const StopRequested& stop_requested) {
+           return FlyAndSumUp(scenario, {}, stop_requested);
+         }});
   }
   experiment.report = [plan](const Measured& measured) { return Report(plan, measured); };
   return experiment;

@@ -1,0 +1,59 @@
+#include "scenarios/paper/figure.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace touchdown::scenarios {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+Figure Line() {
+  return {.name = "line",
+          .title = "A line",
+          .csv = "x,y\n1,2\n2,\n3,1\n4,5\n",
+          .plot = "plot data using 'x':'y' with linespoints pt 7 lc rgb ESTIMATE title 'y'\n",
+          .width_cm = 10.0,
+          .height_cm = 5.0};
+}
+
+TEST(Figure, IsDrawnAsSvgAndPdf) {
+  const DrawnFigure drawn = Draw(Line());
+  EXPECT_THAT(drawn.svg, HasSubstr("<svg"));
+  EXPECT_THAT(drawn.pdf, StartsWith("%PDF-"));
+}
+
+TEST(Figure, FollowsThePagesColoursAndHasNamesOfItsOwn) {
+  const std::string svg = Draw(Line()).page_svg;
+  EXPECT_THAT(svg, StartsWith("<svg"));
+  EXPECT_THAT(svg, HasSubstr("var(--estimate)"));
+  EXPECT_THAT(svg, HasSubstr("var(--muted)"));
+  EXPECT_THAT(svg, HasSubstr("line_gpPt"));
+  EXPECT_THAT(svg, Not(HasSubstr("'gpPt")));
+  EXPECT_THAT(svg, Not(HasSubstr("#0072b2")));
+}
+
+TEST(Figure, IsTheSameEachTime) {
+  const DrawnFigure once = Draw(Line()), again = Draw(Line());
+  EXPECT_EQ(once.svg, again.svg);
+  EXPECT_EQ(once.pdf, again.pdf);
+}
+
+TEST(Figure, TellsWhatGnuplotSays) {
+  Figure figure = Line();
+  figure.plot = "plot nonsense using\n";
+  try {
+    Draw(figure);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("gnuplot: "));
+    EXPECT_THAT(error.what(), HasSubstr("nonsense"));
+  }
+}
+
+}  // namespace
+}  // namespace touchdown::scenarios

@@ -1,0 +1,60 @@
+#include "scenarios/study/statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <vector>
+
+#include "models/random_stream.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+TEST(Statistics, OfAFewNumbers) {
+  const std::vector<double> values{2.0, 4.0, 4.0, 4.0, 5.0, 5.0, 7.0, 9.0};
+  EXPECT_DOUBLE_EQ(Mean(values), 5.0);
+  EXPECT_NEAR(StandardDeviation(values), 2.13809, 1e-5);
+  EXPECT_NEAR(RootMeanSquare(values), 5.38516, 1e-5);
+  EXPECT_DOUBLE_EQ(Quantile(values, 0.0), 2.0);
+  EXPECT_DOUBLE_EQ(Quantile(values, 0.5), 4.5);
+  EXPECT_DOUBLE_EQ(Quantile(values, 1.0), 9.0);
+  EXPECT_THROW(Mean({}), std::invalid_argument);
+}
+
+TEST(MeanInterval, IsStudents) {
+  // t of 9 degrees of freedom at 97.5 %: 2.262 (any table).
+  const std::vector<double> values{1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+  const Interval mean = MeanInterval(values);
+  EXPECT_DOUBLE_EQ(mean.value, 5.5);
+  EXPECT_NEAR(mean.high - mean.value, 2.262157 * 3.02765 / 3.162278, 1e-4);
+  EXPECT_NEAR(mean.value - mean.low, mean.high - mean.value, 1e-12);
+}
+
+TEST(MeanInterval, HoldsTheTrueMeanIn95OfAHundredCases) {
+  models::RandomStream random(1, "tests.mean_interval");
+  constexpr int kCases = 4000;
+  int held = 0;
+  for (int i = 0; i < kCases; ++i) {
+    std::vector<double> values;
+    for (int k = 0; k < 6; ++k) values.push_back(3.0 + 2.0 * random.Normal());
+    const Interval mean = MeanInterval(values);
+    held += mean.low <= 3.0 && 3.0 <= mean.high ? 1 : 0;
+  }
+  EXPECT_NEAR(held / static_cast<double>(kCases), 0.95, 0.012);
+}
+
+TEST(ShareInterval, IsWilsons) {
+  // 10 of 100: 5.5 to 17.4 %; 0 of 100: up to 3.7 %.
+  const Interval tenth = ShareInterval(10, 100);
+  EXPECT_DOUBLE_EQ(tenth.value, 0.1);
+  EXPECT_NEAR(tenth.low, 0.0552, 5e-4);
+  EXPECT_NEAR(tenth.high, 0.1744, 5e-4);
+  const Interval none = ShareInterval(0, 100);
+  EXPECT_EQ(none.low, 0.0);
+  EXPECT_NEAR(none.high, 0.0370, 5e-4);
+  EXPECT_EQ(ShareInterval(7, 7).high, 1.0);
+  EXPECT_THROW(ShareInterval(1, 0), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace touchdown::scenarios
