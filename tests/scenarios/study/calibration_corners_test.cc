@@ -47,7 +47,7 @@ TEST(CalibrationViews, ShowTheBoardWholeAndReachTheImagesCorners) {
       }
     }
     const Eigen::Vector2d size(camera.width_px, camera.height_px);
-    const double reach_px = 0.15 * size.y();  // A square is between the outermost corners and the board's edge.
+    const double reach_px = 0.2 * size.y();  // A square is between the outermost corners and the board's edge.
     EXPECT_LT(least.maxCoeff(), reach_px);
     EXPECT_LT((size - most).maxCoeff(), reach_px);
   }
