@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,13 +36,22 @@ struct Options {
   bool Wants(const char* sensor) const { return what == sensor || what == "all"; }
 };
 
+/// The samples of a file at rest, where it tells them from others; else all.
+std::vector<models::ImuSample> SamplesAtRest(const std::string& file) {
+  constexpr models::TimeBase kMicroseconds{.ticks_per_s = 1'000'000};
+  const std::vector<ImuReading> readings = ReadImuFile(file, kMicroseconds);
+  const bool tells_rest = std::any_of(readings.begin(), readings.end(), [](const auto& r) { return r.at_rest; });
+  std::vector<models::ImuSample> samples;
+  for (const ImuReading& reading : readings) {
+    if (reading.at_rest || !tells_rest) samples.push_back(reading.sample);
+  }
+  return samples;
+}
+
 /// The IMU of a real vehicle that stands on level ground.
 ImuCalibration CalibrateRealImu(const std::string& file) {
-  constexpr models::TimeBase kMicroseconds{.ticks_per_s = 1'000'000};
-  std::vector<models::ImuSample> samples;
-  for (const ImuReading& reading : ReadImuFile(file, kMicroseconds)) samples.push_back(reading.sample);
   try {
-    return ImuCalibrationFrom(samples);
+    return ImuCalibrationFrom(SamplesAtRest(file));
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", file, error.what()));
   }

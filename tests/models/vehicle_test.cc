@@ -147,5 +147,17 @@ TEST(VehicleValidate, RefusesWhatCannotFly) {
   }
 }
 
+TEST(Vehicle, TellsTheMountingOfASensorsPose) {
+  Vehicle vehicle;
+  vehicle.camera = {.position_m = {0.03, -0.01, -0.04}, .misalignment = {0.1, -0.2, 2.0}};
+  vehicle.imu = {.position_m = {0.01, 0.02, 0.03}, .misalignment = {-0.3, 0.1, -1.0}};
+  Vehicle again;
+  again.camera = CameraMountingOf(vehicle.X_BC());
+  again.imu = ImuMountingOf(vehicle.X_BU());
+  EXPECT_TRUE(again.X_BC().isApprox(vehicle.X_BC(), 1e-14));
+  EXPECT_TRUE(again.X_BU().isApprox(vehicle.X_BU(), 1e-14));
+  EXPECT_NEAR(again.camera.misalignment.yaw, 2.0, 1e-14);
+}
+
 }  // namespace
 }  // namespace touchdown::models

@@ -78,6 +78,13 @@ TEST(SchemaOfCamera, HasAKeyForEveryField) {
   EXPECT_EQ(counter.count, FieldCount<sim::CameraConfig>());
 }
 
+TEST(SchemaOfCalibration, HasAKeyForEveryField) {
+  Calibration all{.camera_model = models::CameraModel(), .camera = models::Mounting(), .imu = models::Mounting()};
+  KeyCounter counter;
+  Describe(counter, all);
+  EXPECT_EQ(counter.count, FieldCount<Calibration>());
+}
+
 TEST(SchemaOfWorld, LeavesOutOnlyWhetherTexturesArePainted) {
   EXPECT_EQ(KeyCount<sim::WorldConfig>() + 1, FieldCount<sim::WorldConfig>());
 }

@@ -392,6 +392,60 @@ TEST_F(ScenarioWithFiles, WritesAPadsMarksAsItReadsThem) {
   EXPECT_EQ(ParseScenario(ScenarioYaml(scenario), "f", "/nowhere").pad, pad);
 }
 
+TEST(ScenariosCalibration, IsTheTruthWhereItIsLeftOut) {
+  const Scenario plain = Parse(With("vehicle: {camera: {misalignment_deg: [1, 2, 3]}}\n"));
+  EXPECT_EQ(plain.assumed_camera(), plain.camera.model);
+  EXPECT_EQ(plain.assumed_vehicle().X_BC().matrix(), plain.vehicle.X_BC().matrix());
+  EXPECT_EQ(plain.assumed_vehicle().X_BU().matrix(), plain.vehicle.X_BU().matrix());
+  EXPECT_THAT(ScenarioYaml(plain), Not(HasSubstr("calibration"))) << "a resolved scenario follows its truth";
+  EXPECT_NO_THROW(Parse(With("calibration: {}\n")));
+
+  const Scenario partly =
+      Parse(With("calibration: {camera: {misalignment_deg: [4, 5, 6]}, camera_model: {fx_px: 321}}\n"),
+            {"vehicle.camera.position_m=[0.1, 0, -0.02]", "camera.model.k1=-0.12"});
+  EXPECT_EQ(partly.calibration.camera->position_m, Eigen::Vector3d(0.1, 0.0, -0.02)) << "the truth, as overridden";
+  EXPECT_EQ(partly.assumed_camera().fx_px, 321.0);
+  EXPECT_EQ(partly.assumed_camera().k1, -0.12);
+  EXPECT_EQ(partly.camera.model.fx_px, 320.0) << "the truth stays";
+  EXPECT_FALSE(partly.calibration.imu);
+}
+
+TEST(ScenariosCalibration, IsReadAgainFromItsOwnYamlToTheLastBit) {
+  const Scenario scenario =
+      Parse(With("calibration: {camera: {misalignment_deg: [1.2345678901234567, 0.1, 3]}, imu: {misalignment_deg: "
+                 "[0.3, 0.7, 1]}}\n"),
+            {"calibration.camera_model.k2=0.012345678901234567", "calibration.imu.misalignment_deg.2=-1.1"});
+  const std::string yaml = ScenarioYaml(scenario);
+  const Scenario again = ParseScenario(yaml, "f", "/nowhere");
+  EXPECT_EQ(ScenarioYaml(again), yaml);
+  EXPECT_EQ(again.assumed_camera(), scenario.assumed_camera());
+  EXPECT_EQ(again.assumed_vehicle().X_BC().matrix(), scenario.assumed_vehicle().X_BC().matrix());
+  EXPECT_EQ(again.assumed_vehicle().X_BU().matrix(), scenario.assumed_vehicle().X_BU().matrix());
+  EXPECT_DOUBLE_EQ(again.calibration.imu->misalignment.yaw, models::DegToRad(-1.1));
+}
+
+TEST(ScenariosCalibration, NamesWhatIsWrong) {
+  EXPECT_THAT(ErrorOf(With("calibration: {lens: 3}\n")), StartsWith("f.yaml:4: calibration.lens: unknown key"));
+  EXPECT_THAT(ErrorOf(With("calibration: {imu: {yaw: 3}}\n")), HasSubstr("calibration.imu.yaw: unknown key"));
+  EXPECT_THAT(ErrorOf(With("calibration: {camera_model: {width_px: 320}}\n")),
+              StartsWith("f.yaml:4: calibration.camera_model: is for 320 x 480 px, but the camera's images have"));
+  EXPECT_THAT(ErrorOf(With("calibration: {camera: {position_m: [0, 0, -1]}}\n")),
+              StartsWith("f.yaml:4: calibration.camera: the vehicle's camera must sit above its feet"));
+}
+
+TEST_F(ScenarioWithFiles, ReadsACalibrationBesideItAndARosOneWithinIt) {
+  std::string camera = kCameraInfo;
+  Put("camera.yaml", camera);
+  Put("calibration.yaml", "camera_model: camera.yaml\nimu: {misalignment_deg: [1, 0, 0]}\n");
+  const Scenario scenario = Load("calibration: calibration.yaml\ncamera: {model: {width_px: 752, cx_px: 375.5}}\n");
+  EXPECT_EQ(scenario.assumed_camera(), LoadCameraModel(folder_ / "camera.yaml"));
+  EXPECT_NE(scenario.camera.model.fx_px, 458.654);
+  EXPECT_DOUBLE_EQ(scenario.assumed_vehicle().imu.misalignment.roll, models::DegToRad(1.0));
+  Put("again.yaml", CalibrationYaml(LoadCalibration(folder_ / "calibration.yaml")));
+  EXPECT_EQ(CalibrationYaml(LoadCalibration(folder_ / "again.yaml")),
+            CalibrationYaml(LoadCalibration(folder_ / "calibration.yaml")));
+}
+
 TEST_F(ScenarioWithFiles, NamesTheFileAndTheKeyThatNamedIt) {
   EXPECT_THAT(LoadError("pad: none.yaml\n"),
               AllOf(HasSubstr("flight.yaml:4: pad: "), HasSubstr("none.yaml: no such file")));

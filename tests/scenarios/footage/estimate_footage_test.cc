@@ -7,6 +7,7 @@
 
 #include "models/error.h"
 #include "scenarios/flight/scenario.h"
+#include "scenarios/footage/euroc_sensor.h"
 #include "scenarios/footage/poses_table.h"
 #include "scenarios/report/flight_folder.h"
 #include "tests/support/temporary_folder.h"
@@ -59,7 +60,10 @@ class RecordedFlight : public ::testing::Test {
                                     std::string("expect=gave_up"),
                                     std::string("pad.outer_radius_m=0.085"),
                                     std::string("vehicle.camera.misalignment_deg=[1, -2, 3]"),
-                                    std::string("vehicle.imu.misalignment_deg=[2, 1, 30]")};
+                                    std::string("vehicle.imu.misalignment_deg=[2, 1, 30]"),
+                                    std::string("calibration.camera.misalignment_deg=[1.3, -2, 3]"),
+                                    std::string("calibration.camera_model.fx_px=321"),
+                                    std::string("calibration.imu.misalignment_deg=[2.2, 1, 29]")};
     overrides.insert(overrides.end(), more.begin(), more.end());
     const Scenario scenario =
         LoadScenario(std::filesystem::path(TOUCHDOWN_SOURCE_DIR) / "scenarios" / "flights" / "landing.yaml", overrides);
@@ -73,6 +77,13 @@ TEST_F(RecordedFlight, GivesTheFlightsOwnPosesToTheLastDigit) {
   Fly();
   const auto footage = OpenFootage(folder_ / "flight");
   const FootageFacts& facts = footage->facts();
+  EXPECT_EQ(facts.camera->fx_px, 321.0) << "as the flight's estimator was told";
+  const EurocCamera camera = ReadEurocCamera(folder_ / "flight/recording/mav0/cam0/sensor.yaml");
+  EXPECT_EQ(camera.model, facts.camera);
+  EXPECT_EQ(camera.X_BC.matrix(), facts.mounting->X_BC.matrix());
+  EXPECT_EQ(ReadEurocMounting(folder_ / "flight/recording/mav0/imu0/sensor.yaml").matrix(),
+            facts.mounting->X_BU.matrix());
+  EXPECT_EQ(LoadCameraModel(folder_ / "flight/recording/camera.yaml"), facts.camera);
   const auto estimates = EstimateFootage(*footage, SetupOf(facts));
   const std::vector<std::string> names = {"t_s",      "status",    "x_m",     "y_m",      "z_m",
                                           "roll_deg", "pitch_deg", "yaw_deg", "pad_u_px", "pad_v_px"};
