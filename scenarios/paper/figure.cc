@@ -181,7 +181,8 @@ DrawnFigure Draw(const Figure& figure) {
   std::ofstream(folder.path() / "data.csv") << figure.csv;
   std::ofstream(folder.path() / "figure.gp") << Script(figure, folder.path());
   RunGnuplot(folder.path() / "figure.gp", folder.path() / "words");
-  DrawnFigure drawn{.svg = TextOf(folder.path() / "figure.svg"), .pdf = TextOf(folder.path() / "figure.pdf")};
+  DrawnFigure drawn{
+      .svg = TextOf(folder.path() / "figure.svg"), .page_svg = {}, .pdf = TextOf(folder.path() / "figure.pdf")};
   if (drawn.svg.empty() || drawn.pdf.empty()) throw std::runtime_error("gnuplot drew nothing of " + figure.name);
   drawn.page_svg = ForThePage(drawn.svg, figure.name);
   return drawn;

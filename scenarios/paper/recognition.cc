@@ -50,10 +50,10 @@ class Room {
             {.camera = told.camera.model, .pad = told.pad, .X_BC = told.vehicle.X_BC(), .time = told.time})) {}
 
   struct Seen {
-    View view;
-    models::Image image;
-    std::vector<std::optional<FrameTrace::Label>> truth;  ///< Of each component, where it is clear.
-    estimator::FrameEstimate estimate;
+    View view = {};
+    models::Image image = {};
+    std::vector<std::optional<FrameTrace::Label>> truth = {};  ///< Of each component, where clear.
+    estimator::FrameEstimate estimate = {};
   };
 
   /// With a pad, half of the views look for it; all others look for decoys.

@@ -57,8 +57,8 @@ class Studio {
             {.camera = told.camera.model, .pad = told.pad, .X_BC = told.vehicle.X_BC(), .time = told.time})) {}
 
   struct Taken {
-    models::Image image;
-    estimator::FrameEstimate seen;
+    models::Image image = {};
+    estimator::FrameEstimate seen = {};
   };
 
   Taken Take(const Look& look) {
@@ -130,8 +130,8 @@ Json Stages(const Scenario& told) {
   }
   estimator::FrameTrace labels;
   labels.components = taken.seen.trace.components;
-  const cv::Mat3b classified =
-      AnnotateFrame(taken.image.View(), told.camera.model, {.trace = labels, .pad_px = taken.seen.pad_px});
+  const cv::Mat3b classified = AnnotateFrame(taken.image.View(), told.camera.model,
+                                             {.trace = labels, .pad_px = taken.seen.pad_px, .X_WC = std::nullopt});
   return PictureJson(
       "fig_2_stages", "Fig. 2: the steps of the recognition",
       "The image, its dark pixels, the connected components, and their classes: circles green, letters H "
@@ -185,8 +185,8 @@ Json ClutteredViews(const Scenario& told) {
   for (const Look& look : looks) {
     Studio studio(told, seed++);
     Studio::Taken taken = studio.Take(look);
-    tiles.push_back(
-        AnnotateFrame(taken.image.View(), told.camera.model, {.trace = taken.seen.trace, .pad_px = taken.seen.pad_px}));
+    tiles.push_back(AnnotateFrame(taken.image.View(), told.camera.model,
+                                  {.trace = taken.seen.trace, .pad_px = taken.seen.pad_px, .X_WC = std::nullopt}));
   }
   return PictureJson(
       "fig_4_clutter", "Fig. 4: recognition in clutter",
@@ -218,7 +218,8 @@ Json FittedPatches(const Scenario& told) {
                             cv::Rect(0, 0, taken.image.width, taken.image.height);
     estimator::FrameTrace ellipses = taken.seen.trace;
     ellipses.components.clear();
-    const cv::Mat3b drawn = AnnotateFrame(taken.image.View(), told.camera.model, {.trace = ellipses});
+    const cv::Mat3b drawn = AnnotateFrame(taken.image.View(), told.camera.model,
+                                          {.trace = ellipses, .pad_px = std::nullopt, .X_WC = std::nullopt});
     const auto tile = [&](const cv::Mat3b& whole) {
       cv::Mat3b scaled;
       cv::resize(whole(around), scaled, {kSide, kSide}, 0, 0, cv::INTER_CUBIC);
