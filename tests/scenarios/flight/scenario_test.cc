@@ -182,7 +182,8 @@ TEST(Scenario, ReadsASettingTheSunAndHowTheGroundLies) {
   EXPECT_THAT(ErrorOf(With("scene: {setting: moon}\n")), HasSubstr("scene.setting: must be one of indoor, outdoor"));
   EXPECT_THAT(ErrorOf(With("scene: {sun: {elevation_deg: 5}}\n")),
               HasSubstr("scene.sun.elevation_deg: must be from 10 to 90, is 5"));
-  EXPECT_THAT(ErrorOf(With("world: {ground_tilt_deg: [16, 0]}\n")), HasSubstr("world.ground_tilt_deg: must be"));
+  EXPECT_THAT(ErrorOf(With("world: {ground_tilt_deg: [16, 0]}\n")),
+              HasSubstr("world.ground_tilt_deg.0: must be from -15 to 15, is 16"));
   EXPECT_THAT(ErrorOf(With("world: {ground_tilt_deg: [12, 12]}\n")),
               HasSubstr("world.ground_tilt_deg: the ground must not be steeper than 15 degrees"));
 }
