@@ -30,7 +30,7 @@ struct SceneConfig {
   int objects = 8;            ///< Solid boxes and cylinders, outdoors stones and balls too.
   double illumination = 1.0;  ///< Gain of the light, 1: nominal. Paper saturates the image at about 1.13.
   bool pad = true;            ///< Whether the landing pad is there at all.
-  Sun sun;                    ///< Outdoors.
+  Sun sun = {};               ///< Outdoors.
 
   bool IsOutdoor() const { return setting == Setting::kOutdoor; }
 

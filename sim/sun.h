@@ -10,8 +10,9 @@ namespace touchdown::sim {
 struct Sun {
   double elevation = models::DegToRad(45.0);  ///< Over the ground's plane.
   double azimuth = models::DegToRad(60.0);    ///< Where it stands, from X towards Y.
-  /// Its light on the ground over the sky's: 0 is overcast and without shadows, a clear sky at noon gives some 4.
-  double to_sky = 3.0;
+  /// Its light on the ground over the sky's: 0 is overcast and without shadows, thin cloud leaves some 0.5, a clear
+  /// sky 4.
+  double to_sky = 0.5;
 
   /// Throws InputError, without a file name, for an elevation outside [10, 90] degrees, a ratio outside [0, 20] or an
   /// azimuth that is not finite.

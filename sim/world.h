@@ -20,7 +20,7 @@ namespace touchdown::sim {
 struct WorldConfig {
   VibrationConfig vibration;
   Eigen::Vector3d wind_m_s = Eigen::Vector3d::Zero();  ///< Mean wind in W.
-  GroundTilt ground_tilt;
+  GroundTilt ground_tilt = {};
   bool paint_textures = true;  ///< Only a renderer needs them, and they take most of the start.
 
   /// Throws InputError when a number is not finite, the imbalance negative or the ground too steep.

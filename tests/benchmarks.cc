@@ -114,10 +114,10 @@ BENCHMARK_CAPTURE(AprilTag, undecimated, 1.0F)->Name(kAprilTag)->Unit(benchmark:
 BENCHMARK_CAPTURE(AprilTag, decimated_by_2, 2.0F)->Unit(benchmark::kMillisecond);
 
 /// One camera period of the closed loop's simulation: 20 physics ticks and a frame.
-void BM_SimulatedCameraPeriod(benchmark::State& state) {
+void SimulatedCameraPeriod(benchmark::State& state, sim::SceneConfig::Setting setting) {
   const models::Vehicle vehicle;
   const models::TimeBase time;
-  sim::World world({}, vehicle, sim::MakeScene({}, {}, 1), time, 1);
+  sim::World world({}, vehicle, sim::MakeScene({.setting = setting}, {}, 1), time, 1);
   sim::Camera camera({}, vehicle.X_BC(), world, time, 1);
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   X_WB.translation().z() = 1.0;
@@ -132,7 +132,12 @@ void BM_SimulatedCameraPeriod(benchmark::State& state) {
     }
   }
 }
-BENCHMARK(BM_SimulatedCameraPeriod)->Unit(benchmark::kMillisecond)->Iterations(120);
+BENCHMARK_CAPTURE(SimulatedCameraPeriod, indoor, sim::SceneConfig::Setting::kIndoor)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(120);
+BENCHMARK_CAPTURE(SimulatedCameraPeriod, outdoor, sim::SceneConfig::Setting::kOutdoor)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(120);
 
 /// Shows the runs and keeps what each took.
 class Reporter : public benchmark::ConsoleReporter {

@@ -185,6 +185,7 @@ void Describe(ConfigVisitor& v, sim::WorldConfig& c) {
       {&c.ground_tilt.roll, &c.ground_tilt.pitch}, kDegree, Between(-15.0, 15.0));
   v.Number({"imbalance_kg_m", "Mass times eccentricity of each rotor: it shakes IMU and camera."},
            c.vibration.imbalance_kg_m, {"kg m"}, Between(0.0, 1.0));
+  v.Check("ground_tilt_deg", [&c] { c.ground_tilt.Validate(); });
   v.Check("", [&c] { c.Validate(); });
 }
 

@@ -1,4 +1,4 @@
-// Whole flights, as a user flies them: the three scenarios of the project, and what must hold of any flight.
+// Whole flights, as a user flies them: the scenarios of the project, and what must hold of any flight.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -70,6 +70,10 @@ TEST(Flights, TakeoffHoverLandPassesAndLooksAsInTheREADME) {
 TEST(Flights, DisturbedHoverPasses) { ExpectPass(Fly(Flight("disturbed_hover"))); }
 
 TEST(Flights, LandingPasses) { ExpectPass(Fly(Flight("landing"))); }
+
+TEST(Flights, OutdoorPasses) {
+  for (const char* seed : {"seed=1", "seed=3"}) ExpectPass(Fly(Flight("outdoor", {seed})));
+}
 
 TEST(Flights, ACoveredPadEndsInGivingUp) {
   const FlightResult result =

@@ -69,6 +69,36 @@ TEST(ClosedLoop, FollowsAVehicleThatAHandCarries) {
   }
 }
 
+/// Keeps what the IMU measured before the flight.
+class StandingImu final : public FlightObserver {
+ public:
+  void OnImu(const models::ImuSample& sample, bool /*at_rest*/) override {
+    if (sample.tick >= 0) return;
+    sum_ += sample.specific_force_U;
+    ++count_;
+  }
+  Vector3d mean() const { return sum_ / count_; }
+
+ private:
+  Vector3d sum_ = Vector3d::Zero();
+  int count_ = 0;
+};
+
+TEST(ClosedLoop, StandsOnTheSlopeHeadingAsItStartsBeforeAFlightFromTheAir) {
+  Scenario scenario;
+  scenario.start = {.airborne = true, .yaw = 0.5 * models::kPi};
+  scenario.script = {{.kind = controller::ManoeuvreKind::kHover, .position_m = {0.0, 0.0, 1.0}, .duration_s = 60.0}};
+  scenario.time_limit_s = 0.1;
+  scenario.world.paint_textures = false;
+  scenario.world.ground_tilt.roll = 0.1;  // Lower towards -Y of W, which lies behind the vehicle.
+  scenario.imu.accelerometer_bias_sigma_m_s2 = 0.0;
+  StandingImu imu;
+  FlightObserver* const observers[] = {&imu};
+  FlyClosedLoop(scenario, observers, nullptr);
+  const Vector3d expected = models::kGravity_m_s2 * Vector3d(std::sin(0.1), 0.0, std::cos(0.1));
+  EXPECT_LT((imu.mean() - expected).norm(), 0.01) << imu.mean().transpose();
+}
+
 /// Takes its time.
 class SlowObserver final : public FlightObserver {
  public:

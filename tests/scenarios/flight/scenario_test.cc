@@ -46,7 +46,7 @@ std::string ErrorOf(const std::string& text, std::vector<std::string> overrides 
 }
 
 TEST(Scenario, ReadsTheFlightsOfTheProject) {
-  for (const char* name : {"takeoff_hover_land", "disturbed_hover", "landing"}) {
+  for (const char* name : {"takeoff_hover_land", "disturbed_hover", "landing", "outdoor"}) {
     const Scenario scenario = LoadScenario(kFlights / (std::string(name) + ".yaml"));
     EXPECT_EQ(scenario.name, name);
     EXPECT_FALSE(scenario.criteria.empty());
@@ -170,6 +170,24 @@ TEST(Scenario, RefusesAMarkThatIsNoneAndNamesItsLineAndKey) {
   EXPECT_THAT(ErrorOf(With(kMarks), {"pad.marks.2.x_m=0"}), HasSubstr("pad.marks.2: unknown key"));
 }
 
+TEST(Scenario, ReadsASettingTheSunAndHowTheGroundLies) {
+  const Scenario s =
+      Parse(With("scene: {setting: outdoor, sun: {elevation_deg: 30, to_sky: 2}}\n"
+                 "world: {ground_tilt_deg: [3, -4.5]}\n"));
+  EXPECT_TRUE(s.scene.IsOutdoor());
+  EXPECT_DOUBLE_EQ(s.scene.sun.elevation, models::kPi / 6.0);
+  EXPECT_EQ(s.scene.sun.to_sky, 2.0);
+  EXPECT_DOUBLE_EQ(s.world.ground_tilt.roll, models::kPi / 60.0);
+  EXPECT_DOUBLE_EQ(s.world.ground_tilt.pitch, -models::kPi / 40.0);
+  EXPECT_THAT(ErrorOf(With("scene: {setting: moon}\n")), HasSubstr("scene.setting: must be one of indoor, outdoor"));
+  EXPECT_THAT(ErrorOf(With("scene: {sun: {elevation_deg: 5}}\n")),
+              HasSubstr("scene.sun.elevation_deg: must be from 10 to 90, is 5"));
+  EXPECT_THAT(ErrorOf(With("world: {ground_tilt_deg: [16, 0]}\n")),
+              HasSubstr("world.ground_tilt_deg.0: must be from -15 to 15, is 16"));
+  EXPECT_THAT(ErrorOf(With("world: {ground_tilt_deg: [12, 12]}\n")),
+              HasSubstr("world.ground_tilt_deg: the ground must not be steeper than 15 degrees"));
+}
+
 TEST(Scenario, NamesTheOverrideThatIsWrong) {
   EXPECT_THAT(ErrorOf(With(""), {"camera.fps=60"}), StartsWith("--set camera.fps=60: camera.fps: unknown key"));
   EXPECT_THAT(ErrorOf(With(""), {"camera.rate_hz=fast"}), HasSubstr("camera.rate_hz: must be a whole number"));
@@ -252,7 +270,7 @@ TEST(Scenario, KnowsOnlyTheKeysOfAnItemsKind) {
 }
 
 TEST(Scenario, ReadsItsOwnYamlToTheSameScenario) {
-  for (const char* name : {"takeoff_hover_land", "disturbed_hover", "landing"}) {
+  for (const char* name : {"takeoff_hover_land", "disturbed_hover", "landing", "outdoor"}) {
     const std::vector<std::string> overrides = {"start.yaw_deg=12.3456789", "camera.exposure_ms=3.3333333333333335",
                                                 "imu.gyro_range_deg_s=499.99999999999994", "description=\"a: b\\n#c\""};
     const Scenario scenario = LoadScenario(kFlights / (std::string(name) + ".yaml"), Overrides(overrides));
