@@ -71,6 +71,8 @@ TEST(Flights, DisturbedHoverPasses) { ExpectPass(Fly(Flight("disturbed_hover")))
 
 TEST(Flights, LandingPasses) { ExpectPass(Fly(Flight("landing"))); }
 
+TEST(Flights, RectanglePadPasses) { ExpectPass(Fly(Flight("rectangle_pad"))); }
+
 TEST(Flights, ACoveredPadEndsInGivingUp) {
   const FlightResult result =
       Fly(Flight("landing", {"events=[{at_s: 1.0, do: cover_pad, duration_s: 100}]", "expect=gave_up", "criteria=[]"}));
