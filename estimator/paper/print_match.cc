@@ -106,7 +106,7 @@ std::optional<int> PartAt(const models::LandingPad& pad, double margin_m, const 
   const int stroke_end = kFirstStroke + (p_W.x() > 0.0 ? 1 : 0) + (p_W.y() > 0.0 ? 2 : 0);
   const bool inside = x < half_height - margin_m && y < half_width - margin_m;
   if (pad.letter() == models::PadLetter::kRectangle) {
-    constexpr double kCorner = 0.6;  // Of the way from the middle. An ellipse of the same area lacks half of it.
+    constexpr double kCorner = 0.7;  // Of the way from the middle. An ellipse of the same area lacks half of it.
     if (inside) return x > kCorner * half_height && y > kCorner * half_width ? stroke_end : kBar;
   } else if (x < half_bar - margin_m && y < between) {
     return kBar;

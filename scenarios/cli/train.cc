@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <string>
 
@@ -19,16 +18,18 @@ namespace {
 
 struct Options {
   std::string out;
-  models::PadLetter letter = models::PadLetter::kH;
+  std::string letter = "h";
   std::uint64_t seed = 1;
   Talk talk;
 };
 
 int TrainWith(const Options& options) {
-  OutputFolder folder(options.out, {.files = ClassifierFileNames(options.letter), .mark = "\"touchdown.classifier\""});
+  const models::PadLetter letter =
+      options.letter == "rectangle" ? models::PadLetter::kRectangle : models::PadLetter::kH;
+  OutputFolder folder(options.out, {.files = ClassifierFileNames(letter), .mark = "\"touchdown.classifier\""});
   ClassifierStudy study = [&] {
     Progress progress(!options.talk.ForPeople());
-    return StudyClassifier(ClassifierStudyConfig::For(options.letter), options.seed,
+    return StudyClassifier(ClassifierStudyConfig::For(letter), options.seed,
                            [&](const std::string& text, double share) {
                              if (InterruptRequested()) throw Interrupted();
                              if (progress.IsDue()) progress.Tell(share, text);
@@ -47,11 +48,9 @@ void AddTrain(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
   CLI::App& command = *app.add_subcommand("train", "Train the classifier on rendered scenes and write it as C code");
   command.add_option("--out", options->out, "Folder for the code, the confusion matrix and the pictures")->required();
-  const std::map<std::string, models::PadLetter> letters{{"h", models::PadLetter::kH},
-                                                         {"rectangle", models::PadLetter::kRectangle}};
-  command.add_option("--letter", options->letter, "What stands within the pads' rings: h (default) or rectangle")
-      ->option_text("NAME")
-      ->transform(CLI::CheckedTransformer(letters));
+  command.add_option("--letter", options->letter, "What stands within the ring of its pads")
+      ->check(CLI::IsMember({"h", "rectangle"}))
+      ->capture_default_str();
   command.add_option("--seed", options->seed, "Seed of scenes, views and training")->capture_default_str();
   AddTalk(command, options->talk);
   command.callback([options, &run] { run = [options] { return TrainWith(*options); }; });

@@ -89,7 +89,8 @@ void Describe(ConfigVisitor& v, models::LandingPad& c) {
   v.Number({"ring_width_m", "Of the ring's black."}, c.ring_width_m, kMetre, kPositive);
   v.Number({"h_height_m", "Length of the H's long strokes, along X."}, c.h_height_m, kMetre, kPositive);
   v.Number({"h_width_m", "Over both long strokes, along Y."}, c.h_width_m, kMetre, kPositive);
-  v.Number({"h_stroke_m", "Width of the H's strokes."}, c.h_stroke_m, kMetre, kPositive);
+  v.Number({"h_stroke_m", "Width of the H's strokes. Half of h_width_m makes the H a solid rectangle."}, c.h_stroke_m,
+           kMetre, kPositive);
   v.Number({"sheet_length_m", "Of the white sheet, along X."}, c.sheet_length_m, kMetre, kPositive);
   v.Number({"sheet_width_m", "Of the white sheet, along Y."}, c.sheet_width_m, kMetre, kPositive);
   v.List(
@@ -168,7 +169,8 @@ void Describe(ConfigVisitor& v, sim::SceneConfig& c) {
            Between(4.0, 30.0));
   v.Integer({"posters", "Sheets rich in texture."}, c.posters, Between(0, 40));
   v.Integer({"lone_circles", "Rings without an H."}, c.lone_circles, Between(0, 40));
-  v.Integer({"lone_letters", "Letters H without a ring."}, c.lone_letters, Between(0, 40));
+  v.Integer({"lone_letters", "Letters without a ring: Hs, or rectangles where the pad has one."}, c.lone_letters,
+            Between(0, 40));
   v.Integer({"objects", "Solid boxes and cylinders; outdoors stones and balls too."}, c.objects, Between(0, 40));
   v.Number({"illumination", "Gain of the light, 1 is nominal."}, c.illumination, kNoUnit, PositiveUpTo(4.0));
   v.Boolean({"pad", "Whether the landing pad is there."}, c.pad);

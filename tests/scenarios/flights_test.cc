@@ -75,6 +75,8 @@ TEST(Flights, OutdoorPasses) {
   for (const char* seed : {"seed=1", "seed=3"}) ExpectPass(Fly(Flight("outdoor", {seed})));
 }
 
+TEST(Flights, RectanglePadPasses) { ExpectPass(Fly(Flight("rectangle_pad"))); }
+
 TEST(Flights, ACoveredPadEndsInGivingUp) {
   const FlightResult result =
       Fly(Flight("landing", {"events=[{at_s: 1.0, do: cover_pad, duration_s: 100}]", "expect=gave_up", "criteria=[]"}));
