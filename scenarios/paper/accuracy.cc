@@ -232,7 +232,9 @@ ReportSection Report(const PaperPlan& plan, const Measured& measured) {
       "as sharp "
       "as they can be, at the noise and contrast of the frames; it holds for the random part. Seen frontally there is "
       "none: "
-      "a tilt moves the edge as a shift does.",
+      "a tilt moves the edge as a shift does. At large roll most of the position's error is systematic: the H, seen "
+      "askew, turns the position about "
+      "the pad by the error of its yaw.",
       plan.placements, plan.frames_per_placement)};
   const std::string csv = CellsCsv(cells);
   section.figures.push_back({.name = "fig_10a_position",

@@ -11,6 +11,7 @@
 #include "scenarios/flight/metrics.h"
 #include "scenarios/paper/shadow_estimator.h"
 #include "scenarios/paper/shipped_flights.h"
+#include "scenarios/report/published.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -21,22 +22,11 @@ double Rounded(double value, double step) { return std::round(value / step) * st
 
 /// In mm and deg, by short names.
 Json ErrorsJson(std::span<const FrameRecord> frames) {
-  struct Name {
-    const char* metric;
-    const char* name;
-    double scale;
-  };
-  constexpr std::array<Name, 6> kNames = {{{"estimate.xy_rmse_m", "xy_mm", 1e3},
-                                           {"estimate.z_rmse_m", "z_mm", 1e3},
-                                           {"estimate.xyz_rmse_m", "xyz_mm", 1e3},
-                                           {"estimate.roll_rmse_deg", "roll_deg", 1.0},
-                                           {"estimate.pitch_rmse_deg", "pitch_deg", 1.0},
-                                           {"estimate.yaw_rmse_deg", "yaw_deg", 1.0}}};
   const Metrics errors = PoseErrors(frames);
   Json json = Json::object();
-  for (const Name& name : kNames) {
-    if (const auto found = errors.find(name.metric); found != errors.end()) {
-      json[name.name] = found->second * name.scale;
+  for (const TableOneRow& row : kTableOne) {
+    if (const auto found = errors.find(row.metric); found != errors.end()) {
+      json[std::string(row.key)] = found->second * row.scale;
     }
   }
   return json;
@@ -87,7 +77,7 @@ void PutPose(Json& row, const std::optional<Eigen::Isometry3d>& X_WB) {
 
 /// Rows of time, truth, tracking and vision: at most so many.
 Json SeriesJson(const FlightLog& log, models::Tick tracking_period) {
-  constexpr std::size_t kMostRows = 1500;
+  constexpr std::size_t kMostRows = 700;
   const std::size_t stride = 1 + log.frames.size() / kMostRows;
   Json rows = Json::array();
   for (std::size_t i = 0; i < log.frames.size(); i += stride) {

@@ -115,7 +115,7 @@ ReportSection Report(const PaperPlan& plan, const Measured& measured) {
        .csv = PlacesCsv(many),
        .plot = fmt::format("set size ratio -1\nset xlabel 'x, mm'\nset ylabel 'y, mm'\nset xrange [-100:100]\n"
                            "set yrange [-100:100]\nunset key\n"
-                           "set object 1 circle at 0,0 size 90 fs empty border rgb MUTED lw 1.2\n"
+                           "set object 1 circle at first 0,0 size first 90 fs empty border rgb MUTED lw 1.2\n"
                            "set object 2 rect from -{0},-{1} to {0},{1} fs empty border rgb SET_POINT dt 2 lw 1.2\n"
                            "plot data using 'x_mm':'y_mm' with points pt 7 ps 0.35 lc rgb ESTIMATE\n",
                            kPublishedX_mm, kPublishedY_mm),

@@ -17,7 +17,7 @@ using models::RandomStream;
 
 constexpr std::array<double, 6> kRadii_m = {0.045, 0.060, 0.090, 0.120, 0.150, 0.180};
 constexpr double kNoiseSigma = 3.0;
-constexpr double kLowest_m = 0.03, kHighest_m = 6.0, kStep = 1.18;  // Heights of the camera over the pad.
+constexpr double kLowest_m = 0.03, kHighest_m = 8.0, kStep = 1.18;  // Heights of the camera over the pad.
 constexpr double kFoundShare = 0.9;
 
 /// The built-in pad at another scale.

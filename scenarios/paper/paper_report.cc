@@ -15,6 +15,8 @@ namespace {
 using kainjow::mustache::data;
 using Files = std::map<std::string, std::string>;
 
+constexpr double kPagePxPerCm = 56.0;
+
 data Flag(bool on) { return on ? data::type::bool_true : data::type::bool_false; }
 
 std::string Figure3(double value) { return value == 0.0 ? "0" : fmt::format("{:.3g}", value); }
@@ -102,6 +104,7 @@ data SectionData(const ReportSection& section, Files& files) {
     item.set("title", figure.title);
     item.set("caption", figure.caption);
     item.set("svg", drawn.page_svg);
+    item.set("width", fmt::format("{:.0f}", kPagePxPerCm * figure.width_cm));
     figures << item;
   }
   for (const ReportPicture& picture : section.pictures) {

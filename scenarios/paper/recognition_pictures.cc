@@ -213,8 +213,8 @@ Json FittedPatches(const Scenario& told) {
     Studio::Taken taken = studio.Take(look);
     if (!taken.seen.ring_box) continue;
     const estimator::PixelBox& box = *taken.seen.ring_box;
-    const int margin = std::max(6, box.width / 6);
-    const cv::Rect around = cv::Rect(box.u - margin, box.v - margin, box.width + 2 * margin, box.height + 2 * margin) &
+    const int side = std::max(box.width, box.height) * 4 / 3;
+    const cv::Rect around = cv::Rect(box.u + (box.width - side) / 2, box.v + (box.height - side) / 2, side, side) &
                             cv::Rect(0, 0, taken.image.width, taken.image.height);
     estimator::FrameTrace ellipses = taken.seen.trace;
     ellipses.components.clear();
@@ -230,11 +230,10 @@ Json FittedPatches(const Scenario& told) {
   }
   const int columns = static_cast<int>(patches.size());
   patches.insert(patches.end(), fitted.begin(), fitted.end());
-  return PictureJson(
-      "fig_5_ellipses", "Fig. 5: fitted ellipses",
-      "Patches of the pad from various perspectives, every third blurred by motion, stretched to squares, and "
-      "below them the ellipses of both of the ring's edges and of the H, with their axes.",
-      Grid(patches, columns));
+  return PictureJson("fig_5_ellipses", "Fig. 5: fitted ellipses",
+                     "Patches of the pad from various perspectives, every third blurred by motion, and "
+                     "below them the ellipses of both of the ring's edges and of the H, with their axes.",
+                     Grid(patches, columns));
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 
 #include "scenarios/paper/flight_figures.h"
 #include "scenarios/paper/flown_flight.h"
-#include "scenarios/paper/published.h"
 #include "scenarios/paper/text.h"
+#include "scenarios/report/published.h"
 #include "scenarios/study/statistics.h"
 
 namespace touchdown::scenarios {
@@ -49,19 +49,19 @@ std::vector<double> Values(const Measured& measured, const PaperPlan& plan, cons
   return values;
 }
 
-int Digits(const TableOneRow& row) { return row.unit == std::string("mm") ? 1 : 2; }
+int Digits(const TableOneRow& row) { return row.unit == "mm" ? 1 : 2; }
 
 std::string WithSpread(const std::vector<double>& values, int digits) {
   return fmt::format("{} ± {}", Fixed(Mean(values), digits), Fixed(StandardDeviation(values), digits));
 }
 
 const char* WhyOf(const TableOneRow& row, std::size_t column) {
-  if (row.key == std::string("yaw_deg")) {
+  if (row.key == "yaw_deg") {
     return column == 0
                ? "The H's ellipse is not rectified: the more the view is tilted, the further off, as in the paper."
                : "Tilts are small, and the unrectified H is nearly the true one.";
   }
-  if (row.key == std::string("z_mm")) {
+  if (row.key == "z_mm") {
     return "Against the truth; the paper's own reference is good to a few millimetres.";
   }
   return "Sub-pixel contour points; whole pixels give the figures of the table below.";
@@ -71,9 +71,9 @@ std::vector<ComparedQuantity> Compared(const PaperPlan& plan, const Measured& me
   std::vector<ComparedQuantity> compared;
   for (std::size_t column = 0; column < kCases.size(); ++column) {
     for (const TableOneRow& row : kTableOne) {
-      const std::vector<double> values = Values(measured, plan, kCases[column], "truth", row.key);
+      const std::vector<double> values = Values(measured, plan, kCases[column], "truth", std::string(row.key));
       compared.push_back({.quantity = fmt::format("Table I, {}, {} RMSE", kCases[column].name, row.label),
-                          .unit = row.unit,
+                          .unit = std::string(row.unit),
                           .published = row.published[column],
                           .ours = Mean(values),
                           .spread = fmt::format("worst of {} seeds {}", plan.seeds,
@@ -95,7 +95,7 @@ ReportTable Table(const PaperPlan& plan, const Measured& measured, const std::st
     std::vector<std::string> cells{fmt::format("{}, {}", row.label, row.unit)};
     for (std::size_t column = 0; column < kCases.size(); ++column) {
       cells.push_back(Fixed(row.published[column], 1));
-      cells.push_back(WithSpread(Values(measured, plan, kCases[column], against, row.key), Digits(row)));
+      cells.push_back(WithSpread(Values(measured, plan, kCases[column], against, std::string(row.key)), Digits(row)));
     }
     table.rows.push_back(std::move(cells));
   }
@@ -132,7 +132,8 @@ ReportSection Report(const PaperPlan& plan, const Measured& measured) {
       "blur and "
       "latency, in rooms full of decoys; estimator and autopilot know camera and mountings as the calibrations above "
       "found "
-      "them. Mean over the seeds ± standard deviation.");
+      "them. The first estimate must be near (0, 0, 300 mm) and level, where the paper starts. Mean over the seeds ± "
+      "standard deviation.");
   for (const Case& which : kCases) section.paragraphs.push_back(Conditions(plan, measured, which));
   section.tables.push_back(
       Table(plan, measured, "table_1_truth", "Table I against the truth, sub-pixel contour points.", "truth"));
@@ -183,8 +184,9 @@ std::string TableOneLatex(const PaperPlan& plan, const Measured& measured) {
   for (const TableOneRow& row : kTableOne) {
     text += fmt::format("{} ({})", row.label, row.unit);
     for (std::size_t column = 0; column < kCases.size(); ++column) {
-      text += fmt::format(" & {} & {}", Fixed(row.published[column], 1),
-                          Fixed(Mean(Values(measured, plan, kCases[column], "truth", row.key)), Digits(row)));
+      text +=
+          fmt::format(" & {} & {}", Fixed(row.published[column], 1),
+                      Fixed(Mean(Values(measured, plan, kCases[column], "truth", std::string(row.key))), Digits(row)));
     }
     text += " \\\\\n";
   }

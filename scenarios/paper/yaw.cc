@@ -15,6 +15,11 @@ namespace {
 constexpr std::array<double, 3> kHeights_m = {0.32, 0.6, 1.0};  // The H is 100, 53 and 32 px high.
 constexpr double kPublishedEllipse_deg = 3.0, kPublishedMoments_deg = 1.0;
 
+constexpr std::array<const char*, kYawMethodNames.size()> kMethodWords = {
+    "ellipse of the H, whole pixels",         "ellipse of the H, sub-pixel",
+    "moments of the H, binary image",         "moments of the H, grey image",
+    "ellipse of the rectangle, whole pixels", "ellipse of the rectangle, sub-pixel"};
+
 std::string TurnedId(double height_m) { return fmt::format("yaw_{:.0f}_cm", 100.0 * height_m); }
 std::string FlownId(int seed) { return fmt::format("rectangle_{}", seed); }
 
@@ -62,9 +67,7 @@ void ReportTurned(const Measured& measured, ReportSection& section) {
     table.head.push_back("RMS, deg");
   }
   for (std::size_t method = 0; method < kYawMethodNames.size(); ++method) {
-    std::string words(kYawMethodNames[method]);
-    std::replace(words.begin(), words.end(), '_', ' ');
-    table.rows.push_back({words});
+    table.rows.push_back({kMethodWords[method]});
     for (const double height_m : kHeights_m) {
       const ErrorSize size = SizeOfErrors(RowsOf(measured.at(TurnedId(height_m))), static_cast<YawMethod>(method));
       table.rows.back().push_back(Fixed(size.largest_deg, 3));

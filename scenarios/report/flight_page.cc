@@ -16,6 +16,7 @@
 #include "scenarios/report/flight_plots.h"
 #include "scenarios/report/flight_series.h"
 #include "scenarios/report/page_assets.h"
+#include "scenarios/report/published.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -161,32 +162,18 @@ void PutGlance(const Json& metrics, const JsonFile& timing, data& page) {
 
 /// Table I of the paper, RMSE: what it gives for hovering and for autonomous flight.
 void PutTableOne(const Json& metrics, data& page) {
-  struct Row {
-    const char* label;
-    const char* metric;
-    double scale;
-    const char* unit;
-    double hovering;
-    double autonomous;
-  };
-  constexpr std::array<Row, 6> kTable = {{{"XY", "estimate.xy_rmse_m", 1e3, "mm", 38.8, 33.7},
-                                          {"Z", "estimate.z_rmse_m", 1e3, "mm", 5.7, 6.8},
-                                          {"3D", "estimate.xyz_rmse_m", 1e3, "mm", 39.2, 34.4},
-                                          {"Roll", "estimate.roll_rmse_deg", 1.0, "deg", 1.3, 1.4},
-                                          {"Pitch", "estimate.pitch_rmse_deg", 1.0, "deg", 1.4, 1.5},
-                                          {"Yaw", "estimate.yaw_rmse_deg", 1.0, "deg", 4.8, 2.7}}};
   data rows{data::type::list};
-  for (const Row& row : kTable) {
+  for (const TableOneRow& row : kTableOne) {
     const auto value = Find(metrics, row.metric);
     const auto ratio = [&](double paper) { return value ? fmt::format("{:.2f}", *value * row.scale / paper) : kNone; };
     data cells;
-    cells.set("label", row.label);
-    cells.set("unit", row.unit);
+    cells.set("label", std::string(row.label));
+    cells.set("unit", std::string(row.unit));
     cells.set("value", value ? fmt::format("{:.3g}", *value * row.scale) : kNone);
-    cells.set("hovering", fmt::format("{:.1f}", row.hovering));
-    cells.set("hovering_ratio", ratio(row.hovering));
-    cells.set("autonomous", fmt::format("{:.1f}", row.autonomous));
-    cells.set("autonomous_ratio", ratio(row.autonomous));
+    cells.set("hovering", fmt::format("{:.1f}", row.published[1]));
+    cells.set("hovering_ratio", ratio(row.published[1]));
+    cells.set("autonomous", fmt::format("{:.1f}", row.published[2]));
+    cells.set("autonomous_ratio", ratio(row.published[2]));
     rows << cells;
   }
   page.set("table_one", rows);

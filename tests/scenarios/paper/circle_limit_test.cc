@@ -60,7 +60,6 @@ TEST(CircleLimit, IsThatOfARenderedDisc) {
   constexpr int kSide = 24;  // Samples along each side of a pixel.
   const auto picture = [&](const Eigen::Isometry3d& X) {
     Eigen::VectorXd values(camera.width_px * camera.height_px);
-    const Eigen::Isometry3d X_CW = X.inverse();
     for (int v = 0; v < camera.height_px; ++v) {
       for (int u = 0; u < camera.width_px; ++u) {
         int inside = 0;
