@@ -1,5 +1,6 @@
 #include "scenarios/paper/conditions.h"
 
+#include <array>
 #include <functional>
 
 #include "scenarios/paper/flown_flight.h"
@@ -52,11 +53,25 @@ Scenario HoverIn(const Condition& condition, const PaperPlan& plan, const PaperV
   return scenario;
 }
 
-double MeanOf(const Measured& measured, const PaperPlan& plan, const Condition& condition, const char* against,
+// Of the hand, in place of those that it has in hand_held.yaml.
+constexpr std::array<double, 3> kHandTilts_deg = {10.0, 20.0, 30.0};
+
+std::string IdOf(double tilt_deg, int seed) { return fmt::format("condition_hand_{:.0f}_deg_{}", tilt_deg, seed); }
+
+Scenario HandWith(double tilt_deg, const PaperPlan& plan, const PaperVehicle& vehicle, int seed) {
+  Scenario scenario = ShippedFlight(
+      "hand_held", static_cast<std::uint64_t>(seed),
+      {fmt::format("hand.max_tilt_deg={}", tilt_deg), fmt::format("hand.duration_s={}", plan.condition_hand_s)});
+  vehicle.Equip(scenario);
+  return scenario;
+}
+
+/// Over the rooms; `which` is a condition or a tilt of the hand.
+double MeanOf(const Measured& measured, const PaperPlan& plan, const auto& which, const char* against,
               const char* key) {
   std::vector<double> values;
   for (int seed = 1; seed <= plan.condition_seeds; ++seed) {
-    const Json& errors = measured.at(IdOf(condition, seed)).at(against);
+    const Json& errors = measured.at(IdOf(which, seed)).at(against);
     if (errors.contains(key)) values.push_back(errors.at(key).get<double>());
   }
   return values.empty() ? 0.0 : Mean(values);
@@ -86,6 +101,20 @@ ReportSection Report(const PaperPlan& plan, const Measured& measured) {
     table.rows.push_back(std::move(cells));
   }
   section.tables.push_back(std::move(table));
+  ReportTable hand{
+      .name = "conditions_hand",
+      .caption =
+          "Carried by hand with so much roll and pitch at the most: the H's ellipse is not rectified, and its "
+          "yaw turns the position about the pad.",
+      .head = {"largest roll and pitch, deg", "XY, mm", "Z, mm", "roll, deg", "pitch, deg", "yaw, deg"}};
+  for (const double tilt_deg : kHandTilts_deg) {
+    std::vector<std::string> cells{Fixed(tilt_deg, 0)};
+    for (const char* key : {"xy_mm", "z_mm", "roll_deg", "pitch_deg", "yaw_deg"}) {
+      cells.push_back(Fixed(MeanOf(measured, plan, tilt_deg, "truth", key), 2));
+    }
+    hand.rows.push_back(std::move(cells));
+  }
+  section.tables.push_back(std::move(hand));
   return section;
 }
 
@@ -100,6 +129,16 @@ Experiment ConditionsExperiment(const PaperPlan& plan, const PaperVehicle& vehic
            .expected_s = 3.0 + 1.5 * plan.condition_hover_s,
            .take = [scenario = HoverIn(condition, plan, vehicle, seed)](const StopRequested& stop_requested) {
              return FlyAndSumUp(scenario, {.integer_contours = true}, stop_requested);
+           }});
+    }
+  }
+  for (const double tilt_deg : kHandTilts_deg) {
+    for (int seed = 1; seed <= plan.condition_seeds; ++seed) {
+      experiment.measurements.push_back(
+          {.id = IdOf(tilt_deg, seed),
+           .expected_s = 3.0 + 1.3 * plan.condition_hand_s,
+           .take = [scenario = HandWith(tilt_deg, plan, vehicle, seed)](const StopRequested& stop_requested) {
+             return FlyAndSumUp(scenario, {}, stop_requested);
            }});
     }
   }

@@ -20,13 +20,14 @@ struct PaperPlan {
   int ambiguity_views = 60;  ///< At each tilt.
   int condition_seeds = 3;
   double condition_hover_s = 10.0;
+  double condition_hand_s = 25.0;
 
   /// A few minutes, for CI: every section, on fewer samples.
   static PaperPlan Quick() {
     return {.seeds = 1,
             .landings = 3,
-            .hand_s = 12.0,
-            .hover_s = 8.0,
+            .hand_s = 10.0,
+            .hover_s = 5.0,
             .recognition_scenes = 4,
             .recognition_frames = 25,
             .placements = 2,
@@ -34,7 +35,8 @@ struct PaperPlan {
             .trade_frames = 4,
             .ambiguity_views = 6,
             .condition_seeds = 1,
-            .condition_hover_s = 2.0};
+            .condition_hover_s = 1.0,
+            .condition_hand_s = 10.0};
   }
 };
 
