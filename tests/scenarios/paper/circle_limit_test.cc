@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "models/angles.h"
@@ -45,7 +46,8 @@ TEST(CircleLimit, FallsWithTiltAndRisesWithDistance) {
   EXPECT_LT(limit(0.5, 0.3), limit(1.0, 0.3));
 }
 
-// The limit from the pixels themselves: the derivatives of a finely sampled picture of a disc by the pose.
+// The limit from the pixels themselves: the derivatives of a finely sampled picture of a disc by the pose, by steps so
+// small that an edge stays well within its pixel.
 TEST(CircleLimit, IsThatOfARenderedDisc) {
   const models::CameraModel camera{.width_px = 160,
                                    .height_px = 120,
@@ -55,23 +57,24 @@ TEST(CircleLimit, IsThatOfARenderedDisc) {
                                    .cy_px = 59.5,
                                    .k1 = 0.0,
                                    .k2 = 0.0};
-  constexpr double kNoiseShare = 0.02, kStep = 2e-3;
-  const Eigen::Isometry3d X_WC = Centred(0.45, 0.4);
-  constexpr int kSide = 24;  // Samples along each side of a pixel.
+  constexpr double kNoiseShare = 0.02, kStep = 4e-4;
+  const Eigen::Isometry3d X_WC = Centred(0.45, 0.8);
+  constexpr int kSide = 16;                           // Samples along each side of a pixel, ...
+  constexpr double kSample_m = 0.45 / 160.0 / kSide;  // ... so far apart on the ground, about.
   const auto picture = [&](const Eigen::Isometry3d& X) {
     Eigen::VectorXd values(camera.width_px * camera.height_px);
     for (int v = 0; v < camera.height_px; ++v) {
       for (int u = 0; u < camera.width_px; ++u) {
-        int inside = 0;
+        double inside = 0.0;
         for (int j = 0; j < kSide; ++j) {
           for (int i = 0; i < kSide; ++i) {
             const Eigen::Vector2d pixel(u - 0.5 + (i + 0.5) / kSide, v - 0.5 + (j + 0.5) / kSide);
             const Eigen::Vector3d ray = X.linear() * camera.NormalizedFromPixel(pixel).homogeneous();
             const Eigen::Vector3d p = X.translation() - ray * (X.translation().z() / ray.z());
-            inside += p.head<2>().norm() < kRadius_m ? 1 : 0;
+            inside += std::clamp(0.5 + (kRadius_m - p.head<2>().norm()) / (2.0 * kSample_m), 0.0, 1.0);
           }
         }
-        values[v * camera.width_px + u] = static_cast<double>(inside) / (kSide * kSide);
+        values[v * camera.width_px + u] = inside / (kSide * kSide);
       }
     }
     return values;
@@ -91,8 +94,8 @@ TEST(CircleLimit, IsThatOfARenderedDisc) {
   const Eigen::MatrixXd covariance = (derivatives.transpose() * derivatives / (kNoiseShare * kNoiseShare)).inverse();
   const auto limit = LimitForCircle(camera, kRadius_m, X_WC, kNoiseShare);
   ASSERT_TRUE(limit);
-  EXPECT_NEAR(limit->position_m, std::sqrt(covariance.topLeftCorner(3, 3).trace()), 0.25 * limit->position_m);
-  EXPECT_NEAR(limit->tilt_rad, std::sqrt(covariance.bottomRightCorner(2, 2).trace()), 0.25 * limit->tilt_rad);
+  EXPECT_NEAR(limit->position_m, std::sqrt(covariance.topLeftCorner(3, 3).trace()), 0.1 * limit->position_m);
+  EXPECT_NEAR(limit->tilt_rad, std::sqrt(covariance.bottomRightCorner(2, 2).trace()), 0.1 * limit->tilt_rad);
 }
 
 }  // namespace
