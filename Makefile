@@ -28,7 +28,7 @@ deps:  ## Install the packages of packages.txt that neither are installed nor co
 bench: build  ## Cost of vision beside AprilTag 3, of rendering and of the loop, on the same frames
 	$(BUILD)/tests/benchmarks
 
-acceptance: build  ## The three flights for each of SEEDS, and their table beside the paper's
+acceptance: build  ## Every flight for each of SEEDS, and their table beside the paper's
 	tests/acceptance.sh $(BUILD)/touchdown out/acceptance $(JOBS) $(SEEDS)
 
 lint: build  ## clang-tidy's naming and bug rules

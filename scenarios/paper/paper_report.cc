@@ -8,6 +8,7 @@
 #include "scenarios/paper/base64.h"
 #include "scenarios/paper/text.h"
 #include "scenarios/report/page_assets.h"
+#include "scenarios/report/picture_pdf.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -16,6 +17,7 @@ using kainjow::mustache::data;
 using Files = std::map<std::string, std::string>;
 
 constexpr double kPagePxPerCm = 56.0;
+constexpr double kPictureWidth_cm = 17.0;
 
 data Flag(bool on) { return on ? data::type::bool_true : data::type::bool_false; }
 
@@ -109,6 +111,8 @@ data SectionData(const ReportSection& section, Files& files) {
   }
   for (const ReportPicture& picture : section.pictures) {
     files["figures/" + picture.name + ".jpg"] = picture.jpeg;
+    files["figures/" + picture.name + ".pdf"] = PicturePdf(picture.jpeg, kPictureWidth_cm);
+    files["figures/" + picture.name + ".csv"] = picture.csv;
     data item;
     item.set("name", picture.name);
     item.set("title", picture.title);

@@ -1,9 +1,12 @@
 #include "scenarios/paper/recognition_pictures.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 #include <stdexcept>
 
 #include "estimator/make_estimator.h"
@@ -103,14 +106,46 @@ cv::Mat Grid(const std::vector<cv::Mat3b>& tiles, int columns) {
   return grid;
 }
 
-Json PictureJson(const std::string& name, const std::string& title, const std::string& caption,
-                 const cv::Mat& picture) {
+/// A line for each component of a view.
+std::string ComponentLines(int view, const estimator::FrameTrace& trace) {
+  constexpr std::array<const char*, 3> kNames = {"circle", "h", "other"};
+  std::string lines;
+  for (const auto& c : trace.components) {
+    lines += fmt::format("{},{},{},{},{},{},{:.4f}\n", view, c.u, c.v, c.width, c.height,
+                         kNames[static_cast<std::size_t>(c.label)], c.probability);
+  }
+  return lines;
+}
+constexpr const char* kComponentHead = "view,u_px,v_px,width_px,height_px,class,probability\n";
+
+/// A line for each ellipse of a view, undistorted px.
+std::string EllipseLines(int view, const estimator::FrameTrace& trace) {
+  std::string lines;
+  const auto line = [&](const char* name, const std::optional<estimator::FrameTrace::Ellipse>& ellipse) {
+    if (!ellipse) return;
+    lines +=
+        fmt::format("{},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f}\n", view, name, ellipse->center.x(), ellipse->center.y(),
+                    ellipse->semi_axes.x(), ellipse->semi_axes.y(), models::RadToDeg(ellipse->angle));
+  };
+  line("ring_outer", trace.ring_outer);
+  line("ring_inner", trace.ring_inner);
+  line("letter", trace.letter);
+  return lines;
+}
+constexpr const char* kEllipseHead = "view,ellipse,u_px,v_px,semi_major_px,semi_minor_px,angle_deg\n";
+
+Json PictureJson(const std::string& name, const std::string& title, const std::string& caption, const cv::Mat& picture,
+                 const std::string& csv) {
   constexpr int kQuality = 82;
   std::vector<unsigned char> jpeg;
   if (!cv::imencode(".jpg", picture, jpeg, {cv::IMWRITE_JPEG_QUALITY, kQuality})) {
     throw std::runtime_error("a picture cannot be encoded as JPEG");
   }
-  return {{"name", name}, {"title", title}, {"caption", caption}, {"jpeg", Base64({jpeg.begin(), jpeg.end()})}};
+  return {{"name", name},
+          {"title", title},
+          {"caption", caption},
+          {"jpeg", Base64({jpeg.begin(), jpeg.end()})},
+          {"csv", csv}};
 }
 
 /// Fig. 2: the picture, its dark pixels, its components, what they are.
@@ -136,7 +171,8 @@ Json Stages(const Scenario& told) {
       "fig_2_stages", "Fig. 2: the steps of the recognition",
       "The image, its dark pixels, the connected components, and their classes: circles green, letters H "
       "blue, others red, the pad an orange cross.",
-      Grid({Coloured(taken.image), Coloured(dark), boxes, classified}, 2));
+      Grid({Coloured(taken.image), Coloured(dark), boxes, classified}, 2),
+      kComponentHead + ComponentLines(1, taken.seen.trace));
 }
 
 /// Fig. 4: posters, lone rings and letters, strong perspective, blur.
@@ -181,10 +217,12 @@ Json ClutteredViews(const Scenario& told) {
                                        .off_v_px = 90.0,
                                        .defocus_px = 1.3}}};
   std::vector<cv::Mat3b> tiles;
+  std::string csv = kComponentHead;
   std::uint64_t seed = 11;
   for (const Look& look : looks) {
     Studio studio(told, seed++);
     Studio::Taken taken = studio.Take(look);
+    csv += ComponentLines(static_cast<int>(tiles.size()) + 1, taken.seen.trace);
     tiles.push_back(AnnotateFrame(taken.image.View(), told.camera.model,
                                   {.trace = taken.seen.trace, .pad_px = taken.seen.pad_px, .X_WC = std::nullopt}));
   }
@@ -192,13 +230,14 @@ Json ClutteredViews(const Scenario& told) {
       "fig_4_clutter", "Fig. 4: recognition in clutter",
       "Six rooms; the fifth view is blurred by motion, the sixth out of focus. Circles and letters that are "
       "recognized by themselves are no pad.",
-      Grid(tiles, 3));
+      Grid(tiles, 3), csv);
 }
 
 /// Fig. 5: the patch around the pad, and the ellipses fitted to its contours.
 Json FittedPatches(const Scenario& told) {
   constexpr int kSide = 200;
   std::vector<cv::Mat3b> patches, fitted;
+  std::string csv = kEllipseHead;
   Studio studio(told, 21);
   for (int i = 0; i < 8; ++i) {
     const bool moves = i % 3 == 2;
@@ -225,6 +264,7 @@ Json FittedPatches(const Scenario& told) {
       cv::resize(whole(around), scaled, {kSide, kSide}, 0, 0, cv::INTER_CUBIC);
       return scaled;
     };
+    csv += EllipseLines(static_cast<int>(patches.size()) + 1, taken.seen.trace);
     patches.push_back(tile(Coloured(taken.image)));
     fitted.push_back(tile(drawn));
   }
@@ -233,7 +273,7 @@ Json FittedPatches(const Scenario& told) {
   return PictureJson("fig_5_ellipses", "Fig. 5: fitted ellipses",
                      "Patches of the pad from various perspectives, every third blurred by motion, and "
                      "below them the ellipses of both of the ring's edges and of the H, with their axes.",
-                     Grid(patches, columns));
+                     Grid(patches, columns), csv);
 }
 
 }  // namespace
@@ -246,7 +286,8 @@ std::vector<ReportPicture> PicturesFromJson(const Json& pictures) {
   std::vector<ReportPicture> result;
   for (const Json& each : pictures) {
     result.push_back({each.at("name").get<std::string>(), each.at("title").get<std::string>(),
-                      each.at("caption").get<std::string>(), FromBase64(each.at("jpeg").get<std::string>())});
+                      each.at("caption").get<std::string>(), FromBase64(each.at("jpeg").get<std::string>()),
+                      each.at("csv").get<std::string>()});
   }
   return result;
 }

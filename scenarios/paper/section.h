@@ -35,6 +35,7 @@ struct ReportPicture {
   std::string title = {};
   std::string caption = {};
   std::string jpeg = {};
+  std::string csv = {};  ///< What is drawn into it, as numbers.
 };
 
 /// One experiment of the paper in the report.

@@ -3,12 +3,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <opencv2/imgcodecs.hpp>
+
 namespace touchdown::scenarios {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
+
+std::string Jpeg() {
+  std::vector<unsigned char> bytes;
+  cv::imencode(".jpg", cv::Mat1b(8, 8, 100), bytes);
+  return {bytes.begin(), bytes.end()};
+}
 
 std::vector<ReportSection> Sections() {
   ReportSection section{.id = "yaw", .title = "Yaw <of> the letter"};
@@ -18,7 +26,8 @@ std::vector<ReportSection> Sections() {
                              .caption = "Over yaw.",
                              .csv = "x,y\n1,2\n2,3\n",
                              .plot = "plot data using 'x':'y' with lines lc rgb INK\n"});
-  section.pictures.push_back({.name = "picture", .title = "Picture", .caption = "Seen.", .jpeg = "\xff\xd8 jpeg"});
+  section.pictures.push_back(
+      {.name = "picture", .title = "Picture", .caption = "Seen.", .jpeg = Jpeg(), .csv = "view\n1\n"});
   section.tables.push_back(
       {.name = "methods", .caption = "All.", .head = {"method", "error, deg"}, .rows = {{"H", "2.5"}}});
   section.compared = {
@@ -35,13 +44,15 @@ class PaperReportTest : public testing::Test {
 };
 
 TEST_F(PaperReportTest, LeavesEveryFigureAndTableAsAFile) {
-  for (const char* name : {"figures/errors.csv", "figures/errors.pdf", "figures/errors.svg", "figures/picture.jpg",
-                           "figures/methods.table.csv", "report.html", "README.md", "summary.csv"}) {
+  for (const char* name :
+       {"figures/errors.csv", "figures/errors.pdf", "figures/errors.svg", "figures/picture.jpg", "figures/picture.pdf",
+        "figures/methods.table.csv", "report.html", "README.md", "summary.csv"}) {
     EXPECT_FALSE(files_[name].empty()) << name;
   }
   EXPECT_EQ(files_["figures/errors.csv"], "x,y\n1,2\n2,3\n");
   EXPECT_EQ(files_["figures/methods.table.csv"], "method,\"error, deg\"\nH,2.5\n");
-  EXPECT_EQ(files_["figures/picture.jpg"], "\xff\xd8 jpeg");
+  EXPECT_EQ(files_["figures/picture.jpg"], Jpeg());
+  EXPECT_EQ(files_["figures/picture.csv"], "view\n1\n");
 }
 
 TEST_F(PaperReportTest, SumsUpWhatIsKeptAndWhatIsNot) {
@@ -62,7 +73,7 @@ TEST_F(PaperReportTest, IsOnePageThatNeedsNoOtherFile) {
   EXPECT_THAT(page, HasSubstr("Yaw &lt;of&gt; the letter"));
   EXPECT_THAT(page, HasSubstr("With <b>words</b>."));
   EXPECT_THAT(page, HasSubstr("<svg"));
-  EXPECT_THAT(page, HasSubstr("data:image/jpeg;base64,/9gganBlZw=="));
+  EXPECT_THAT(page, HasSubstr("data:image/jpeg;base64,/9j/"));
   EXPECT_THAT(page, HasSubstr("not to be quoted"));
   EXPECT_THAT(page, Not(HasSubstr("src=\"http")));
   EXPECT_THAT(page, Not(HasSubstr("{{")));

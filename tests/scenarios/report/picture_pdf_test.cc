@@ -1,0 +1,36 @@
+#include "scenarios/report/picture_pdf.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <opencv2/imgcodecs.hpp>
+#include <stdexcept>
+#include <vector>
+
+namespace touchdown::scenarios {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string Jpeg() {
+  std::vector<unsigned char> bytes;
+  cv::imencode(".jpg", cv::Mat3b(100, 200, cv::Vec3b(10, 200, 30)), bytes);
+  return {bytes.begin(), bytes.end()};
+}
+
+TEST(PicturePdf, HoldsTheJpegAsItIs) {
+  const std::string pdf = PicturePdf(Jpeg(), 10.0);
+  EXPECT_THAT(pdf, StartsWith("%PDF-"));
+  EXPECT_THAT(pdf, HasSubstr("/DCTDecode"));
+  EXPECT_THAT(pdf, HasSubstr(Jpeg()));
+  EXPECT_EQ(pdf, PicturePdf(Jpeg(), 10.0));
+}
+
+TEST(PicturePdf, RefusesWhatIsNoPicture) {
+  EXPECT_THROW(PicturePdf("no picture", 10.0), std::invalid_argument);
+  EXPECT_THROW(PicturePdf("", 10.0), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace touchdown::scenarios
