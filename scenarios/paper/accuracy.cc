@@ -2,17 +2,14 @@
 
 #include <array>
 #include <cmath>
-#include <memory>
 #include <optional>
 
-#include "estimator/make_estimator.h"
 #include "models/angles.h"
 #include "models/landing_pad.h"
 #include "models/random_stream.h"
 #include "scenarios/paper/circle_limit.h"
+#include "scenarios/paper/still_room.h"
 #include "scenarios/paper/text.h"
-#include "scenarios/study/classifier_camera.h"
-#include "sim/camera_optics.h"
 #include "sim/scene.h"
 
 namespace touchdown::scenarios {
@@ -25,7 +22,6 @@ using models::RandomStream;
 
 constexpr std::array<double, 5> kDistances_m = {0.5, 0.75, 1.0, 1.25, 1.5};
 constexpr std::array<double, 5> kRolls_deg = {0.0, 10.0, 20.0, 30.0, 40.0};
-constexpr double kNoiseSigma = 3.0;  // Of 255, as in a flight.
 
 // "We manually fix the quadrotor": how well a hand sets it to the pose that is asked for.
 constexpr double kHandTilt_rad = DegToRad(0.5);
@@ -109,10 +105,7 @@ Json MeasurePlacement(const PaperVehicle& vehicle, int placement, int frames, co
   Scenario told;
   vehicle.Equip(told);
   const models::CameraModel camera = told.camera.model;
-  const sim::Scene scene = sim::MakeScene({}, told.pad, seed);
-  sim::CameraOptics optics(camera);
-  const std::array noise{kNoiseSigma};
-  SceneCamera scene_camera(scene, optics, noise, seed);
+  StillRoom room(told, sim::MakeScene({}, told.pad, seed), seed);
   Json cells = Json::array();
   for (const double distance_m : kDistances_m) {
     for (const double roll_deg : kRolls_deg) {
@@ -120,16 +113,13 @@ Json MeasurePlacement(const PaperVehicle& vehicle, int placement, int frames, co
       const Eigen::Isometry3d X_WB = PoseOf(vehicle.truth, distance_m, DegToRad(roll_deg), hand);
       const Eigen::Isometry3d X_WC = X_WB * vehicle.truth.X_BC();
       const Vector3d gravity_error(kGravity_rad * hand.Normal(), kGravity_rad * hand.Normal(), 0.0);
-      const Vector3d gravity_B = models::RotationExp(gravity_error) * (-X_WB.linear().transpose() * Vector3d::UnitZ());
-      const auto estimator = estimator::MakeEstimator(
-          told.estimator,
-          {.camera = told.assumed_camera(), .pad = told.pad, .X_BC = told.assumed_vehicle().X_BC(), .time = told.time});
+      const Vector3d gravity_B = models::RotationExp(gravity_error) * DownIn(X_WB);
       ErrorSums sums;
-      models::Image image = scene_camera.Take({.X_WC = X_WC});
-      const double noise_share = kNoiseSigma / EdgeStep(image, told.pad, camera, X_WC);
+      models::Image image = room.Take({.X_WC = X_WC});
+      const double noise_share = StillRoom::kFlightNoise[0] / EdgeStep(image, told.pad, camera, X_WC);
       for (int frame = 0; frame < frames; ++frame) {
-        if (frame > 0) image = scene_camera.TakeAgain();
-        const auto seen = estimator->Estimate(image.View(), 20 * frame, gravity_B);
+        if (frame > 0) image = room.TakeAgain();
+        const auto seen = room.Estimate(image, gravity_B);
         if (seen.pose) sums.Add(seen.pose->X_WB, X_WB);
       }
       cells.push_back(

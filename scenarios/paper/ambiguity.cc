@@ -4,17 +4,15 @@
 #include <cmath>
 #include <optional>
 
-#include "estimator/make_estimator.h"
 #include "estimator/paper/conic_pose.h"
 #include "estimator/paper/ellipse_fit.h"
 #include "estimator/paper/outlier_gate.h"
 #include "estimator/paper/pad_pose.h"
 #include "models/angles.h"
 #include "models/random_stream.h"
+#include "scenarios/paper/still_room.h"
 #include "scenarios/paper/text.h"
-#include "scenarios/study/classifier_camera.h"
 #include "scenarios/study/statistics.h"
-#include "sim/camera_optics.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -27,8 +25,7 @@ using models::RandomStream;
 constexpr std::array<double, 9> kTilts_deg = {0.0, 1.0, 2.0, 4.0, 6.0, 10.0, 15.0, 20.0, 30.0};
 constexpr std::array<double, 7> kGravityErrors_deg = {0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 15.0};
 constexpr std::array<double, 3> kDistances_m = {0.5, 1.0, 1.5};
-constexpr int kDirections = 12;  // Of the gravity's error, for each of its sizes.
-constexpr double kNoiseSigma = 3.0;
+constexpr int kDirections = 12;                  // Of the gravity's error, for each of its sizes.
 constexpr double kFarApart_rad = DegToRad(2.0);  // Poses that are nearer to each other may be taken one for the other.
 
 /// The camera above the pad's centre, which lies on its optical axis, tilted in a drawn direction.
@@ -102,25 +99,17 @@ Json Measure(const PaperVehicle& vehicle, double tilt_deg, int views, const Stop
   Scenario told;
   vehicle.Equip(told);
   const Eigen::Isometry3d X_BC = told.assumed_vehicle().X_BC();
-  const sim::Scene scene = sim::MakeScene({}, told.pad, seed);
-  sim::CameraOptics optics(told.camera.model);
-  const std::array noise{kNoiseSigma};
-  SceneCamera camera(scene, optics, noise, seed);
+  StillRoom room(told, sim::MakeScene({}, told.pad, seed), seed);
   RandomStream random(seed, "paper.ambiguity");
-  const auto estimator = estimator::MakeEstimator(told.estimator, {.camera = told.assumed_camera(),
-                                                                   .pad = told.pad,
-                                                                   .X_BC = X_BC,
-                                                                   .time = told.time,
-                                                                   .frame_order = estimator::FrameOrder::kFlight});
   Counts counts;
   int found = 0;
   for (int i = 0; i < views; ++i) {
     if (stop_requested && stop_requested()) throw Interrupted();
     const double distance_m = kDistances_m[static_cast<std::size_t>(i) % kDistances_m.size()];
     const Eigen::Isometry3d X_WC = DrawView(DegToRad(tilt_deg), distance_m, random);
-    const models::Image image = camera.Take({.X_WC = X_WC});
+    const models::Image image = room.Take({.X_WC = X_WC});
     const Vector3d gravity_B = X_BC.linear() * (-X_WC.linear().transpose() * Vector3d::UnitZ());
-    const auto seen = estimator->Estimate(image.View(), i * told.time.ticks_per_s, gravity_B);
+    const auto seen = room.Estimate(image, gravity_B);
     if (!seen.pose) continue;
     const auto& ring = seen.trace.ring_outer.value();
     const auto poses = estimator::PosesOfCircle(

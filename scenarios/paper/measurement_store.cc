@@ -8,6 +8,7 @@
 
 #include "models/error.h"
 #include "scenarios/flight/output_file.h"
+#include "scenarios/flight/platform.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -23,16 +24,30 @@ MeasurementStore::MeasurementStore(std::filesystem::path folder, std::string ori
   if (error) throw InputError(fmt::format("output folder {}: {}", folder_.string(), error.message()));
 }
 
-std::optional<Json> MeasurementStore::Find(const std::string& id) const {
+std::optional<Json> MeasurementStore::Read(const std::string& id) const {
   std::ifstream stream(FileOf(id));
   if (!stream) return std::nullopt;
-  const Json file = Json::parse(stream, nullptr, false);
+  Json file = Json::parse(stream, nullptr, false);
   if (!file.is_object() || file.value("kind", "") != kMark || file.value("origin", "") != origin_) return std::nullopt;
-  return file.at("value");
+  return file;
+}
+
+std::optional<Json> MeasurementStore::Find(const std::string& id) const {
+  const std::optional<Json> file = Read(id);
+  return file ? std::optional(file->at("value")) : std::nullopt;
+}
+
+std::vector<std::pair<std::string, std::string>> MeasurementStore::PlatformOf(const std::string& id) const {
+  std::vector<std::pair<std::string, std::string>> facts;
+  const std::optional<Json> file = Read(id);
+  if (!file) return facts;
+  for (const auto& [name, value] : file->at("platform").items()) facts.emplace_back(name, value.get<std::string>());
+  return facts;
 }
 
 void MeasurementStore::Put(const std::string& id, const Json& value) const {
-  const Json file{{"kind", kMark}, {"origin", origin_}, {"value", value}};
+  Json file{{"kind", kMark}, {"origin", origin_}, {"platform", Json::object()}, {"value", value}};
+  for (const auto& [name, fact] : PlatformFacts()) file["platform"][name] = fact;
   WriteOutputFile(FileOf(id), file.dump(1) + "\n", kMark);
 }
 

@@ -3,12 +3,10 @@
 #include <array>
 #include <cmath>
 
-#include "estimator/make_estimator.h"
 #include "models/angles.h"
 #include "models/random_stream.h"
+#include "scenarios/paper/still_room.h"
 #include "scenarios/paper/text.h"
-#include "scenarios/study/classifier_camera.h"
-#include "sim/camera_optics.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -16,7 +14,6 @@ namespace {
 using models::RandomStream;
 
 constexpr std::array<double, 6> kRadii_m = {0.045, 0.060, 0.090, 0.120, 0.150, 0.180};
-constexpr double kNoiseSigma = 3.0;
 constexpr double kLowest_m = 0.03, kHighest_m = 8.0, kStep = 1.18;  // Heights of the camera over the pad.
 constexpr double kFoundShare = 0.9;
 
@@ -47,24 +44,16 @@ Json Measure(const PaperVehicle& vehicle, double radius_m, int frames, const Sto
   Scenario told;
   vehicle.Equip(told);
   told.pad = PadOfRadius(radius_m);
-  const sim::Scene scene = sim::MakeScene({}, told.pad, seed);
-  sim::CameraOptics optics(told.camera.model);
-  const std::array noise{kNoiseSigma};
-  SceneCamera camera(scene, optics, noise, seed);
+  StillRoom room(told, sim::MakeScene({}, told.pad, seed), seed);
   RandomStream random(seed, "paper.pad_size");
-  const auto estimator = estimator::MakeEstimator(
-      told.estimator,
-      {.camera = told.assumed_camera(), .pad = told.pad, .X_BC = told.assumed_vehicle().X_BC(), .time = told.time});
   Json heights = Json::array();
-  models::Tick tick = 0;
   for (double height_m = kLowest_m; height_m < kHighest_m; height_m *= kStep) {
     int found = 0;
     for (int i = 0; i < frames; ++i) {
       if (stop_requested && stop_requested()) throw Interrupted();
       const Eigen::Isometry3d X_WB = DrawPose(height_m, vehicle.truth.X_BC(), random);
-      const models::Image image = camera.Take({.X_WC = X_WB * vehicle.truth.X_BC()});
-      const auto seen = estimator->Estimate(image.View(), tick += told.time.ticks_per_s,
-                                            -X_WB.linear().transpose() * Eigen::Vector3d::UnitZ());
+      const models::Image image = room.Take({.X_WC = X_WB * vehicle.truth.X_BC()});
+      const auto seen = room.Estimate(image, DownIn(X_WB));
       // A third of the height: the right ring, whatever its pose's noise.
       if (seen.pose && (seen.pose->X_WB.translation() - X_WB.translation()).norm() < height_m / 3.0) ++found;
     }

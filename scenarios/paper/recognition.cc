@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "estimator/make_estimator.h"
 #include "estimator/paper/binarize.h"
 #include "estimator/paper/classifier.h"
 #include "estimator/paper/components.h"
@@ -12,12 +11,11 @@
 #include "models/random_stream.h"
 #include "scenarios/flight/pad_view.h"
 #include "scenarios/paper/recognition_pictures.h"
+#include "scenarios/paper/still_room.h"
 #include "scenarios/paper/text.h"
-#include "scenarios/study/classifier_camera.h"
 #include "scenarios/study/classifier_truth.h"
 #include "scenarios/study/classifier_views.h"
 #include "scenarios/study/statistics.h"
-#include "sim/camera_optics.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -43,11 +41,7 @@ class Room {
         random_(static_cast<std::uint64_t>(number), with_pad ? "paper.recognition.pad" : "paper.recognition.decoys"),
         scene_(sim::MakeScene(Decoys(with_pad), told.pad, random_.Bits())),
         shapes_(ShapesOf(scene_)),
-        optics_(told.camera.model),
-        camera_(scene_, optics_, views_.noise_sigmas, random_.Bits()),
-        estimator_(estimator::MakeEstimator(
-            told.estimator,
-            {.camera = told.camera.model, .pad = told.pad, .X_BC = told.vehicle.X_BC(), .time = told.time})) {}
+        room_(told, scene_, random_.Bits(), views_.noise_sigmas) {}
 
   struct Seen {
     View view = {};
@@ -56,21 +50,20 @@ class Room {
     estimator::FrameEstimate estimate = {};
   };
 
-  /// With a pad, half of the views look for it; all others look for decoys.
+  /// With a pad, four views in five look for it; all others look for decoys.
   Seen Look() {
     const bool for_pad = scene_.config.pad && random_.Chance(0.8);
     const int first = scene_.config.pad ? 2 : 0, last = static_cast<int>(shapes_.size()) - 1;
     const GroundShape& target = shapes_[static_cast<std::size_t>(for_pad ? 0 : random_.UniformInt(first, last))];
     Seen seen{.view = DrawView(views_, scene_, target, told_.camera.model, random_)};
-    seen.image = camera_.Take(seen.view);
+    seen.image = room_.Take(seen.view);
     const estimator::ComponentSet set = estimator::ExtractComponents(estimator::Binarize(seen.image.View()).View());
     std::vector<std::optional<ProjectedShape>> projections;
     for (const GroundShape& each : shapes_) projections.push_back(Project(each, told_.camera.model, seen.view.X_WC));
     const double blur_px = MotionBlur(seen.view, target, told_.camera.model) + seen.view.defocus_px;
     seen.truth = LabelComponents(set, shapes_, projections, {seen.image.width, seen.image.height}, blur_px, {});
     const Eigen::Isometry3d X_WB = seen.view.X_WC * told_.vehicle.X_BC().inverse();
-    seen.estimate = estimator_->Estimate(seen.image.View(), tick_ += told_.time.ticks_per_s,
-                                         -X_WB.linear().transpose() * Eigen::Vector3d::UnitZ());
+    seen.estimate = room_.Estimate(seen.image, DownIn(X_WB));
     return seen;
   }
 
@@ -97,10 +90,7 @@ class Room {
   RandomStream random_;
   sim::Scene scene_;
   std::vector<GroundShape> shapes_;
-  sim::CameraOptics optics_;
-  SceneCamera camera_;
-  std::unique_ptr<estimator::Estimator> estimator_;
-  models::Tick tick_ = 0;
+  StillRoom room_;
 };
 
 /// Of a room's frames without a pad: components and frames that were taken for what they are not.

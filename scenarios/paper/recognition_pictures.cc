@@ -9,14 +9,12 @@
 #include <optional>
 #include <stdexcept>
 
-#include "estimator/make_estimator.h"
 #include "estimator/paper/binarize.h"
 #include "estimator/paper/components.h"
 #include "models/angles.h"
 #include "scenarios/paper/base64.h"
+#include "scenarios/paper/still_room.h"
 #include "scenarios/report/annotated_frame.h"
-#include "scenarios/study/classifier_camera.h"
-#include "sim/camera_optics.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -52,12 +50,7 @@ View ViewOf(const Look& look, const models::CameraModel& camera) {
 class Studio {
  public:
   Studio(const Scenario& told, std::uint64_t seed)
-      : told_(told),
-        optics_(told.camera.model),
-        camera_(sim::MakeScene(told.scene, told.pad, seed), optics_, kNoise, seed),
-        estimator_(estimator::MakeEstimator(
-            told.estimator,
-            {.camera = told.camera.model, .pad = told.pad, .X_BC = told.vehicle.X_BC(), .time = told.time})) {}
+      : told_(told), room_(told, sim::MakeScene(told.scene, told.pad, seed), seed) {}
 
   struct Taken {
     models::Image image = {};
@@ -66,20 +59,14 @@ class Studio {
 
   Taken Take(const Look& look) {
     const View view = ViewOf(look, told_.camera.model);
-    Taken taken{.image = camera_.Take(view)};
-    const Eigen::Matrix3d R_WB = view.X_WC.linear() * told_.vehicle.X_BC().linear().transpose();
-    taken.seen = estimator_->Estimate(taken.image.View(), tick_ += told_.time.ticks_per_s,
-                                      -R_WB.transpose() * Vector3d::UnitZ());
+    Taken taken{.image = room_.Take(view)};
+    taken.seen = room_.Estimate(taken.image, DownIn(view.X_WC * told_.vehicle.X_BC().inverse()));
     return taken;
   }
 
  private:
-  static constexpr std::array<double, 1> kNoise{3.0};
   const Scenario& told_;
-  sim::CameraOptics optics_;
-  SceneCamera camera_;
-  std::unique_ptr<estimator::Estimator> estimator_;
-  models::Tick tick_ = 0;
+  StillRoom room_;
 };
 
 cv::Mat3b Coloured(models::Image& image) {

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "scenarios/flight/output_folder.h"
-#include "scenarios/flight/platform.h"
 #include "scenarios/flight/sha256.h"
 #include "scenarios/paper/accuracy.h"
 #include "scenarios/paper/ambiguity.h"
@@ -30,6 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kMark = "touchdown.paper";
+constexpr const char* kTimed = "computation_time";  // Where it was measured, the times are told for.
 
 FolderKind PaperFolder() {
   return {.files = {"paper.json", "report.html", "README.md", "summary.csv", "table_1.tex"},
@@ -60,11 +60,11 @@ void ClaimFolder(const fs::path& out, const ReproductionOptions& options) {
 }
 
 void WriteReport(const fs::path& out, const ReproductionOptions& options, const std::vector<ReportSection>& sections,
-                 const std::string& table_one) {
+                 const std::string& table_one, const std::vector<std::pair<std::string, std::string>>& platform) {
   const ReportHead head{.mark = fmt::format("<!-- {} -->", kMark),
                         .quick = options.quick,
                         .command = fmt::format("touchdown paper{} --out DIR", options.quick ? " --quick" : ""),
-                        .platform = PlatformFacts()};
+                        .platform = platform};
   const auto files = ReportFiles(head, sections);
   OutputFolder folder(out, PaperFolder());
   fs::create_directory(folder.PathOf("figures"));
@@ -114,7 +114,7 @@ std::vector<ComparedQuantity> ReproducePaper(const fs::path& out, const Reproduc
     sections.push_back(experiment.report(measured));
     compared.insert(compared.end(), sections.back().compared.begin(), sections.back().compared.end());
   }
-  WriteReport(out, options, sections, TableOneLatex(plan, measured));
+  WriteReport(out, options, sections, TableOneLatex(plan, measured), store.PlatformOf(kTimed));
   return compared;
 }
 

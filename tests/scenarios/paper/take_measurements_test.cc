@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "models/error.h"
+#include "scenarios/flight/platform.h"
 #include "tests/support/temporary_folder.h"
 
 namespace touchdown::scenarios {
@@ -56,6 +57,12 @@ TEST_F(TakeMeasurementsTest, TakesAgainWhatAnotherBuildMeasured) {
   EXPECT_EQ(taken_, 1);
   TakeMeasurements({Counted("a")}, Store("build 2"), 1, nullptr, nullptr);
   EXPECT_EQ(taken_, 2);
+}
+
+TEST_F(TakeMeasurementsTest, RemembersWhereItMeasured) {
+  EXPECT_TRUE(Store().PlatformOf("a").empty());
+  TakeMeasurements({Counted("a")}, Store(), 1, nullptr, nullptr);
+  EXPECT_EQ(Store().PlatformOf("a"), PlatformFacts());
 }
 
 TEST_F(TakeMeasurementsTest, TakesAgainWhatWasTruncated) {
