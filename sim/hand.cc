@@ -12,8 +12,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kLowest_m = 0.35;
-constexpr double kLift_s = 2.5;         // To the first of its heights.
-constexpr double kPadDirection = 0.20;  // Tangent of the angle by which the pad leaves the middle of the view.
+constexpr double kLift_s = 2.5;  // To the first of its heights.
+constexpr double kOff = 0.25;    // Of the height: how far off the pad, along each axis.
 
 void RequireWithin(double value, double low, double high, const char* what) {
   if (!(value >= low && value <= high)) throw InputError(std::string("the hand's ") + what + " is out of its range");
@@ -70,7 +70,7 @@ Hand::Hand(const HandConfig& config, const Eigen::Isometry3d& X_WB, const models
   wander(X_WB.translation().z(), kLowest_m + half_range_m, half_range_m);
   for (int i = 0; i < 2; ++i) wander(0.0, 0.0, config.max_tilt_rad);
   wander(models::TaitBryanFromRotation(X_WB.linear()).yaw, 0.0, config.max_yaw_rad);
-  for (int i = 0; i < 2; ++i) wander(0.0, 0.0, kPadDirection);
+  for (int i = 0; i < 2; ++i) wander(0.0, 0.0, kOff);
   for (int i = 0; i < 6; ++i) tremor_phases_.push_back(random.Uniform(-models::kPi, models::kPi));
 }
 
@@ -88,8 +88,7 @@ Eigen::Isometry3d Hand::PoseAt(double t_s) const {
   const auto value = [&](std::size_t i) { return wanders_[i].At(t_s); };
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   X_WB.linear() = models::RotationFromTaitBryan({value(1), value(2), value(3)});
-  const Vector3d to_pad = X_WB.linear() * Vector3d(value(4), value(5), -1.0);
-  X_WB.translation() = -to_pad * (value(0) / -to_pad.z());
+  X_WB.translation() = value(0) * Vector3d(value(4), value(5), 1.0);
   X_WB.translation().head<2>() += (1.0 - grip) * X_WB_standing_.translation().head<2>();
   X_WB.translation() += tremor(0, config_.tremor_m);
   X_WB.linear() *= models::RotationExp(tremor(3, config_.tremor_rad));

@@ -10,8 +10,7 @@
 
 namespace touchdown::sim {
 
-/// A hand that lifts the vehicle off the pad and carries it around over it, the camera towards the pad, motors off
-/// (Sec. VI-B.1).
+/// A hand that lifts the vehicle off the pad and moves and tilts it above the pad, motors off (Sec. VI-B.1).
 struct HandConfig {
   bool carries = false;  ///< Otherwise the vehicle flies.
   double duration_s = 45.0;
@@ -36,9 +35,9 @@ struct BodyMotion {
 
 /// The motion of a vehicle that is carried: a function of time, drawn from the stream "hand".
 ///
-/// Height, roll, pitch, yaw and the pad's direction as the camera sees it each go from one drawn value to the next with
-/// the least jerk, as hands move (Flash and Hogan, The coordination of arm movements, J. Neuroscience 5(7), 1985). The
-/// vehicle's place follows: the one from which the pad lies in that direction at that height.
+/// Height, place over the pad, roll, pitch and yaw each go from one drawn value to the next with the least jerk, as
+/// hands move (Flash and Hogan, The coordination of arm movements, J. Neuroscience 5(7), 1985). The higher, the farther
+/// the vehicle may be off the pad, so that the pad stays in view most of the time.
 class Hand {
  public:
   /// How long the vehicle stands before it is lifted, so that it learns what its accelerometer shows there.
@@ -70,7 +69,7 @@ class Hand {
   HandConfig config_;
   models::TimeBase time_;
   Eigen::Isometry3d X_WB_standing_;
-  std::vector<Wander> wanders_;        // Height, roll, pitch, yaw, and the pad's direction along X and Y of B.
+  std::vector<Wander> wanders_;        // Height, roll, pitch, yaw, and the place along X and Y over the height.
   std::vector<double> tremor_phases_;  // Along and about X, Y and Z.
 };
 

@@ -10,8 +10,9 @@ namespace touchdown::scenarios {
 struct PaperPlan {
   int seeds = 10;  ///< Flights of each kind, and calibrations.
   int landings = 100;
-  double hand_s = 45.0;   ///< Length of the hand-held motion.
-  double hover_s = 66.0;  ///< And of the disturbed hover, as the paper's.
+  double hand_s = 45.0;           ///< Length of the hand-held motion.
+  double hover_s = 66.0;          ///< And of the disturbed hover, as the paper's.
+  int outdoor_variant_seeds = 3;  ///< With one condition taken away; not more than `seeds`.
   int recognition_scenes = 100;
   int recognition_frames = 50;  ///< A scene, with the pad, and as many without it.
   int placements = 10;          ///< For each cell of Fig. 10 ...
@@ -28,6 +29,7 @@ struct PaperPlan {
             .landings = 3,
             .hand_s = 10.0,
             .hover_s = 5.0,
+            .outdoor_variant_seeds = 0,
             .recognition_scenes = 4,
             .recognition_frames = 25,
             .placements = 2,

@@ -69,6 +69,8 @@ TEST(Flights, TakeoffHoverLandPassesAndLooksAsInTheREADME) {
 
 TEST(Flights, DisturbedHoverPasses) { ExpectPass(Fly(Flight("disturbed_hover"))); }
 
+TEST(Flights, HandHeldPasses) { ExpectPass(Fly(Flight("hand_held", {"hand.duration_s=12"}))); }
+
 TEST(Flights, LandingPasses) { ExpectPass(Fly(Flight("landing"))); }
 
 TEST(Flights, OutdoorPasses) {
