@@ -55,8 +55,9 @@ TEST(ClosedLoop, FollowsAVehicleThatAHandCarries) {
     const FlightLog log = FlyClosedLoop(HandHeld(seed), {}, nullptr);
     EXPECT_EQ(log.outcome, Outcome::kHovered) << log.reason;
     EXPECT_LT(LargestLevelError(log), models::DegToRad(4.0)) << seed;  // The hand's own acceleration misleads it.
-    int seen = 0;
+    int seen = 0, in_view = 0;
     for (const FrameRecord& frame : log.frames) {
+      in_view += frame.ring_in_view ? 1 : 0;
       if (frame.status != estimator::FrameStatus::kOk) continue;
       // Where the H is strongly foreshortened its yaw is off, and turns the position about the pad with it.
       const Vector3d found = frame.pose->X_WB.translation(), truth = frame.X_WB.translation();
@@ -64,7 +65,8 @@ TEST(ClosedLoop, FollowsAVehicleThatAHandCarries) {
       EXPECT_NEAR(found.head<2>().norm(), truth.head<2>().norm(), 0.10);
       ++seen;
     }
-    EXPECT_GT(seen, 80) << seed;
+    EXPECT_GT(in_view, 40) << seed;  // So tilted, so soon: the pad leaves the view now and then.
+    EXPECT_GT(seen, 0.9 * in_view) << seed;
     for (const TickRecord& tick : log.ticks) EXPECT_EQ(tick.control.rotors.speed_rad_s[0], 0.0);
   }
 }
