@@ -1,7 +1,5 @@
 // What a frame costs, with AprilTag 3 on the same frames in the same run as the yardstick. `make bench`. Exit status 1
 // when vision takes more than a quarter of what undecimated AprilTag does.
-#include <apriltag/apriltag.h>
-#include <apriltag/tag36h11.h>
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -16,6 +14,7 @@
 #include "estimator/make_estimator.h"
 #include "models/angles.h"
 #include "models/random_stream.h"
+#include "scenarios/paper/april_tag.h"
 #include "sim/camera.h"
 #include "sim/world.h"
 
@@ -95,20 +94,11 @@ BENCHMARK_CAPTURE(Vision, footage_without_pad, false, estimator::FrameOrder::kUn
 
 void AprilTag(benchmark::State& state, float decimate) {
   const auto& views = Views();
-  apriltag_family_t* family = tag36h11_create();
-  apriltag_detector_t* detector = apriltag_detector_create();
-  apriltag_detector_add_family(detector, family);
-  detector->quad_decimate = decimate;
-  detector->nthreads = 1;
+  scenarios::AprilTagDetector detector(decimate);
   int frames = 0;
   for (auto _ : state) {
-    const View& view = views[static_cast<std::size_t>(frames++) % kFrames];
-    image_u8_t image{view.image.width, view.image.height, view.image.width,
-                     const_cast<std::uint8_t*>(view.image.pixels.data())};
-    apriltag_detections_destroy(apriltag_detector_detect(detector, &image));
+    benchmark::DoNotOptimize(detector.Detect(views[static_cast<std::size_t>(frames++) % kFrames].image.View()));
   }
-  apriltag_detector_destroy(detector);
-  tag36h11_destroy(family);
 }
 BENCHMARK_CAPTURE(AprilTag, undecimated, 1.0F)->Name(kAprilTag)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(AprilTag, decimated_by_2, 2.0F)->Unit(benchmark::kMillisecond);

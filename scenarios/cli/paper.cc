@@ -45,31 +45,34 @@ Json SummaryJson(const std::vector<ComparedQuantity>& compared) {
                     {"unit", row.unit},
                     {"published", nullptr},
                     {"ours", row.ours},
-                    {"kept", row.IsKept()},
+                    {"kept", nullptr},
                     {"spread", row.spread}});
-    if (row.published) rows.back()["published"] = *row.published;
+    if (!row.published) continue;
+    rows.back()["published"] = *row.published;
+    rows.back()["kept"] = row.IsKept();
   }
   return rows;
 }
 
+std::vector<ComparedQuantity> ReproduceWithProgress(const Options& options) {
+  Progress progress(!options.talk.ForPeople());
+  return ReproducePaper(options.out, {.quick = options.quick, .jobs = options.jobs}, InterruptRequested,
+                        [&](double share, const std::string& text) {
+                          if (progress.IsDue()) progress.Tell(share, text);
+                        });
+}
+
 int Reproduce(const Options& options) {
-  const std::vector<ComparedQuantity> compared = [&] {
-    Progress progress(!options.talk.ForPeople());
-    try {
-      return ReproducePaper(options.out, {.quick = options.quick, .jobs = options.jobs}, InterruptRequested,
-                            [&](double share, const std::string& text) {
-                              if (progress.IsDue()) progress.Tell(share, text);
-                            });
-    } catch (const Interrupted&) {
-      spdlog::warn("interrupted: what is measured is kept in {}/measurements, and the same command goes on from there",
-                   options.out);
-      return std::vector<ComparedQuantity>();
-    }
-  }();
-  if (InterruptRequested()) return kInterrupted;
-  if (options.talk.json) fmt::print("{}\n", SummaryJson(compared).dump(2));
-  if (options.talk.ForPeople()) PrintSummary(compared, options.out);
-  return kPassed;
+  try {
+    const std::vector<ComparedQuantity> compared = ReproduceWithProgress(options);
+    if (options.talk.json) fmt::print("{}\n", SummaryJson(compared).dump(2));
+    if (options.talk.ForPeople()) PrintSummary(compared, options.out);
+    return kPassed;
+  } catch (const Interrupted&) {
+    spdlog::warn("interrupted: what is measured is kept in {}/measurements, and the same command goes on from there",
+                 options.out);
+    return kInterrupted;
+  }
 }
 
 }  // namespace

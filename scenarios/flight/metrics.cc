@@ -16,7 +16,6 @@ namespace {
 using controller::Phase;
 using models::RadToDeg;
 
-constexpr double kFalsePad_px = 30.0;
 constexpr double kExcursion_m = 0.30;
 constexpr double kBackFromExcursion_m = 0.15;
 

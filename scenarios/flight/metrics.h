@@ -12,6 +12,9 @@ namespace touchdown::scenarios {
 
 struct FlightLog;
 
+/// A pad that is detected farther than this from the true one is a false one.
+inline constexpr double kFalsePad_px = 30.0;
+
 /// A metric's stable name and meaning.
 struct MetricInfo {
   std::string_view name;

@@ -6,9 +6,9 @@
 namespace touchdown::scenarios {
 
 struct AprilTagDetector::Impl {
-  Impl() {
+  explicit Impl(float decimate) {
     apriltag_detector_add_family(detector, family);
-    detector->quad_decimate = 1.0F;
+    detector->quad_decimate = decimate;
     detector->nthreads = 1;
   }
   ~Impl() {
@@ -22,7 +22,7 @@ struct AprilTagDetector::Impl {
   apriltag_detector_t* detector = apriltag_detector_create();
 };
 
-AprilTagDetector::AprilTagDetector() : impl_(std::make_unique<Impl>()) {}
+AprilTagDetector::AprilTagDetector(float decimate) : impl_(std::make_unique<Impl>(decimate)) {}
 AprilTagDetector::~AprilTagDetector() = default;
 
 int AprilTagDetector::Detect(const models::ImageView& image) {

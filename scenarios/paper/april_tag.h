@@ -6,11 +6,12 @@
 
 namespace touchdown::scenarios {
 
-/// AprilTag 3 (Krogius, Haggenmiller, Olson 2019) as it comes, undecimated, one thread: the yardstick for what looking
+/// AprilTag 3 (Krogius, Haggenmiller, Olson 2019) as it comes, on one thread: the yardstick for what looking
 /// at a frame costs.
 class AprilTagDetector {
  public:
-  AprilTagDetector();
+  /// `decimate`: it looks for tags in an image so many times smaller.
+  explicit AprilTagDetector(float decimate = 1.0F);
   ~AprilTagDetector();
   AprilTagDetector(const AprilTagDetector&) = delete;
   AprilTagDetector& operator=(const AprilTagDetector&) = delete;

@@ -13,7 +13,6 @@
 namespace touchdown::scenarios {
 namespace {
 
-constexpr const char* kId = "computation_time";
 constexpr double kPublishedMean_ms = 11.0;
 constexpr double kMostOfAprilTag = 0.25;
 
@@ -101,7 +100,7 @@ ReportTable ByHeight(const std::vector<FrameCost>& costs) {
 }
 
 ReportSection Report(const Measured& measured) {
-  const Json& json = measured.at(kId);
+  const Json& json = measured.at(kComputationTimeId);
   const std::vector<FrameCost> costs = CostsOf(json);
   const std::vector<double> total = Of(costs, [](const FrameCost& cost) { return std::optional(cost.total_ms()); });
   const double ratio = json.at("vision_ms_same_frames").get<double>() / json.at("april_tag_ms").get<double>();
@@ -158,7 +157,7 @@ Experiment ComputationTimeExperiment(const PaperPlan& /*plan*/, const PaperVehic
   vehicle.Equip(scenario);
   constexpr double kFlight_s = 26.0;
   return {.measurements =
-              {{.id = kId,
+              {{.id = kComputationTimeId,
                 .expected_s = kFlight_s,
                 .alone = true,
                 .take = [scenario](const StopRequested& stop_requested) { return Measure(scenario, stop_requested); }}},

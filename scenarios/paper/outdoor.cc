@@ -103,7 +103,7 @@ ReportSection Report(const PaperPlan& plan, const Measured& measured) {
          .why = row.key == "yaw_deg"
                     ? "The ground's slope, learned as level while standing, lets the vehicle drift on the blind climb: "
                       "the pad is then "
-                      "seen askew, and the H's ellipse is not rectified. On level ground it is as indoors."
+                      "seen askew, and the H's ellipse is not rectified. The table below takes the slope away."
                     : "The paper says 'similar overall performance'; 1.5 is our reading of it."});
   }
   section.tables.push_back(std::move(table));

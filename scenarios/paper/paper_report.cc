@@ -29,7 +29,7 @@ std::string Ratio(const ComparedQuantity& row) {
   return row.published && *row.published > 0.0 ? fmt::format("{:.2f}", row.ours / *row.published) : "–";
 }
 
-/// "better", "worse", or nothing where there is nothing to compare with.
+/// Whether it is kept in words, or nothing where there is nothing to compare with.
 std::string Verdict(const ComparedQuantity& row) {
   if (!row.published) return "";
   return row.IsKept() ? "at or below" : "above";
@@ -53,7 +53,11 @@ std::string SummaryCsv(const std::vector<ReportSection>& sections) {
   for (const ReportSection& section : sections) {
     for (const ComparedQuantity& row : section.compared) {
       csv += QuotedLine({section.id, row.quantity, row.unit, row.published ? fmt::format("{}", *row.published) : "",
-                         fmt::format("{:.6g}", row.ours), row.spread, row.IsKept() ? "yes" : "no", row.why});
+                         fmt::format("{:.6g}", row.ours), row.spread,
+                         !row.published ? ""
+                         : row.IsKept() ? "yes"
+                                        : "no",
+                         row.why});
     }
   }
   return csv;

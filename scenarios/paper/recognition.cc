@@ -9,6 +9,7 @@
 #include "estimator/paper/components.h"
 #include "models/angles.h"
 #include "models/random_stream.h"
+#include "scenarios/flight/metrics.h"
 #include "scenarios/flight/pad_view.h"
 #include "scenarios/paper/recognition_pictures.h"
 #include "scenarios/paper/still_room.h"
@@ -26,7 +27,6 @@ using models::RandomStream;
 
 constexpr std::array<double, 6> kDistances_m = {0.12, 0.3, 0.6, 1.0, 1.6, 2.5};
 constexpr std::array<double, 5> kTilts_deg = {0.0, 10.0, 20.0, 35.0, 50.0};
-constexpr double kFalsePad_px = 30.0;  // As estimate.false_pads has it.
 
 /// Views as flights and hands have them, and worse: large perspective, blur, weak contrast.
 ViewConfig Views() {

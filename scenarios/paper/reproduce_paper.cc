@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <string>
 
+#include "models/error.h"
 #include "scenarios/flight/output_folder.h"
 #include "scenarios/flight/sha256.h"
 #include "scenarios/paper/accuracy.h"
@@ -29,7 +29,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kMark = "touchdown.paper";
-constexpr const char* kTimed = "computation_time";  // Where it was measured, the times are told for.
 
 FolderKind PaperFolder() {
   return {.files = {"paper.json", "report.html", "README.md", "summary.csv", "table_1.tex"},
@@ -51,10 +50,22 @@ std::string ProgramDigest() {
   return Sha256({&bytes});
 }
 
-/// Makes the folder, unless it is there from an earlier run, whose report stays until there is another.
+/// Whether the run that `out` is from was a quick one.
+bool WasQuick(const fs::path& out) {
+  std::ifstream stream(out / "paper.json");
+  const Json json = Json::parse(stream, nullptr, false);
+  return json.is_object() && json.value("quick", false);
+}
+
+/// Makes the folder, unless it is there from an earlier run of the same kind, whose report stays until there is
+/// another.
 void ClaimFolder(const fs::path& out, const ReproductionOptions& options) {
   OutputFolder folder(out, PaperFolder());
-  if (fs::exists(out / "paper.json")) return;
+  if (fs::exists(out / "paper.json")) {
+    if (WasQuick(out) == options.quick) return;
+    throw InputError(fmt::format("output folder {}: holds a {} run, which this one would replace; name another",
+                                 out.string(), options.quick ? "full" : "quick"));
+  }
   folder.Write("paper.json", FolderJson(options));
   folder.Commit();
 }
@@ -114,7 +125,7 @@ std::vector<ComparedQuantity> ReproducePaper(const fs::path& out, const Reproduc
     sections.push_back(experiment.report(measured));
     compared.insert(compared.end(), sections.back().compared.begin(), sections.back().compared.end());
   }
-  WriteReport(out, options, sections, TableOneLatex(plan, measured), store.PlatformOf(kTimed));
+  WriteReport(out, options, sections, TableOneLatex(plan, measured), store.PlatformOf(kComputationTimeId));
   return compared;
 }
 

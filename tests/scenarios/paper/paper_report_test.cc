@@ -60,7 +60,7 @@ TEST_F(PaperReportTest, SumsUpWhatIsKeptAndWhatIsNot) {
             "section,quantity,unit,published,ours,spread,kept,why\n"
             "yaw,mean |x|,mm,24,6,\"a, b\",yes,W\n"
             "yaw,yaw,deg,3,4.5,,no,\n"
-            "yaw,cost,,,0.1,,yes,\n");
+            "yaw,cost,,,0.1,,,\n");
   EXPECT_THAT(files_["report.html"], HasSubstr("1 of 2 at or below the published"));
   EXPECT_THAT(files_["README.md"], HasSubstr("| mean \\|x\\| | mm | 24 | 6 | 0.25 | at or below | a, b |"));
   EXPECT_THAT(files_["README.md"], HasSubstr("| yaw | deg | 3 | 4.5 | 1.50 | above |"));
