@@ -4,14 +4,12 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <vector>
 
 #include "models/angles.h"
-#include "models/error.h"
-#include "models/vehicle.h"
+#include "tests/support/paper_estimator_fixture.h"
 #include "tests/support/synthetic_pad.h"
 
 namespace touchdown::estimator {
@@ -19,35 +17,10 @@ namespace {
 
 using Eigen::Vector3d;
 using tests::GravityIn;
+using tests::kFrame;
 using tests::PadPicture;
 
-constexpr models::Tick kFrame = 20;
-
-class PaperEstimatorTest : public testing::Test {
- protected:
-  /// The body's pose whose camera looks straight down from `p_WC`, tilted as CameraAbovePad tells.
-  Eigen::Isometry3d BodyWithCameraAt(const Vector3d& p_WC, double yaw = 0.0, double tilt = 0.0,
-                                     double direction = 0.0) const {
-    return tests::CameraAbovePad(p_WC, yaw, tilt, direction) * setup_.X_BC.inverse();
-  }
-
-  models::Image Picture(const Eigen::Isometry3d& X_WB, PadPicture picture = {.noise_sigma = 3.0}) {
-    return tests::RenderPad(setup_.camera, setup_.pad, X_WB * setup_.X_BC, picture, &random_);
-  }
-
-  FrameEstimate See(const Eigen::Isometry3d& X_WB, PadPicture picture = {.noise_sigma = 3.0}) {
-    return estimator_->Estimate(Picture(X_WB, std::move(picture)).View(), tick_ += kFrame, GravityIn(X_WB));
-  }
-
-  FrameEstimate SeeImage(const models::Image& image, const Eigen::Isometry3d& X_WB) {
-    return estimator_->Estimate(image.View(), tick_ += kFrame, GravityIn(X_WB));
-  }
-
-  EstimatorSetup setup_{.camera = {}, .pad = {}, .X_BC = models::Vehicle().X_BC(), .time = {}};
-  models::RandomStream random_{1, "tests.paper_estimator"};
-  std::unique_ptr<PaperEstimator> estimator_ = std::make_unique<PaperEstimator>(setup_);
-  models::Tick tick_ = 0;
-};
+using PaperEstimatorTest = tests::PaperEstimatorFixture;
 
 double AngleBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   return models::RotationLog(a.linear().transpose() * b.linear()).norm();
@@ -292,93 +265,6 @@ TEST_F(PaperEstimatorTest, TakesNoPadForOneOfAnotherLetter) {
       }
     }
   }
-}
-
-TEST_F(PaperEstimatorTest, SeesABlankImageAsNoComponent) {
-  const models::Image blank(640, 480, 128);
-  const FrameEstimate seen = SeeImage(blank, BodyWithCameraAt({0, 0, 1}));
-  EXPECT_EQ(seen.status, FrameStatus::kNoComponent);
-  EXPECT_FALSE(seen.pose);
-  EXPECT_FALSE(seen.pad_px);
-}
-
-TEST_F(PaperEstimatorTest, SeesALoneLetterAsNoCircle) {
-  const FrameEstimate seen = See(BodyWithCameraAt({0, 0, 0.6}), {.ring = false});
-  EXPECT_EQ(seen.status, FrameStatus::kNoCircle);
-  EXPECT_FALSE(seen.trace.components.empty());
-}
-
-TEST_F(PaperEstimatorTest, SeesALoneRingAsNoH) {
-  EXPECT_EQ(See(BodyWithCameraAt({0, 0, 0.6}), {.letter = false}).status, FrameStatus::kNoH);
-}
-
-TEST_F(PaperEstimatorTest, SeesAnHBesideTheRingAsNoPair) {
-  const models::LandingPad pad;
-  const auto letter_aside = [pad](const Eigen::Vector2d& p) -> std::optional<double> {
-    const Eigen::Vector2d q = p - Eigen::Vector2d(0.0, 0.35);
-    if (q.norm() > 0.10) return std::nullopt;
-    return pad.IsBlack(q) && q.norm() < pad.inner_radius_m() ? 25.0 : 215.0;
-  };
-  const FrameEstimate seen = See(BodyWithCameraAt({0, 0.15, 0.6}), {.letter = false, .paint = letter_aside});
-  EXPECT_EQ(seen.status, FrameStatus::kNoPair);
-}
-
-/// A hand held over the part of the pad beyond `x_m`.
-std::function<std::optional<double>(const Eigen::Vector2d&)> HandBeyond(double x_m) {
-  return [x_m](const Eigen::Vector2d& p) { return p.x() > x_m ? std::optional(160.0) : std::nullopt; };
-}
-
-TEST_F(PaperEstimatorTest, GivesNoPoseOrTheRightOneWhereAHandCoversPartOfTheRing) {
-  EstimatorSetup unrelated = setup_;
-  unrelated.frame_order = FrameOrder::kUnrelated;
-  PaperEstimator footage(unrelated);
-  const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.02, 0.01, 0.6});
-  for (const double x_m : {-0.03, 0.0, 0.03, 0.055, 0.06, 0.065, 0.07, 0.075, 0.08, 0.085, 0.095}) {
-    const FrameEstimate in_flight = See(X_WB, {.noise_sigma = 3.0, .paint = HandBeyond(x_m)});
-    const models::Image image = Picture(X_WB, {.noise_sigma = 3.0, .paint = HandBeyond(x_m)});
-    const FrameEstimate in_footage = footage.Estimate(image.View(), 0, GravityIn(X_WB));
-    for (const FrameEstimate& seen : {in_flight, in_footage}) {
-      if (x_m < 0.03) {
-        EXPECT_FALSE(seen.pose) << "it covers half of the H, beyond " << x_m;
-      }
-      if (!seen.pose) continue;
-      const Eigen::Vector3d error = seen.pose->X_WB.translation() - X_WB.translation();
-      const Eigen::Vector3d sigma = seen.pose->covariance.diagonal().head<3>().cwiseSqrt();
-      EXPECT_LT(error.norm(), 0.03) << x_m;
-      EXPECT_TRUE((error.array().abs() < 4.0 * sigma.array()).all()) << x_m << ": " << error.transpose();
-    }
-  }
-  EXPECT_EQ(See(X_WB, {.noise_sigma = 3.0, .paint = HandBeyond(0.095)}).status, FrameStatus::kOk);
-}
-
-TEST_F(PaperEstimatorTest, FindsNoEllipseWhereTheOutlineIsNone) {
-  // A square frame with an H in it, that the truth here calls a circle.
-  const auto square = [](const Eigen::Vector2d& p) -> std::optional<double> {
-    const double side = p.cwiseAbs().maxCoeff();
-    if (side > 0.074 && side < 0.09) return 25.0;
-    return std::nullopt;
-  };
-  PaperEstimator estimator(setup_, {}, [](const ComponentSet&, const Component& component) {
-    Classification seen;
-    seen.label = component.width > 70 ? FrameTrace::Label::kCircle : FrameTrace::Label::kH;
-    seen.posterior[static_cast<std::size_t>(seen.label)] = 1.0;
-    return seen;
-  });
-  const Eigen::Isometry3d X_WB = BodyWithCameraAt({0, 0, 0.6});
-  const models::Image image = Picture(X_WB, {.floor = 215.0, .ring = false, .paint = square});
-  const FrameEstimate seen = estimator.Estimate(image.View(), 0, GravityIn(X_WB));
-  EXPECT_EQ(seen.status, FrameStatus::kNoEllipse);
-  EXPECT_FALSE(seen.pose);
-  EXPECT_FALSE(seen.pad_px);
-}
-
-TEST_F(PaperEstimatorTest, CallsAJumpAnOutlierAndTellsItsPose) {
-  ASSERT_EQ(See(BodyWithCameraAt({0, 0, 0.6})).status, FrameStatus::kOk);
-  const FrameEstimate jumped = See(BodyWithCameraAt({0.3, 0.2, 1.1}));
-  EXPECT_EQ(jumped.status, FrameStatus::kOutlier);
-  ASSERT_TRUE(jumped.pose);
-  EXPECT_NEAR(jumped.pose->X_WB.translation().x(), 0.3, 0.1);
-  EXPECT_EQ(See(BodyWithCameraAt({0, 0, 0.61})).status, FrameStatus::kOk);
 }
 
 TEST_F(PaperEstimatorTest, IsNotFooledByClutter) {

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <memory>
+#include <utility>
+
+#include "estimator/paper/paper_estimator.h"
+#include "models/random_stream.h"
+#include "models/vehicle.h"
+#include "tests/support/synthetic_pad.h"
+
+namespace touchdown::tests {
+
+inline constexpr models::Tick kFrame = 20;
+
+/// An estimator that sees synthetic pictures of the pad, a frame apart.
+class PaperEstimatorFixture : public testing::Test {
+ protected:
+  /// The body's pose whose camera looks straight down from `p_WC`, tilted as CameraAbovePad tells.
+  Eigen::Isometry3d BodyWithCameraAt(const Eigen::Vector3d& p_WC, double yaw = 0.0, double tilt = 0.0,
+                                     double direction = 0.0) const {
+    return CameraAbovePad(p_WC, yaw, tilt, direction) * setup_.X_BC.inverse();
+  }
+
+  models::Image Picture(const Eigen::Isometry3d& X_WB, PadPicture picture = {.noise_sigma = 3.0}) {
+    return RenderPad(setup_.camera, setup_.pad, X_WB * setup_.X_BC, picture, &random_);
+  }
+
+  estimator::FrameEstimate See(const Eigen::Isometry3d& X_WB, PadPicture picture = {.noise_sigma = 3.0}) {
+    return estimator_->Estimate(Picture(X_WB, std::move(picture)).View(), tick_ += kFrame, GravityIn(X_WB));
+  }
+
+  estimator::FrameEstimate SeeImage(const models::Image& image, const Eigen::Isometry3d& X_WB) {
+    return estimator_->Estimate(image.View(), tick_ += kFrame, GravityIn(X_WB));
+  }
+
+  estimator::EstimatorSetup setup_{.camera = {}, .pad = {}, .X_BC = models::Vehicle().X_BC(), .time = {}};
+  models::RandomStream random_{1, "tests.paper_estimator"};
+  std::unique_ptr<estimator::PaperEstimator> estimator_ = std::make_unique<estimator::PaperEstimator>(setup_);
+  models::Tick tick_ = 0;
+};
+
+}  // namespace touchdown::tests
