@@ -26,10 +26,10 @@ struct Options {
 
 void PrintSummary(const std::vector<ComparedQuantity>& compared, const std::string& out) {
   fmt::print("{:<58} {:>10} {:>10}\n", "", "published", "ours");
+  const auto figure = [](const std::optional<double>& value) { return value ? fmt::format("{:.3g}", *value) : "-"; };
   for (const ComparedQuantity& row : compared) {
-    fmt::print("{} {:<56} {:>10} {:>10} {:<4} {}\n", row.IsKept() ? " " : "!", row.quantity,
-               row.published ? fmt::format("{:.3g}", *row.published) : "-", fmt::format("{:.3g}", row.ours), row.unit,
-               row.spread);
+    fmt::print("{} {:<56} {:>10} {:>10} {:<4} {}\n", row.IsKept() ? " " : "!", row.quantity, figure(row.published),
+               figure(row.ours), row.unit, row.spread);
   }
   fmt::print("{} of {} above the published; report in {}/report.html\n",
              std::count_if(compared.begin(), compared.end(), [](const ComparedQuantity& row) { return !row.IsKept(); }),
@@ -44,9 +44,10 @@ Json SummaryJson(const std::vector<ComparedQuantity>& compared) {
     rows.push_back({{"quantity", row.quantity},
                     {"unit", row.unit},
                     {"published", nullptr},
-                    {"ours", row.ours},
+                    {"ours", nullptr},
                     {"kept", nullptr},
                     {"spread", row.spread}});
+    if (row.ours) rows.back()["ours"] = *row.ours;
     if (!row.published) continue;
     rows.back()["published"] = *row.published;
     rows.back()["kept"] = row.IsKept();

@@ -214,17 +214,12 @@ ReportSection Report(const PaperPlan& plan, const Measured& measured) {
   ReportSection section{.id = "accuracy", .title = "5 DOF accuracy (Sec. VI-B.5, Fig. 10)"};
   section.paragraphs = {fmt::format(
       "The vehicle is held still with the pad's centre on the optical axis: {} placements a cell, each in a room of "
-      "its own, {} "
-      "frames each. A placement's mean error is systematic (calibration, pixel grid), what remains over its frames is "
-      "random. Roll and pitch errors together are the attitude's; the vertical that chooses between the circle's two "
-      "poses is "
-      "0.5° off about each axis. The limit is the Cram&eacute;r-Rao bound for the ring's outer edge alone, for pixels "
-      "as sharp "
-      "as they can be, at the noise and contrast of the frames; it holds for the random part. Seen frontally there is "
-      "none: "
-      "a tilt moves the edge as a shift does. At large roll most of the position's error is systematic: the H, seen "
-      "askew, turns the position about "
-      "the pad by the error of its yaw.",
+      "its own, {} frames each. A placement's mean error is systematic (calibration, pixel grid), what remains over "
+      "its frames is random. Roll and pitch errors together are the attitude's; the vertical that chooses between the "
+      "circle's two poses is 0.5° off about each axis. The limit is the Cram&eacute;r-Rao bound for the ring's outer "
+      "edge alone, for pixels as sharp as they can be, at the noise and contrast of the frames; it holds for the "
+      "random part. Seen frontally there is none: a tilt moves the edge as a shift does. At large roll most of the "
+      "position's error is systematic: the H, seen askew, turns the position about the pad by the error of its yaw.",
       plan.placements, plan.frames_per_placement)};
   const std::string csv = CellsCsv(cells);
   section.figures.push_back({.name = "fig_10a_position",
@@ -241,8 +236,7 @@ ReportSection Report(const PaperPlan& plan, const Measured& measured) {
       .name = "fig_10_cells",
       .caption = "Position (mm) and attitude (deg): RMSE, systematic and random part, limit of the random part.",
       .head = {"distance, m", "roll, deg", "found", "position", "syst.", "random", "limit", "attitude", "syst.",
-               "random", "limit"},
-      .rows = {}};
+               "random", "limit"}};
   const Cell* worst = &cells.front();
   for (const Cell& cell : cells) {
     const auto or_none = [](const std::optional<double>& value, int digits) {

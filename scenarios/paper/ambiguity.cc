@@ -136,26 +136,21 @@ std::string Percent(int part, int whole) { return whole == 0 ? "none" : Fixed(10
 
 ReportSection Report(const PaperPlan& plan, const Measured& measured) {
   ReportSection section{.id = "ambiguity", .title = "The ambiguity (Sec. IV-C.2)"};
-  section.paragraphs.push_back(
-      fmt::format("{} views at each tilt, 0.5, 1 and 1.5 m away, noise as in a flight; from each ring's ellipse both "
-                  "poses, and Eq. 14 with a "
-                  "vertical that is off by so much in {} directions. The right pose is the one that the true vertical "
-                  "chooses. Where both are within "
-                  "{:.0f}° of each other it hardly matters which is taken; wrong choices that do matter are given to "
-                  "the outlier rule, one frame "
-                  "after a right pose.",
-                  plan.ambiguity_views, kDirections, RadToDeg(kFarApart_rad)));
+  section.paragraphs.push_back(fmt::format(
+      "{} views at each tilt, 0.5, 1 and 1.5 m away, noise as in a flight; from each ring's ellipse both poses, and "
+      "Eq. 14 with a vertical that is off by so much in {} directions. The right pose is the one that the true "
+      "vertical chooses. Where both are within {:.0f}° of each other it hardly matters which is taken; wrong choices "
+      "that do matter are given to the outlier rule, one frame after a right pose.",
+      plan.ambiguity_views, kDirections, RadToDeg(kFarApart_rad)));
   ReportTable rates{.name = "ambiguity",
                     .caption = "Share of wrong choices, by the tilt of the view and the error of the vertical.",
-                    .head = {"tilt, deg"},
-                    .rows = {}};
+                    .head = {"tilt, deg"}};
   for (const double error : kGravityErrors_deg) rates.head.push_back(fmt::format("{}°", error));
   ReportTable caught{
       .name = "ambiguity_outliers",
       .caption = fmt::format("Of the wrong choices with the poses over {:.0f}° apart, over all errors of the vertical.",
                              RadToDeg(kFarApart_rad)),
-      .head = {"tilt, deg", "wrong choices", "off by, mm", "caught by the outlier rule"},
-      .rows = {}};
+      .head = {"tilt, deg", "wrong choices", "off by, mm", "caught by the outlier rule"}};
   std::string csv = "tilt_deg,gravity_error_deg,choices,wrong,wrong_share\n";
   for (const double tilt_deg : kTilts_deg) {
     const Json& errors = measured.at(IdOf(tilt_deg)).at("errors");
@@ -182,18 +177,16 @@ ReportSection Report(const PaperPlan& plan, const Measured& measured) {
   for (std::size_t i = 0; i < kGravityErrors_deg.size(); ++i) {
     curves += fmt::format(
         "data using 'tilt_deg':(column('gravity_error_deg')=={0} ? 100*column('wrong_share') : NaN) with linespoints "
-        "pt 7 ps "
-        "0.5 lw 1.4 lc rgb {1} title '{0} deg', \\\n",
+        "pt 7 ps 0.5 lw 1.4 lc rgb {1} title '{0} deg', \\\n",
         kGravityErrors_deg[i], kColours[i]);
   }
-  section.figures.push_back(
-      {.name = "ambiguity",
-       .title = "Wrong choices",
-       .caption = "Over the tilt of the view, for errors of the vertical from 0 to 15°.",
-       .csv = csv,
-       .plot = "set key outside right title 'vertical off by'\nset xlabel 'tilt, deg'\nset ylabel 'wrong "
-               "choices, %'\nset yrange [0:*]\nset datafile missing NaN\nplot " +
-               curves + "NaN notitle\n"});
+  section.figures.push_back({.name = "ambiguity",
+                             .title = "Wrong choices",
+                             .caption = "Over the tilt of the view, for errors of the vertical from 0 to 15°.",
+                             .csv = csv,
+                             .plot = "set key outside right title 'vertical off by'\nset xlabel 'tilt, deg'\nset "
+                                     "ylabel 'wrong choices, %'\nset yrange [0:*]\nset datafile missing NaN\nplot " +
+                                     curves + "NaN notitle\n"});
   return section;
 }
 

@@ -73,18 +73,14 @@ ReportSection Report(const PaperPlan& plan, const Measured& measured) {
   ReportSection section{.id = "calibrations", .title = "Calibrations (Sec. III-D, Eqs. 1 and 2)"};
   section.paragraphs.push_back(
       fmt::format("The camera looks at a chessboard from 27 places while the tracking system sees vehicle and board: "
-                  "intrinsics and the "
-                  "board's pose from the corners, the camera's mounting by Eq. 2. The IMU's mounting is the shortest "
-                  "rotation that takes the "
-                  "gravity measured on level ground to the body's vertical: it holds the accelerometer's bias of that "
-                  "day, and cannot tell "
-                  "a turn about the vertical. {} calibrations of the same vehicle; the first is what all flights below "
-                  "are flown with.",
+                  "intrinsics and the board's pose from the corners, the camera's mounting by Eq. 2. The IMU's "
+                  "mounting is the shortest rotation that takes the gravity measured on level ground to the body's "
+                  "vertical: it holds the accelerometer's bias of that day, and cannot tell a turn about the vertical. "
+                  "{} calibrations of the same vehicle; the first is what all flights below are flown with.",
                   plan.seeds));
   ReportTable table{.name = "calibrations",
                     .caption = "Errors against the truth.",
-                    .head = {"of", "unit", "mean", "worst", "flown with"},
-                    .rows = {}};
+                    .head = {"of", "unit", "mean", "worst", "flown with"}};
   for (const Row& row : kRows) {
     std::vector<double> values;
     for (int seed = 1; seed <= plan.seeds; ++seed) values.push_back(measured.at(IdOf(seed)).at(row.key).get<double>());

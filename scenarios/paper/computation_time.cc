@@ -81,8 +81,7 @@ ReportTable ByHeight(const std::vector<FrameCost>& costs) {
   constexpr std::array<double, 6> kEdges_m = {0.2, 0.3, 0.45, 0.65, 0.9, 1.2};
   ReportTable table{.name = "computation_time_by_height",
                     .caption = "Mean per frame by the body's height, over the frames that show the ring whole.",
-                    .head = {"height, m", "frames", "recognition, ms", "geometry, ms"},
-                    .rows = {}};
+                    .head = {"height, m", "frames", "recognition, ms", "geometry, ms"}};
   for (std::size_t i = 0; i + 1 < kEdges_m.size(); ++i) {
     const double low = kEdges_m[i], high = kEdges_m[i + 1];
     const auto part = [&](double FrameCost::*member) {
@@ -107,12 +106,10 @@ ReportSection Report(const Measured& measured) {
   ReportSection section{.id = "computation-time", .title = "Computation time (Sec. VI-B.4, Fig. 9)"};
   section.paragraphs.push_back(fmt::format(
       "The autonomous flight of seed 1, one core, nothing beside it that this program runs. Recognition is everything "
-      "from the image to what may be "
-      "the pad; geometry is edges, ellipses, the print's check, and the pose. A frame takes {} ms in the mean, {} ms "
-      "at the 99th "
-      "percentile. AprilTag 3, undecimated, takes {} ms for every fourth of the same frames in the same run. The "
-      "paper's onboard computer is a 1.86 GHz Core 2 Duo: "
-      "times are not comparable, shares and growth are.",
+      "from the image to what may be the pad; geometry is edges, ellipses, the print's check, and the pose. A frame "
+      "takes {} ms in the mean, {} ms at the 99th percentile. AprilTag 3, undecimated, takes {} ms for every fourth of "
+      "the same frames in the same run. The paper's onboard computer is a 1.86 GHz Core 2 Duo: times are not "
+      "comparable, shares and growth are.",
       Fixed(Mean(total), 2), Fixed(Quantile(total, 0.99), 2), Fixed(json.at("april_tag_ms").get<double>(), 1)));
   std::string csv = "t_s,height_m,recognition_ms,geometry_ms,total_ms\n";
   for (const FrameCost& cost : costs) {
@@ -126,8 +123,7 @@ ReportSection Report(const Measured& measured) {
        .csv = csv,
        .plot = fmt::format(
            "set key top left horizontal\nset xlabel 't, s'\nset ylabel 'ms a frame'\nset y2label 'height, m' textcolor "
-           "rgb "
-           "MUTED\nset y2tics textcolor rgb MUTED\nset y2range [0:2]\nset yrange [0:{}]\n"
+           "rgb MUTED\nset y2tics textcolor rgb MUTED\nset y2range [0:2]\nset yrange [0:{}]\n"
            "plot data using 't_s':'height_m' axes x1y2 with lines lw 0.8 lc rgb MUTED title 'height', \\\n"
            "     data using 't_s':'total_ms' with lines lw 1 lc rgb INK title 'whole', \\\n"
            "     data using 't_s':'recognition_ms' with lines lw 1 lc rgb ESTIMATE title 'recognition', \\\n"

@@ -6,7 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
+#include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <cstdlib>
@@ -16,10 +16,11 @@
 #include <iterator>
 #include <regex>
 #include <stdexcept>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "models/error.h"
+#include "scenarios/report/page_assets.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -28,22 +29,24 @@ namespace fs = std::filesystem;
 
 constexpr double kSvgUnitsPerCm = 48.0;
 
-/// The page's colours by day (scenarios/report/web/page.css), by the names of its variables.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kColours = {{{"paper", "#ffffff"},
-                                                                                     {"ink", "#1a1f26"},
-                                                                                     {"muted", "#5a6572"},
-                                                                                     {"line", "#dfe3e8"},
-                                                                                     {"grid", "#e8ebef"},
-                                                                                     {"estimate", "#0072b2"},
-                                                                                     {"vision", "#5fb0e0"},
-                                                                                     {"set-point", "#d55e00"},
-                                                                                     {"first", "#8f2763"},
-                                                                                     {"second", "#14917f"},
-                                                                                     {"third", "#b98900"},
-                                                                                     {"fourth", "#6a50c7"},
-                                                                                     {"failed", "#b3261e"},
-                                                                                     {"event", "#d0409a"},
-                                                                                     {"pass", "#10713c"}}};
+using Colours = std::vector<std::pair<std::string, std::string>>;
+
+/// The page's colours by day, by the names of its variables: of each the first in its style sheet.
+const Colours& PageColours() {
+  static const Colours colours = [] {
+    const std::string style(PageStyle());
+    static const std::regex variable(R"(--([a-z-]+):\s*(#[0-9a-f]{6}))");
+    Colours found;
+    for (std::sregex_iterator match(style.begin(), style.end(), variable), end; match != end; ++match) {
+      const std::string name = (*match)[1];
+      const bool is_known =
+          std::any_of(found.begin(), found.end(), [&](const auto& each) { return each.first == name; });
+      if (!is_known) found.emplace_back(name, (*match)[2]);
+    }
+    return found;
+  }();
+  return colours;
+}
 
 /// A folder of its own that goes when it goes.
 class ScratchFolder {
@@ -108,7 +111,7 @@ void RunGnuplot(const fs::path& script, const fs::path& words) {
 /// Names of the page's colours for the gnuplot commands: `lc rgb ESTIMATE`.
 std::string ColourNames() {
   std::string commands;
-  for (const auto& [name, hex] : kColours) {
+  for (const auto& [name, hex] : PageColours()) {
     std::string upper;
     for (const char c : name) upper += c == '-' ? '_' : static_cast<char>(std::toupper(c));
     commands += fmt::format("{} = '{}'\n", upper, hex);
@@ -155,7 +158,7 @@ std::string Replaced(const std::string& text, const std::regex& pattern,
 }
 
 std::string VariableFor(const std::string& hex, const std::string& otherwise) {
-  for (const auto& [name, colour] : kColours) {
+  for (const auto& [name, colour] : PageColours()) {
     if (colour == hex) return fmt::format("var(--{})", name);
   }
   return otherwise;

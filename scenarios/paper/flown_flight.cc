@@ -114,11 +114,13 @@ Scenario ShippedFlight(const std::string& name, std::uint64_t seed, const std::v
 }
 
 Json FlyAndSumUp(const Scenario& scenario, const FlightSummaryOptions& options, const StopRequested& stop_requested) {
-  estimator::EstimatorConfig whole_pixels = scenario.estimator;
-  whole_pixels.paper.contour_points = estimator::ContourPoints::kInteger;
-  ShadowEstimator shadow(scenario, whole_pixels);
+  std::optional<ShadowEstimator> shadow;
   std::vector<FlightObserver*> observers;
-  if (options.integer_contours) observers.push_back(&shadow);
+  if (options.integer_contours) {
+    estimator::EstimatorConfig whole_pixels = scenario.estimator;
+    whole_pixels.paper.contour_points = estimator::ContourPoints::kInteger;
+    observers.push_back(&shadow.emplace(scenario, whole_pixels));
+  }
   const FlightLog log = FlyClosedLoop(scenario, observers, stop_requested);
   if (log.outcome == Outcome::kError) throw std::runtime_error(scenario.name + ": " + log.reason);
 
@@ -131,7 +133,7 @@ Json FlyAndSumUp(const Scenario& scenario, const FlightSummaryOptions& options, 
             {"passed", std::all_of(checks.begin(), checks.end(), [](const Check& check) { return check.pass; })},
             {"truth", ErrorsJson(log.frames)},
             {"tracking", ErrorsJson(AgainstTracking(log.frames, log.tracking, tracking_period))}};
-  if (options.integer_contours) json["integer"] = ErrorsJson(shadow.frames());
+  if (shadow) json["integer"] = ErrorsJson(shadow->frames());
   for (const char* name :
        {"estimate.availability", "estimate.false_pads", "estimate.ring_frames", "flight.max_tilt_deg",
         "flight.sim_time_s", "flight.max_xy_offset_m", "flight.touchdown_xy_error_m", "flight.touchdown_speed_m_s"}) {

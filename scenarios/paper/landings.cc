@@ -4,6 +4,7 @@
 
 #include "models/angles.h"
 #include "models/random_stream.h"
+#include "scenarios/paper/flight_group.h"
 #include "scenarios/paper/flown_flight.h"
 #include "scenarios/paper/table_one.h"
 #include "scenarios/paper/text.h"
@@ -28,20 +29,15 @@ Scenario LandingFrom(const PaperVehicle& vehicle, int landing) {
   return scenario;
 }
 
-/// Absolute deviations at rest, over the landings that there are.
+/// At rest, of the landings that came to rest.
 struct Deviations {
   std::vector<double> x_mm, y_mm, yaw_deg, signed_x_mm, signed_y_mm;
-  int flights = 0, landed = 0, false_pads = 0;
 };
 
-Deviations DeviationsOf(const Measured& measured, const std::vector<std::string>& ids) {
+Deviations DeviationsOf(const FlightGroup& flights) {
   Deviations all;
-  for (const std::string& id : ids) {
-    const Json& flight = measured.at(id);
-    ++all.flights;
-    all.false_pads += static_cast<int>(flight.value("estimate.false_pads", 0.0));
+  for (const Json& flight : flights.flights()) {
     if (!flight.contains("rest")) continue;
-    ++all.landed;
     const Json& rest = flight.at("rest");
     all.signed_x_mm.push_back(rest.at("x_mm").get<double>());
     all.signed_y_mm.push_back(rest.at("y_mm").get<double>());
@@ -56,30 +52,31 @@ std::string Spread(const Interval& interval, int digits) {
   return fmt::format("95 %: {} to {}", Fixed(std::max(0.0, interval.low), digits), Fixed(interval.high, digits));
 }
 
-void Compare(const std::string& which, const Deviations& d, ReportSection& section) {
+void Compare(const std::string& which, const FlightGroup& flights, ReportSection& section) {
   const std::string why =
       "No wind, and no landing gear that bounces; the blind descent ends at the ground by prediction, not by cutting "
-      "the "
-      "motors high above it.";
+      "the motors high above it.";
   const auto row = [&](const char* what, const char* unit, double published, const std::vector<double>& values) {
-    if (values.empty()) return;
-    const Interval mean = MeanInterval(values);
-    section.compared.push_back({.quantity = fmt::format("{}: mean |{}|", which, what),
-                                .unit = unit,
-                                .published = published,
-                                .ours = mean.value,
-                                .spread = Spread(mean, 2),
-                                .why = why});
+    ComparedQuantity compared{
+        .quantity = fmt::format("{}: mean |{}|", which, what), .unit = unit, .published = published, .why = why};
+    if (!values.empty()) {
+      const Interval mean = MeanInterval(values);
+      compared.ours = mean.value;
+      compared.spread = Spread(mean, 2);
+    }
+    section.compared.push_back(std::move(compared));
   };
+  const Deviations d = DeviationsOf(flights);
   row("x", "mm", kPublishedX_mm, d.x_mm);
   row("y", "mm", kPublishedY_mm, d.y_mm);
   row("yaw", "deg", kPublishedYaw_deg, d.yaw_deg);
-  section.compared.push_back({.quantity = fmt::format("{}: wrong landings", which),
-                              .unit = "",
-                              .published = 0.0,
-                              .ours = static_cast<double>(d.flights - d.landed),
-                              .spread = fmt::format("of {}; {} frames with a false pad", d.flights, d.false_pads),
-                              .why = "A landing that did not end at rest on its gear."});
+  section.compared.push_back(
+      {.quantity = fmt::format("{}: wrong landings", which),
+       .unit = "",
+       .published = 0.0,
+       .ours = flights.count() - static_cast<int>(d.x_mm.size()),
+       .spread = fmt::format("of {}; {} frames with a false pad", flights.count(), flights.false_pads()),
+       .why = "A landing that did not end at rest on its gear."});
 }
 
 std::string PlacesCsv(const Deviations& d) {
@@ -93,26 +90,25 @@ std::string PlacesCsv(const Deviations& d) {
 ReportSection Report(const PaperPlan& plan, const Measured& measured) {
   std::vector<std::string> ids;
   for (int i = 1; i <= plan.landings; ++i) ids.push_back(IdOf(i));
-  const Deviations row = DeviationsOf(measured, AutonomousFlightIds(plan)), many = DeviationsOf(measured, ids);
+  const FlightGroup row(measured, AutonomousFlightIds(plan)), many(measured, ids);
+  const Deviations places = DeviationsOf(many);
+  const auto landed = static_cast<int>(places.x_mm.size());
+  const Interval share = ShareInterval(landed, many.count());
   ReportSection section{.id = "landings", .title = "Landings (Sec. VI-B.3)"};
-  const Interval share = ShareInterval(many.landed, many.flights);
   section.paragraphs.push_back(
       fmt::format("In a row: the {} autonomous flights above. Beyond them {} landings from about the hover at 1 m, 0.1 "
-                  "m (1 sigma, along "
-                  "X and Y) off and 5° turned, each in a room of its own: {} came to rest on their gear (95 %: {} to "
-                  "{} %). Deviations "
-                  "are of the vehicle at rest, from the pad's centre and heading.",
-                  row.flights, many.flights, many.landed, Fixed(100.0 * share.low, 1), Fixed(100.0 * share.high, 1)));
-  Compare(fmt::format("{} landings in a row", row.flights), row, section);
-  Compare(fmt::format("{} landings", many.flights), many, section);
+                  "m (1 sigma, along X and Y) off and 5° turned, each in a room of its own: {} came to rest on their "
+                  "gear (95 %: {} to {} %). Deviations are of the vehicle at rest, from the pad's centre and heading.",
+                  row.count(), many.count(), landed, Fixed(100.0 * share.low, 1), Fixed(100.0 * share.high, 1)));
+  Compare(fmt::format("{} landings in a row", row.count()), row, section);
+  Compare(fmt::format("{} landings", many.count()), many, section);
   section.figures.push_back(
       {.name = "landing_places",
        .title = "Where the vehicle came to rest",
-       .caption =
-           fmt::format("{} landings; the ring of the pad is 90 mm in radius, the paper's mean deviations are the "
-                       "dashed box.",
-                       many.flights),
-       .csv = PlacesCsv(many),
+       .caption = fmt::format(
+           "{} landings; the ring of the pad is 90 mm in radius, the paper's mean deviations are the dashed box.",
+           many.count()),
+       .csv = PlacesCsv(places),
        .plot = fmt::format("set size ratio -1\nset xlabel 'x, mm'\nset ylabel 'y, mm'\nset xrange [-100:100]\n"
                            "set yrange [-100:100]\nunset key\n"
                            "set object 1 circle at first 0,0 size first 90 fs empty border rgb MUTED lw 1.2\n"

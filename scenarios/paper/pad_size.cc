@@ -81,17 +81,14 @@ std::pair<double, double> WorkingRange(const Json& heights, int frames) {
 
 ReportSection Report(const PaperPlan& plan, const Measured& measured) {
   ReportSection section{.id = "pad-size", .title = "Working distance against blind range (Sec. III-B)"};
-  section.paragraphs.push_back(
-      fmt::format("\"A larger radius would lead to a larger working distance for the vision system, but would lead to "
-                  "a larger 'blind' "
-                  "range.\" The pad at other scales, in a cluttered room, seen from {} places about each height: the "
-                  "heights of the camera "
-                  "between which it is found in at least {:.0f} % of the frames (heights rise by {:.0f} %).",
-                  plan.trade_frames, 100.0 * kFoundShare, 100.0 * (kStep - 1.0)));
+  section.paragraphs.push_back(fmt::format(
+      "\"A larger radius would lead to a larger working distance for the vision system, but would lead to a larger "
+      "'blind' range.\" The pad at other scales, in a cluttered room, seen from {} places about each height: the "
+      "heights of the camera between which it is found in at least {:.0f} % of the frames (heights rise by {:.0f} %).",
+      plan.trade_frames, 100.0 * kFoundShare, 100.0 * (kStep - 1.0)));
   ReportTable table{.name = "pad_size",
                     .caption = "The pad's outer radius, and the heights between which it is found.",
-                    .head = {"radius, mm", "blind below, m", "working up to, m", "ratio"},
-                    .rows = {}};
+                    .head = {"radius, mm", "blind below, m", "working up to, m", "ratio"}};
   std::string csv = "radius_mm,blind_below_m,working_up_to_m\n";
   for (const double radius_m : kRadii_m) {
     const auto [low, high] = WorkingRange(measured.at(IdOf(radius_m)), plan.trade_frames);
@@ -105,13 +102,12 @@ ReportSection Report(const PaperPlan& plan, const Measured& measured) {
        .title = "Working distance and blind range",
        .caption = "Both grow in proportion to the pad: their ratio is the camera's.",
        .csv = csv,
-       .plot =
-           "set key top left\nset xlabel 'outer radius of the pad, mm'\nset ylabel 'height of the camera, m'\n"
-           "set logscale y\nset yrange [0.03:10]\n"
-           "plot data using 'radius_mm':'working_up_to_m' with linespoints pt 7 ps 0.7 lw 1.6 lc rgb ESTIMATE title "
-           "'working distance', \\\n"
-           "     data using 'radius_mm':'blind_below_m' with linespoints pt 7 ps 0.7 lw 1.6 lc rgb SET_POINT title "
-           "'blind range'\n",
+       .plot = "set key top left\nset xlabel 'outer radius of the pad, mm'\nset ylabel 'height of the camera, m'\n"
+               "set logscale y\nset yrange [0.03:10]\n"
+               "plot data using 'radius_mm':'working_up_to_m' with linespoints pt 7 ps 0.7 lw 1.6 lc rgb ESTIMATE "
+               "title 'working distance', \\\n"
+               "     data using 'radius_mm':'blind_below_m' with linespoints pt 7 ps 0.7 lw 1.6 lc rgb SET_POINT title "
+               "'blind range'\n",
        .width_cm = 13.0});
   return section;
 }

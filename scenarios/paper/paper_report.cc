@@ -23,15 +23,17 @@ data Flag(bool on) { return on ? data::type::bool_true : data::type::bool_false;
 
 std::string Figure3(double value) { return value == 0.0 ? "0" : fmt::format("{:.3g}", value); }
 
-std::string Published(const ComparedQuantity& row) { return row.published ? Figure3(*row.published) : "–"; }
+std::string FigureOrDash(const std::optional<double>& value) { return value ? Figure3(*value) : "–"; }
 
 std::string Ratio(const ComparedQuantity& row) {
-  return row.published && *row.published > 0.0 ? fmt::format("{:.2f}", row.ours / *row.published) : "–";
+  const bool is_defined = row.ours && row.published && *row.published > 0.0;
+  return is_defined ? fmt::format("{:.2f}", *row.ours / *row.published) : "–";
 }
 
 /// Whether it is kept in words, or nothing where there is nothing to compare with.
 std::string Verdict(const ComparedQuantity& row) {
   if (!row.published) return "";
+  if (!row.ours) return "none";
   return row.IsKept() ? "at or below" : "above";
 }
 
@@ -53,7 +55,7 @@ std::string SummaryCsv(const std::vector<ReportSection>& sections) {
   for (const ReportSection& section : sections) {
     for (const ComparedQuantity& row : section.compared) {
       csv += QuotedLine({section.id, row.quantity, row.unit, row.published ? fmt::format("{}", *row.published) : "",
-                         fmt::format("{:.6g}", row.ours), row.spread,
+                         row.ours ? fmt::format("{:.6g}", *row.ours) : "", row.spread,
                          !row.published ? ""
                          : row.IsKept() ? "yes"
                                         : "no",
@@ -86,13 +88,14 @@ data RowData(const ComparedQuantity& row) {
   data result;
   result.set("quantity", row.quantity);
   result.set("unit", row.unit);
-  result.set("published", Published(row));
-  result.set("ours", Figure3(row.ours));
+  result.set("published", FigureOrDash(row.published));
+  result.set("ours", FigureOrDash(row.ours));
   result.set("ratio", Ratio(row));
   result.set("spread", row.spread);
   result.set("why", row.why);
   result.set("compares", Flag(row.published.has_value()));
   result.set("kept", Flag(row.IsKept()));
+  result.set("verdict", Verdict(row));
   return result;
 }
 
@@ -147,10 +150,8 @@ std::string MarkdownRow(const std::vector<std::string>& cells) {
 std::string Readme(const ReportHead& head, const std::vector<ReportSection>& sections) {
   std::string text = fmt::format(
       "# The paper, measured\n\nMade by `{}`; do not edit. Every figure of the paper beside ours: "
-      "[report.html](report.html) is the "
-      "same as one page, with all tables and figures and a word on each; `figures/` holds each as CSV and PDF, "
-      "`table_1.tex` Table I "
-      "for LaTeX.\n\n",
+      "[report.html](report.html) is the same as one page, with all tables and figures and a word on each; `figures/` "
+      "holds each as CSV and PDF, `table_1.tex` Table I for LaTeX.\n\n",
       head.command);
   text += MarkdownRow({"quantity", "unit", "published", "ours", "ratio", "kept", "spread"});
   text += MarkdownRow({"---", "---", "---:", "---:", "---:", "---", "---"});
@@ -159,8 +160,8 @@ std::string Readme(const ReportHead& head, const std::vector<ReportSection>& sec
       std::string quantity = row.quantity;
       for (std::size_t at = 0; (at = quantity.find('|', at)) != std::string::npos; at += 2)
         quantity.insert(at, 1, '\\');
-      text +=
-          MarkdownRow({quantity, row.unit, Published(row), Figure3(row.ours), Ratio(row), Verdict(row), row.spread});
+      text += MarkdownRow({quantity, row.unit, FigureOrDash(row.published), FigureOrDash(row.ours), Ratio(row),
+                           Verdict(row), row.spread});
     }
   }
   for (const ReportSection& section : sections) {

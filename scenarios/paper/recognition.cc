@@ -233,13 +233,11 @@ void ReportFound(const PaperPlan& plan, const Measured& measured, ReportSection&
       }
     }
   }
-  ReportTable table{
-      .name = "recognition_recall",
-      .caption = fmt::format("Found, of {} frames that show the ring whole: {}. Of {} frames in these rooms {} "
-                             "showed a pad where there was none.",
-                             frames, Percent(ShareInterval(found, frames), 1), all, false_pads),
-      .head = {"distance, m"},
-      .rows = {}};
+  ReportTable table{.name = "recognition_recall",
+                    .caption = fmt::format("Found, of {} frames that show the ring whole: {}. Of {} frames in these "
+                                           "rooms {} showed a pad where there was none.",
+                                           frames, Percent(ShareInterval(found, frames), 1), all, false_pads),
+                    .head = {"distance, m"}};
   for (std::size_t k = 0; k + 1 < kTilts_deg.size(); ++k) {
     table.head.push_back(fmt::format("tilt {:.0f} to {:.0f}°", kTilts_deg[k], kTilts_deg[k + 1]));
   }
@@ -257,10 +255,8 @@ ReportSection Report(const PaperPlan& plan, const Measured& measured) {
   ReportSection section{.id = "recognition", .title = "Landing pad recognition (Secs. IV-A, VI-A, Figs. 2, 4, 5)"};
   section.paragraphs.push_back(
       fmt::format("{} rooms with a floor, light, posters, objects and a dozen lone rings and lone letters of their "
-                  "own, seen from {} to {} m, up to {:.0f}° "
-                  "tilted, a third of the views as in a calm hover, others in motion, out of focus, in weak contrast "
-                  "and with noise "
-                  "of up to 7 of 255.",
+                  "own, seen from {} to {} m, up to {:.0f}° tilted, a third of the views as in a calm hover, others in "
+                  "motion, out of focus, in weak contrast and with noise of up to 7 of 255.",
                   plan.recognition_scenes, kDistances_m.front(), kDistances_m.back(), kTilts_deg.back()));
   ReportFalse(SumFalse(plan, measured), section);
   ReportFound(plan, measured, section);

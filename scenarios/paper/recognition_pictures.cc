@@ -154,12 +154,11 @@ Json Stages(const Scenario& told) {
   labels.components = taken.seen.trace.components;
   const cv::Mat3b classified = AnnotateFrame(taken.image.View(), told.camera.model,
                                              {.trace = labels, .pad_px = taken.seen.pad_px, .X_WC = std::nullopt});
-  return PictureJson(
-      "fig_2_stages", "Fig. 2: the steps of the recognition",
-      "The image, its dark pixels, the connected components, and their classes: circles green, letters H "
-      "blue, others red, the pad an orange cross.",
-      Grid({Coloured(taken.image), Coloured(dark), boxes, classified}, 2),
-      kComponentHead + ComponentLines(1, taken.seen.trace));
+  return PictureJson("fig_2_stages", "Fig. 2: the steps of the recognition",
+                     "The image, its dark pixels, the connected components, and their classes: circles green, letters "
+                     "H blue, others red, the pad an orange cross.",
+                     Grid({Coloured(taken.image), Coloured(dark), boxes, classified}, 2),
+                     kComponentHead + ComponentLines(1, taken.seen.trace));
 }
 
 /// Fig. 4: posters, lone rings and letters, strong perspective, blur.
@@ -213,11 +212,10 @@ Json ClutteredViews(const Scenario& told) {
     tiles.push_back(AnnotateFrame(taken.image.View(), told.camera.model,
                                   {.trace = taken.seen.trace, .pad_px = taken.seen.pad_px, .X_WC = std::nullopt}));
   }
-  return PictureJson(
-      "fig_4_clutter", "Fig. 4: recognition in clutter",
-      "Six rooms; the fifth view is blurred by motion, the sixth out of focus. Circles and letters that are "
-      "recognized by themselves are no pad.",
-      Grid(tiles, 3), csv);
+  return PictureJson("fig_4_clutter", "Fig. 4: recognition in clutter",
+                     "Six rooms; the fifth view is blurred by motion, the sixth out of focus. Circles and letters that "
+                     "are recognized by themselves are no pad.",
+                     Grid(tiles, 3), csv);
 }
 
 /// Fig. 5: the patch around the pad, and the ellipses fitted to its contours.
@@ -258,8 +256,8 @@ Json FittedPatches(const Scenario& told) {
   const int columns = static_cast<int>(patches.size());
   patches.insert(patches.end(), fitted.begin(), fitted.end());
   return PictureJson("fig_5_ellipses", "Fig. 5: fitted ellipses",
-                     "Patches of the pad from various perspectives, every third blurred by motion, and "
-                     "below them the ellipses of both of the ring's edges and of the H, with their axes.",
+                     "Patches of the pad from various perspectives, every third blurred by motion, and below them the "
+                     "ellipses of both of the ring's edges and of the H, with their axes.",
                      Grid(patches, columns), csv);
 }
 

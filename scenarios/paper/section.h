@@ -15,11 +15,11 @@ struct ComparedQuantity {
   std::string quantity = {};
   std::string unit = {};
   std::optional<double> published = {};  ///< nullopt where the paper gives words alone.
-  double ours = 0.0;
-  std::string spread = {};  ///< "19.0 worst of 10 seeds", "95 %: 1.2 to 1.9".
-  std::string why = {};     ///< What makes the difference, in a sentence.
+  std::optional<double> ours = {};       ///< nullopt where no flight gave one.
+  std::string spread = {};               ///< "19.0 worst of 10 seeds", "95 %: 1.2 to 1.9".
+  std::string why = {};                  ///< What makes the difference, in a sentence.
 
-  bool IsKept() const { return !published || ours <= *published; }
+  bool IsKept() const { return !published || (ours && *ours <= *published); }
 };
 
 struct ReportTable {

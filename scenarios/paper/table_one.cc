@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "scenarios/paper/flight_figures.h"
+#include "scenarios/paper/flight_group.h"
 #include "scenarios/paper/flown_flight.h"
 #include "scenarios/paper/text.h"
 #include "scenarios/report/published.h"
@@ -38,20 +39,16 @@ Scenario FlightOf(const Case& which, const PaperPlan& plan, const PaperVehicle& 
   return scenario;
 }
 
-/// Over the seeds, of what `against` ("truth", "tracking", "integer") gives.
-std::vector<double> Values(const Measured& measured, const PaperPlan& plan, const Case& which,
-                           const std::string& against, const std::string& key) {
-  std::vector<double> values;
-  for (int seed = 1; seed <= plan.seeds; ++seed) {
-    const Json& errors = measured.at(IdOf(which, seed)).at(against);
-    if (errors.contains(key)) values.push_back(errors.at(key).get<double>());
-  }
-  return values;
+FlightGroup Flights(const Measured& measured, const PaperPlan& plan, const Case& which) {
+  std::vector<std::string> ids;
+  for (int seed = 1; seed <= plan.seeds; ++seed) ids.push_back(IdOf(which, seed));
+  return {measured, ids};
 }
 
 int Digits(const TableOneRow& row) { return row.unit == "mm" ? 1 : 2; }
 
 std::string WithSpread(const std::vector<double>& values, int digits) {
+  if (values.empty()) return "none";
   return fmt::format("{} ± {}", Fixed(Mean(values), digits), Fixed(StandardDeviation(values), digits));
 }
 
@@ -70,23 +67,26 @@ const char* WhyOf(const TableOneRow& row, std::size_t column) {
 std::vector<ComparedQuantity> Compared(const PaperPlan& plan, const Measured& measured) {
   std::vector<ComparedQuantity> compared;
   for (std::size_t column = 0; column < kCases.size(); ++column) {
+    const FlightGroup flights = Flights(measured, plan, kCases[column]);
     for (const TableOneRow& row : kTableOne) {
-      const std::vector<double> values = Values(measured, plan, kCases[column], "truth", std::string(row.key));
+      const std::vector<double> errors = flights.Errors("truth", std::string(row.key));
+      const std::string worst =
+          errors.empty() ? "none" : Fixed(*std::max_element(errors.begin(), errors.end()), Digits(row));
       compared.push_back({.quantity = fmt::format("Table I, {}, {} RMSE", kCases[column].name, row.label),
                           .unit = std::string(row.unit),
                           .published = row.published[column],
-                          .ours = Mean(values),
-                          .spread = fmt::format("worst of {} seeds {}", plan.seeds,
-                                                Fixed(*std::max_element(values.begin(), values.end()), Digits(row))),
+                          .ours = flights.MeanError("truth", std::string(row.key)),
+                          .spread = fmt::format("worst of {} seeds {}", plan.seeds, worst),
                           .why = WhyOf(row, column)});
     }
+    compared.push_back(flights.Failures(fmt::format("Table I, {}", kCases[column].name)));
   }
   return compared;
 }
 
 ReportTable Table(const PaperPlan& plan, const Measured& measured, const std::string& name, const std::string& caption,
                   const std::string& against) {
-  ReportTable table{.name = name, .caption = caption, .head = {"RMSE"}, .rows = {}};
+  ReportTable table{.name = name, .caption = caption, .head = {"RMSE"}};
   for (const Case& which : kCases) {
     table.head.push_back(fmt::format("{}, paper", which.name));
     table.head.push_back("ours");
@@ -95,7 +95,8 @@ ReportTable Table(const PaperPlan& plan, const Measured& measured, const std::st
     std::vector<std::string> cells{fmt::format("{}, {}", row.label, row.unit)};
     for (std::size_t column = 0; column < kCases.size(); ++column) {
       cells.push_back(Fixed(row.published[column], 1));
-      cells.push_back(WithSpread(Values(measured, plan, kCases[column], against, std::string(row.key)), Digits(row)));
+      const FlightGroup flights = Flights(measured, plan, kCases[column]);
+      cells.push_back(WithSpread(flights.Errors(against, std::string(row.key)), Digits(row)));
     }
     table.rows.push_back(std::move(cells));
   }
@@ -103,25 +104,18 @@ ReportTable Table(const PaperPlan& plan, const Measured& measured, const std::st
 }
 
 /// "0.98 to 1".
-std::string Span(const PaperPlan& plan, const Measured& measured, const Case& which, const char* key, int digits) {
-  std::vector<double> values;
-  for (int seed = 1; seed <= plan.seeds; ++seed) values.push_back(measured.at(IdOf(which, seed)).value(key, 0.0));
+std::string Span(const std::vector<double>& values, int digits) {
+  if (values.empty()) return "none";
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   return fmt::format("{} to {}", Fixed(*low, digits), Fixed(*high, digits));
 }
 
-std::string Conditions(const PaperPlan& plan, const Measured& measured, const Case& which) {
-  int as_expected = 0, false_pads = 0;
-  for (int seed = 1; seed <= plan.seeds; ++seed) {
-    const Json& flight = measured.at(IdOf(which, seed));
-    as_expected += flight.at("as_expected").get<bool>() ? 1 : 0;
-    false_pads += static_cast<int>(flight.value("estimate.false_pads", 0.0));
-  }
+std::string Conditions(const FlightGroup& flights, const char* name) {
   return fmt::format(
       "<b>{}</b>: {} of {} flights ended as they should; the pad was found in a share of {} of the frames that show it "
       "whole, and {} frames showed one where there was none; largest tilt {}°, height up to {} m.",
-      which.name, as_expected, plan.seeds, Span(plan, measured, which, "estimate.availability", 3), false_pads,
-      Span(plan, measured, which, "flight.max_tilt_deg", 1), Span(plan, measured, which, "max_height_m", 2));
+      name, flights.ended_as_expected(), flights.count(), Span(flights.Values("estimate.availability"), 3),
+      flights.false_pads(), Span(flights.Values("flight.max_tilt_deg"), 1), Span(flights.Values("max_height_m"), 2));
 }
 
 ReportSection Report(const PaperPlan& plan, const Measured& measured) {
@@ -129,24 +123,22 @@ ReportSection Report(const PaperPlan& plan, const Measured& measured) {
                         .title = "Hand-held, hovering, autonomous flight (Sec. VI-B.1-3, Figs. 6-8, Table I)"};
   section.paragraphs.push_back(
       "Vision's unfiltered pose of the body, over the frames with status ok, on the rendered camera with lens, noise, "
-      "blur and "
-      "latency, in rooms full of decoys; estimator and autopilot know camera and mountings as the calibrations above "
-      "found "
-      "them. The first estimate must be near (0, 0, 300 mm) and level, where the paper starts. Mean over the seeds ± "
-      "standard deviation.");
-  for (const Case& which : kCases) section.paragraphs.push_back(Conditions(plan, measured, which));
+      "blur and latency, in rooms full of decoys; estimator and autopilot know camera and mountings as the "
+      "calibrations above found them. The first estimate must be near (0, 0, 300 mm) and level, where the paper "
+      "starts. Mean over the seeds ± standard deviation.");
+  for (const Case& which : kCases) {
+    section.paragraphs.push_back(Conditions(Flights(measured, plan, which), which.name));
+  }
   section.tables.push_back(
       Table(plan, measured, "table_1_truth", "Table I against the truth, sub-pixel contour points.", "truth"));
-  section.tables.push_back(
-      Table(plan, measured, "table_1_tracking",
-            "The same against the simulated tracking system, whose noise, occlusions and outliers are "
-            "in the figures as they are in the paper's.",
-            "tracking"));
-  section.tables.push_back(
-      Table(plan, measured, "table_1_integer",
-            "The same flights and frames with contour points on whole pixels, against the truth: the "
-            "paper does not say which it used.",
-            "integer"));
+  section.tables.push_back(Table(plan, measured, "table_1_tracking",
+                                 "The same against the simulated tracking system, whose noise, occlusions and outliers "
+                                 "are in the figures as they are in the paper's.",
+                                 "tracking"));
+  section.tables.push_back(Table(plan, measured, "table_1_integer",
+                                 "The same flights and frames with contour points on whole pixels, against the truth: "
+                                 "the paper does not say which it used.",
+                                 "integer"));
   for (const Case& which : kCases) {
     const std::vector<Figure> figures =
         FlightFigures(which.figure, fmt::format("Fig. {}: {}", which.figure[4], which.name),
@@ -184,9 +176,8 @@ std::string TableOneLatex(const PaperPlan& plan, const Measured& measured) {
   for (const TableOneRow& row : kTableOne) {
     text += fmt::format("{} ({})", row.label, row.unit);
     for (std::size_t column = 0; column < kCases.size(); ++column) {
-      text +=
-          fmt::format(" & {} & {}", Fixed(row.published[column], 1),
-                      Fixed(Mean(Values(measured, plan, kCases[column], "truth", std::string(row.key))), Digits(row)));
+      const auto ours = Flights(measured, plan, kCases[column]).MeanError("truth", std::string(row.key));
+      text += fmt::format(" & {} & {}", Fixed(row.published[column], 1), FixedOrNone(ours, Digits(row)));
     }
     text += " \\\\\n";
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,10 @@ inline std::string Fixed(double value, int digits) {
   std::string text = fmt::format("{:.{}f}", value, digits);
   const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
   return is_zero && text[0] == '-' ? text.substr(1) : text;
+}
+
+inline std::string FixedOrNone(const std::optional<double>& value, int digits) {
+  return value ? Fixed(*value, digits) : "none";
 }
 
 /// A line of CSV. No cell may hold a comma.

@@ -3,10 +3,10 @@
 #include <array>
 #include <optional>
 
+#include "scenarios/paper/flight_group.h"
 #include "scenarios/paper/flown_flight.h"
 #include "scenarios/paper/table_one.h"
 #include "scenarios/paper/text.h"
-#include "scenarios/study/statistics.h"
 #include "scenarios/study/yaw_study.h"
 
 namespace touchdown::scenarios {
@@ -59,8 +59,7 @@ void ReportTurned(const Measured& measured, ReportSection& section) {
   ReportTable table{
       .name = "yaw_methods",
       .caption = "Largest and RMS error over a whole turn in steps of one degree, by the height of the H in the image.",
-      .head = {"method"},
-      .rows = {}};
+      .head = {"method"}};
   constexpr double kHOverHeight_px = 32.0;  // 0.1 m at 320 px of focal length, at 1 m.
   for (const double height_m : kHeights_m) {
     table.head.push_back(fmt::format("{:.0f} px: largest, deg", kHOverHeight_px / height_m));
@@ -113,51 +112,28 @@ void ReportTurned(const Measured& measured, ReportSection& section) {
        .why = "'Even smaller errors' than the H's: the bound is our H's own."});
 }
 
-double MeanOf(const Measured& measured, const std::vector<std::string>& ids, const char* key) {
-  std::vector<double> values;
-  for (const std::string& id : ids) {
-    const Json& errors = measured.at(id).at("truth");
-    if (errors.contains(key)) values.push_back(errors.at(key).get<double>());
-  }
-  return Mean(values);
-}
-
 void ReportFlown(const PaperPlan& plan, const Measured& measured, ReportSection& section) {
   std::vector<std::string> ids;
-  int landed = 0, false_pads = 0;
-  for (int seed = 1; seed <= plan.seeds; ++seed) {
-    ids.push_back(FlownId(seed));
-    const Json& flight = measured.at(ids.back());
-    landed += flight.at("as_expected").get<bool>() ? 1 : 0;
-    false_pads += static_cast<int>(flight.value("estimate.false_pads", 0.0));
-  }
-  section.paragraphs.push_back(
-      fmt::format("A pad with a solid rectangle as large as the H in its place, the network retrained on it "
-                  "(<code>touchdown train --letter rectangle</code>): {} of {} flights took off, hovered and landed; "
-                  "{} frames showed a false pad.",
-                  landed, plan.seeds, false_pads));
-  ReportTable table{.name = "rectangle_flights",
-                    .caption = "The autonomous flight over both pads, RMSE against the truth, mean over the seeds.",
-                    .head = {"letter", "XY, mm", "Z, mm", "roll, deg", "pitch, deg", "yaw, deg"},
-                    .rows = {}};
-  for (const auto& [name, of] : {std::pair("H", AutonomousFlightIds(plan)), std::pair("rectangle", ids)}) {
-    std::vector<std::string> cells{name};
-    for (const char* key : {"xy_mm", "z_mm", "roll_deg", "pitch_deg", "yaw_deg"}) {
-      cells.push_back(Fixed(MeanOf(measured, of, key), 2));
-    }
-    table.rows.push_back(std::move(cells));
-  }
-  section.tables.push_back(std::move(table));
+  for (int seed = 1; seed <= plan.seeds; ++seed) ids.push_back(FlownId(seed));
+  const FlightGroup over_rectangle(measured, ids), over_h(measured, AutonomousFlightIds(plan));
+  section.paragraphs.push_back(fmt::format(
+      "A pad with a solid rectangle as large as the H in its place, the network retrained on it (<code>touchdown train "
+      "--letter rectangle</code>): {} of {} flights took off, hovered and landed; {} frames showed a false pad.",
+      over_rectangle.ended_as_expected(), over_rectangle.count(), over_rectangle.false_pads()));
+  section.tables.push_back(
+      {.name = "rectangle_flights",
+       .caption = "The autonomous flight over both pads, RMSE against the truth, mean over the seeds.",
+       .head = ErrorHead("letter"),
+       .rows = {over_h.ErrorRow("H", "truth"), over_rectangle.ErrorRow("rectangle", "truth")}});
+  section.compared.push_back(over_rectangle.Failures("Pad with a rectangle"));
 }
 
 ReportSection Report(const PaperPlan& plan, const Measured& measured) {
   ReportSection section{.id = "yaw", .title = "Yaw from the letter (Sec. IV-C.3)"};
   section.paragraphs.push_back(
       "A synthetic H, turned in steps of one degree, seen from straight above without noise: the error of the major "
-      "axis of the "
-      "ellipse fitted to its contour, as the estimator does it, of image moments, and of the ellipse on a solid "
-      "rectangle of the "
-      "same size.");
+      "axis of the ellipse fitted to its contour, as the estimator does it, of image moments, and of the ellipse on a "
+      "solid rectangle of the same size.");
   ReportTurned(measured, section);
   ReportFlown(plan, measured, section);
   return section;

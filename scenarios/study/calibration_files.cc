@@ -117,8 +117,8 @@ std::string CalibrationText(const CalibrationRun& run) {
     const auto& [roll, pitch, yaw] = camera.mounting.misalignment;
     const Eigen::Vector3d& p = camera.mounting.position_m;
     text += fmt::format(
-        "camera: fx {:.2f} fy {:.2f} cx {:.2f} cy {:.2f} px, k1 {:.4f} k2 {:.4f}; {} of {} views, "
-        "reprojection {:.3f} px\n"
+        "camera: fx {:.2f} fy {:.2f} cx {:.2f} cy {:.2f} px, k1 {:.4f} k2 {:.4f}; {} of {} views, reprojection {:.3f} "
+        "px\n"
         "  mounting: [{:.4f}, {:.4f}, {:.4f}] m, roll {:.3f} pitch {:.3f} yaw {:.3f} deg\n"
         "  error: focal {:.3f} px, principal point {:.3f} px, position {:.2f} mm, rotation {:.3f} deg\n",
         c.fx_px, c.fy_px, c.cx_px, c.cy_px, c.k1, c.k2, camera.views_used(), camera.pictures.size(), camera.fit.rms_px,

@@ -61,8 +61,8 @@ std::string ChessboardMjcf(const Chessboard& board, const Eigen::Isometry3d& X_W
       "    <quality shadowsize='0' offsamples='0'/>\n"
       "  </visual>\n"
       "  <worldbody>\n"
-      "    <light directional='true' castshadow='false' dir='0.35 0.2 -1' ambient='0.45 0.45 0.45' "
-      "diffuse='0.5932 0.5932 0.5932' specular='0 0 0'/>\n"
+      "    <light directional='true' castshadow='false' dir='0.35 0.2 -1' ambient='0.45 0.45 0.45' diffuse='0.5932 "
+      "0.5932 0.5932' specular='0 0 0'/>\n"
       "{}"
       "  </worldbody>\n"
       "</mujoco>\n",

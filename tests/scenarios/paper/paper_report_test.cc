@@ -33,7 +33,8 @@ std::vector<ReportSection> Sections() {
   section.compared = {
       {.quantity = "mean |x|", .unit = "mm", .published = 24.0, .ours = 6.0, .spread = "a, b", .why = "W"},
       {.quantity = "yaw", .unit = "deg", .published = 3.0, .ours = 4.5, .spread = "", .why = ""},
-      {.quantity = "cost", .unit = "", .published = std::nullopt, .ours = 0.1, .spread = "", .why = ""}};
+      {.quantity = "cost", .unit = "", .published = std::nullopt, .ours = 0.1, .spread = "", .why = ""},
+      {.quantity = "roll", .unit = "deg", .published = 1.0, .ours = std::nullopt, .spread = "none", .why = ""}};
   return {section};
 }
 
@@ -60,10 +61,12 @@ TEST_F(PaperReportTest, SumsUpWhatIsKeptAndWhatIsNot) {
             "section,quantity,unit,published,ours,spread,kept,why\n"
             "yaw,mean |x|,mm,24,6,\"a, b\",yes,W\n"
             "yaw,yaw,deg,3,4.5,,no,\n"
-            "yaw,cost,,,0.1,,,\n");
-  EXPECT_THAT(files_["report.html"], HasSubstr("1 of 2 at or below the published"));
+            "yaw,cost,,,0.1,,,\n"
+            "yaw,roll,deg,1,,none,no,\n");
+  EXPECT_THAT(files_["report.html"], HasSubstr("1 of 3 at or below the published"));
   EXPECT_THAT(files_["README.md"], HasSubstr("| mean \\|x\\| | mm | 24 | 6 | 0.25 | at or below | a, b |"));
   EXPECT_THAT(files_["README.md"], HasSubstr("| yaw | deg | 3 | 4.5 | 1.50 | above |"));
+  EXPECT_THAT(files_["README.md"], HasSubstr("| roll | deg | 1 | – | – | none | none |"));
 }
 
 TEST_F(PaperReportTest, IsOnePageThatNeedsNoOtherFile) {
