@@ -33,29 +33,40 @@ using estimator::PoseChoice;
 struct Options {
   std::string input;
   std::string out;
-  std::optional<std::string> camera, pad, imu, vehicle, estimator;
+  std::optional<std::string> camera, pad, imu, vehicle, calibration, estimator;
   std::vector<std::string> topics;
   bool video = false;
   Talk talk;
 };
 
-models::CameraModel CameraOf(const Options& options, const FootageFacts& facts) {
+models::CameraModel CameraOf(const Options& options, const Calibration& calibration, const FootageFacts& facts) {
   if (options.camera) return LoadCameraModel(*options.camera);
+  if (calibration.camera_model) return *calibration.camera_model;
   if (facts.camera) return *facts.camera;
-  throw InputError(fmt::format("{}: tells no calibration; name one with --camera", options.input));
+  throw InputError(fmt::format("{}: tells no calibration; name one with --camera or --calibration", options.input));
 }
 
-std::optional<SensorMounting> MountingOf(const Options& options, const FootageFacts& facts) {
-  if (!options.vehicle) return facts.mounting;
-  const models::Vehicle vehicle = LoadVehicle(*options.vehicle);
-  return SensorMounting{.X_BC = vehicle.X_BC(), .X_BU = vehicle.X_BU()};
+SensorMounting MountingOn(const models::Vehicle& vehicle) { return {.X_BC = vehicle.X_BC(), .X_BU = vehicle.X_BU()}; }
+
+std::optional<SensorMounting> MountingOf(const Options& options, const Calibration& calibration,
+                                         const FootageFacts& facts) {
+  if (options.vehicle) return MountingOn(LoadVehicle(*options.vehicle));
+  if (!calibration.camera && !calibration.imu) return facts.mounting;
+  models::Vehicle vehicle;
+  SensorMounting mounting = facts.mounting.value_or(MountingOn(vehicle));
+  vehicle.camera = calibration.camera.value_or(vehicle.camera);
+  vehicle.imu = calibration.imu.value_or(vehicle.imu);
+  if (calibration.camera) mounting.X_BC = vehicle.X_BC();
+  if (calibration.imu) mounting.X_BU = vehicle.X_BU();
+  return mounting;
 }
 
 FootageSetup SetupOf(const Options& options, const FootageFacts& facts) {
+  const Calibration calibration = options.calibration ? LoadCalibration(*options.calibration) : Calibration();
   FootageSetup setup;
-  setup.camera = CameraOf(options, facts);
+  setup.camera = CameraOf(options, calibration, facts);
   setup.pad = options.pad ? LoadPad(*options.pad) : facts.pad.value_or(models::LandingPad());
-  setup.mounting = MountingOf(options, facts);
+  setup.mounting = MountingOf(options, calibration, facts);
   setup.imu = options.imu ? ReadImuFile(*options.imu, facts.time) : facts.imu;
   setup.estimator = facts.estimator.value_or(estimator::EstimatorConfig());
   if (options.estimator) setup.estimator.name = *options.estimator;
@@ -181,6 +192,11 @@ void AddEstimate(CLI::App& app, Run& run) {
       .add_option("--vehicle", options->vehicle,
                   "How camera and IMU are mounted: a vehicle's description (default: the recording's)")
       ->type_name("VEHICLE.yaml");
+  command
+      .add_option("--calibration", options->calibration,
+                  "Both at once, as touchdown calibrate leaves them; what it lacks is the recording's")
+      ->type_name("CALIBRATION.yaml")
+      ->excludes("--camera", "--vehicle");
   command
       .add_option("--topic", options->topics, "Of a bag with several cameras or IMUs, a topic to take; may be repeated")
       ->type_name("TOPIC")

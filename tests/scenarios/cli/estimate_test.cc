@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <utility>
@@ -40,6 +41,25 @@ TEST_F(EstimateCommand, EstimatesOnARecordingAndScoresIts) {
       Run({"estimate", "a/recording/mav0/cam0/data", "--camera", "a/recording/camera.yaml", "--out", "c", "--quiet"});
   EXPECT_EQ(pictures.status, 0);
   EXPECT_EQ(pictures.out + pictures.err, "");
+}
+
+TEST_F(EstimateCommand, TakesWhatACalibrationFound) {
+  folder_.Put("misled.yaml", R"(start: {airborne: true}
+script: [{do: hover, duration_s: 0.5}]
+vehicle: {camera: {misalignment_deg: [3, 0, 0]}}
+calibration: {camera: {misalignment_deg: [0, 0, 0]}}
+)");
+  ASSERT_EQ(Run({"fly", "misled.yaml", "--out", "a", "--record", "--video", "off"}).status, 0);
+  folder_.Put("found.yaml", "camera: {misalignment_deg: [3, 0, 0]}\n");
+  const auto roll_rmse_deg = [&](const std::vector<std::string>& calibration) {
+    std::vector<std::string> arguments{"estimate", "a", "--out", "b", "--quiet"};
+    arguments.insert(arguments.end(), calibration.begin(), calibration.end());
+    EXPECT_EQ(Run(arguments).status, 0);
+    const ProgramRun score = Run({"score", "--poses", "b/poses.tum", "--truth", "a", "--json"});
+    return nlohmann::json::parse(score.out).at("metrics").at("estimate.roll_rmse_deg").get<double>();
+  };
+  EXPECT_NEAR(roll_rmse_deg({}), 3.0, 1.0);
+  EXPECT_LT(roll_rmse_deg({"--calibration", "found.yaml"}), 1.5);
 }
 
 TEST_F(EstimateCommand, RefusesFootageThatItCannotUseAndLeavesWhatWasThere) {

@@ -1,4 +1,5 @@
-// The page of a real flight in Chromium, as a reader uses it: page_in_browser.mjs, which ctest runs through this.
+// The page of a real flight, and that of the paper's experiments, in Chromium, as a reader uses them: the scripts
+// beside this, which ctest runs through it.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -80,6 +81,10 @@ TEST_F(PageInABrowser, DoesWhatItsReaderAsksAndLooksAsInTheDocs) {
   const std::string picture = (folder_ / "report.png").string();
   Node("photograph_page.mjs", {(flight / "report.html").string(), picture});
   tests::ExpectPicture("report.png", cv::imread(picture), kSameLayout);
+}
+
+TEST_F(PageInABrowser, ShowsEveryFigureOfThePaperWholeInAnyWindow) {
+  Node("paper_page_in_browser.mjs", {std::string(TOUCHDOWN_SOURCE_DIR) + "/docs/paper/report.html"});
 }
 
 }  // namespace

@@ -1,0 +1,59 @@
+// What a reader sees of the page of the paper's experiments: node paper_page_in_browser.mjs PAGE
+import assert from "node:assert/strict";
+import { existsSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { after, test } from "node:test";
+import { openPage } from "./browser.mjs";
+
+const [file] = process.argv.slice(2);
+const browsers = [];
+after(() => Promise.all(browsers.map((browser) => browser.close())));
+
+async function open(look) {
+  const opened = await openPage(file, { ...look, isReady: () => document.readyState === "complete" });
+  browsers.push(opened.browser);
+  return opened;
+}
+
+test("it opens without a complaint and asks for no other file", async () => {
+  const { complaints, requests } = await open({});
+  assert.deepEqual(complaints, []);
+  for (const address of requests) assert.match(address, /^(file:.*\/report\.html|data:.*)$/s);
+});
+
+test("every file and section that it links to is there", async () => {
+  const { page } = await open({});
+  const links = await page.evaluate(() => [...document.links].map((link) => link.getAttribute("href")));
+  assert.ok(links.length > 40);
+  for (const link of links) {
+    const isThere = link.startsWith("#") ? await page.locator(`[id="${link.slice(1)}"]`).count() === 1 : existsSync(join(dirname(file), link));
+    assert.ok(isThere, link);
+  }
+});
+
+for (const width of [1600, 420]) {
+  test(`every figure is seen whole, ${width} px wide`, async () => {
+    const { page } = await open({ width });
+    const sizes = await page.evaluate(() =>
+      [...document.querySelectorAll("figure.drawn :is(svg, img)")]
+        .filter((drawing) => !drawing.parentElement.closest("svg"))
+        .map((drawing) => drawing.getBoundingClientRect())
+        .map(({ left, right, height }) => ({ left, right, height })));
+    assert.ok(sizes.length > 15);
+    for (const { left, right, height } of sizes) assert.ok(left >= 0 && right <= width && height > 50, `${left} to ${right}, ${height}`);
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, "nothing sticks out");
+  });
+}
+
+test("the dark theme turns page and figures dark", async () => {
+  const { page } = await open({ theme: "dark" });
+  const brightness = (selector, property) =>
+    page.locator(selector).first().evaluate((element, name) => {
+      const [r, g, b] = getComputedStyle(element)[name].match(/\d+/g).map(Number);
+      return (r + g + b) / 3;
+    }, property);
+  assert.ok((await brightness("body", "backgroundColor")) < 80);
+  assert.ok((await brightness("figure.drawn svg text", "fill")) > 120);
+  await page.locator("#theme").click();
+  assert.ok((await brightness("body", "backgroundColor")) > 200);
+});
