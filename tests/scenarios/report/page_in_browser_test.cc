@@ -4,7 +4,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <string>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "tests/support/docs_picture.h"
 #include "tests/support/made_flight.h"
 #include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -24,17 +24,13 @@ namespace fs = std::filesystem;
 class PageInABrowser : public ::testing::Test {
  protected:
   void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     setenv("NODE_MODULES", TOUCHDOWN_NODE_MODULES, 1);
     setenv("CHROMIUM", TOUCHDOWN_CHROMIUM, 1);
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   /// Leaves a page that has no video beside it.
   std::string PageOf(const std::string& name, const Scenario& scenario, const FlightLog& log) const {
-    std::ofstream(folder_ / name, std::ios::binary) << FlightPage(tests::FilesOf(scenario, log));
-    return (folder_ / name).string();
+    return folder_.Put(name, FlightPage(tests::FilesOf(scenario, log))).string();
   }
 
   /// Expects that a script of this test's folder succeeds.
@@ -42,11 +38,11 @@ class PageInABrowser : public ::testing::Test {
     std::vector<std::string> all{"--test-reporter=spec",
                                  std::string(TOUCHDOWN_SOURCE_DIR) + "/tests/scenarios/report/" + script};
     all.insert(all.end(), arguments.begin(), arguments.end());
-    const tests::ProgramRun run = tests::RunProgram(TOUCHDOWN_NODE, all, folder_);
+    const tests::ProgramRun run = tests::RunProgram(TOUCHDOWN_NODE, all, folder_.path());
     EXPECT_EQ(run.status, 0) << run.out << run.err;
   }
 
-  const fs::path folder_ = fs::path(::testing::TempDir()) / "page_in_browser_test";
+  const tests::TemporaryFolder folder_;
 };
 
 Scenario TakeoffHoverLand() {
