@@ -20,6 +20,7 @@
 #include "scenarios/cli/paper.h"
 #include "scenarios/cli/report.h"
 #include "scenarios/cli/score.h"
+#include "scenarios/cli/sweep.h"
 #include "scenarios/cli/train.h"
 #include "scenarios/flight/interrupted.h"
 
@@ -29,10 +30,10 @@ using touchdown::scenarios::AddCommand;
 using touchdown::scenarios::ExitStatus;
 using touchdown::scenarios::Run;
 
-AddCommand* const kCommands[] = {touchdown::scenarios::AddCalibrate, touchdown::scenarios::AddEstimate,
-                                 touchdown::scenarios::AddFly,       touchdown::scenarios::AddPad,
-                                 touchdown::scenarios::AddPaper,     touchdown::scenarios::AddReport,
-                                 touchdown::scenarios::AddScore,     touchdown::scenarios::AddTrain};
+AddCommand* const kCommands[] = {
+    touchdown::scenarios::AddCalibrate, touchdown::scenarios::AddEstimate, touchdown::scenarios::AddFly,
+    touchdown::scenarios::AddPad,       touchdown::scenarios::AddPaper,    touchdown::scenarios::AddReport,
+    touchdown::scenarios::AddScore,     touchdown::scenarios::AddSweep,    touchdown::scenarios::AddTrain};
 
 int RunAndExplain(const Run& run) {
   try {
