@@ -127,7 +127,10 @@ int FlyWith(const Options& options) {
   if (options.junit) CheckOutputFile(*options.junit, kJunitMark);
   const FlightResult result = FlyWithProgress(scenario, out, options);
   TellWhetherSame(order, result);
-  if (options.junit) WriteOutputFile(*options.junit, JunitXml(scenario, result), kJunitMark);
+  if (options.junit) {
+    const JunitSuite suite = SuiteOf(scenario, result.verdict, result.reason, result.metrics, result.checks);
+    WriteOutputFile(*options.junit, JunitXml({suite}), kJunitMark);
+  }
   if (options.talk.json) fmt::print("{}", ResultJson(scenario, result));
   if (options.talk.ForPeople()) PrintResult(scenario, result, out);
   if (result.verdict == Verdict::kError) spdlog::error("the simulation went wrong: {}", result.reason);

@@ -76,8 +76,7 @@ PlannedFlight Planned(const SweepFile& file, const SweepVariant& variant, std::u
   flight.scenario_yaml = ScenarioYaml(scenario);
   flight.id = FlightId(flight.scenario_yaml, program_digest);
   flight.expected_s = ExpectedDuration_s(scenario);
-  constexpr double kStart_s = 60.0, kSlowest = 30.0;
-  flight.limit_s = file.limits.wall_s.value_or(kStart_s + kSlowest * flight.expected_s);
+  flight.limit_s = file.limits.wall_s.value_or(DefaultLimit_s(scenario));
   return flight;
 }
 
@@ -86,6 +85,11 @@ PlannedFlight Planned(const SweepFile& file, const SweepVariant& variant, std::u
 std::string FlightId(const std::string& scenario_yaml, const std::string& program_digest) {
   constexpr std::size_t kDigits = 16;
   return Sha256({&scenario_yaml, &program_digest}).substr(0, kDigits);
+}
+
+double DefaultLimit_s(const Scenario& scenario) {
+  constexpr double kStart_s = 60.0, kSlowest = 30.0;
+  return kStart_s + kSlowest * ExpectedDuration_s(scenario);
 }
 
 SweepPlan PlanSweep(const SweepFile& file, const std::string& program_digest) {

@@ -29,6 +29,9 @@ struct SweepPlan {
 /// contents of every file that it names, and of the program that flies it.
 std::string FlightId(const std::string& scenario_yaml, const std::string& program_digest);
 
+/// What a flight may take by the wall clock unless somebody says otherwise: far more than any should.
+double DefaultLimit_s(const Scenario& scenario);
+
 /// Crosses seeds, variants and listed values, and draws the others: a drawn value depends on the flight's seed and the
 /// parameter's key, and on nothing else, so that all of a seed's flights share it and a sweep that grows keeps its
 /// flights. (Latin hypercubes depend on the count of seeds too.) Throws InputError, naming file, line and key, for what
