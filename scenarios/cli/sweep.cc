@@ -17,6 +17,7 @@
 #include "scenarios/cli/talk.h"
 #include "scenarios/flight/output_file.h"
 #include "scenarios/flight/program_digest.h"
+#include "scenarios/sweep/boundary.h"
 #include "scenarios/sweep/rows_csv.h"
 #include "scenarios/sweep/run_sweep.h"
 #include "scenarios/sweep/sweep_summary.h"
@@ -33,6 +34,9 @@ struct Options {
   std::optional<std::string> out, csv, shard;
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   bool dry_run = false;
+  std::optional<std::string> boundary;
+  double level = 0.5;
+  int flights = 60;
   Talk talk;
 };
 
@@ -91,8 +95,33 @@ bool FlyAll(const SweepFile& file, const SweepPlan& plan, const Options& options
   });
 }
 
+int SeekBoundary(const SweepFile& file, const Options& options) {
+  if (!options.out) throw InputError("--out: name a folder for the rows");
+  Progress progress(!options.talk.ForPeople());
+  const BoundarySearch search{.key = *options.boundary, .pass_rate = options.level, .flights = options.flights};
+  const auto text = [](const Boundary& b) {
+    return fmt::format("{:.4g} (95 %: {:.4g} to {:.4g})", b.edge.value, b.edge.low, b.edge.high);
+  };
+  const Boundary found =
+      FindBoundary(file, search, *options.out, options.jobs, InterruptRequested, [&](const Boundary& so_far) {
+        if (progress.IsDue()) progress.Tell(static_cast<double>(so_far.flights) / options.flights, text(so_far));
+      });
+  if (!found.is_done) {
+    spdlog::warn("interrupted: what was flown is kept in {}, and the same command goes on from there", *options.out);
+    return kInterrupted;
+  }
+  if (options.talk.ForPeople()) {
+    fmt::print("{}: the pass rate goes through {} at {} = {}, after {} flights\n", file.name, options.level,
+               *options.boundary, text(found), found.flights);
+    if (found.edge.low == found.min || found.edge.high == found.max)
+      fmt::print("it may lie beyond the listed values\n");
+  }
+  return kPassed;
+}
+
 int Sweep(const Options& options) {
   const SweepFile file = LoadSweepFile(options.sweep);
+  if (options.boundary) return SeekBoundary(file, options);
   SweepPlan plan = PlanSweep(file, ProgramDigest());
   if (options.shard) plan = TakeShard(file, plan, *options.shard);
   if (options.dry_run) {
@@ -127,6 +156,19 @@ void AddSweep(CLI::App& app, Run& run) {
       ->check(CLI::Range(1, 1024));
   command.add_option("--csv", options->csv, "File for the rows as CSV, sorted by id")->type_name("FILE");
   command.add_option("--shard", options->shard, "Fly the I-th of N parts, into a folder of its own")->type_name("I/N");
+  command
+      .add_option("--boundary", options->boundary,
+                  "In place of the grid: find the value of this parameter at which the pass rate goes through a level, "
+                  "between its least and its largest listed value")
+      ->type_name("KEY")
+      ->excludes("--shard")
+      ->excludes("--csv");
+  command.add_option("--level", options->level, "The pass rate at the boundary (default: 0.5)")
+      ->type_name("SHARE")
+      ->check(CLI::Range(0.01, 0.99));
+  command.add_option("--flights", options->flights, "How many flights a boundary may take (default: 60)")
+      ->type_name("N")
+      ->check(CLI::Range(6, 100000));
   command.add_flag("--dry-run", options->dry_run, "List the flights, and fly none");
   AddTalk(command, options->talk);
   command.callback([options, &run] { run = [options] { return Sweep(*options); }; });

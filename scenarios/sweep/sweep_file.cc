@@ -183,19 +183,23 @@ std::vector<SweepParameter> ParametersOf(const ConfigNode& node) {
   return parameters;
 }
 
+std::vector<Override> OverridesOf(const ConfigNode& node, const std::string& path) {
+  if (node.kind != ConfigNode::Kind::kKeys) throw ConfigError(node.origin, path, "must hold keys of the scenario");
+  std::vector<Override> overrides;
+  for (const ConfigEntry& change : node.keys) {
+    overrides.emplace_back(fmt::format("{}={}", change.key, FlowYaml(change.node)), change.node.origin.place);
+  }
+  return overrides;
+}
+
 SweepVariant VariantOf(const ConfigNode& node, const std::string& path) {
-  struct Name {
-    std::string name;
-  };
   if (node.kind != ConfigNode::Kind::kKeys) throw ConfigError(node.origin, path, "must hold keys");
   SweepVariant variant;
   for (const ConfigEntry& entry : node.keys) {
     if (entry.key == "name" && entry.node.kind == ConfigNode::Kind::kText) {
       variant.name = entry.node.text;
-    } else if (entry.key == "set" && entry.node.kind == ConfigNode::Kind::kKeys) {
-      for (const ConfigEntry& change : entry.node.keys) {
-        variant.set.emplace_back(fmt::format("{}={}", change.key, FlowYaml(change.node)), change.node.origin.place);
-      }
+    } else if (entry.key == "set") {
+      variant.set = OverridesOf(entry.node, path + ".set");
     } else {
       throw ConfigError(entry.node.origin, path + "." + entry.key,
                         "known here: name (text), set (keys of the scenario)");
@@ -234,7 +238,8 @@ std::optional<ConfigNode> TakeOut(ConfigNode& root, std::string_view key) {
 
 SweepFile LoadSweepFile(const std::filesystem::path& file) {
   ConfigNode root = ReadConfigFile(file);
-  const std::optional<ConfigNode> parameters = TakeOut(root, "parameters"), variants = TakeOut(root, "variants");
+  const std::optional<ConfigNode> parameters = TakeOut(root, "parameters"), variants = TakeOut(root, "variants"),
+                                  set = TakeOut(root, "set");
   const ConfigNode* base = root.Find("base");
   const Origin base_origin = base != nullptr ? base->origin : root.origin;
   PlainKeys keys = ReadAlone<PlainKeys>(root);
@@ -245,6 +250,7 @@ SweepFile LoadSweepFile(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(sweep.base, error)) {
     throw ConfigError(base_origin, "base", fmt::format("no file {}", sweep.base.string()));
   }
+  if (set) sweep.set = OverridesOf(*set, "set");
   if (parameters) sweep.parameters = ParametersOf(*parameters);
   sweep.variants = variants ? VariantsOf(*variants) : std::vector<SweepVariant>(1);
   return sweep;

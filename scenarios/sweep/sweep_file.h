@@ -85,6 +85,7 @@ struct SweepFile {
   std::filesystem::path base = {};  ///< The scenario.
   SweepSeeds seeds = {};
   FlightLimits limits = {};
+  std::vector<Override> set = {};  ///< Over the base, of every flight.
   std::vector<SweepParameter> parameters = {};
   std::vector<SweepVariant> variants = {};  ///< One of no name that sets nothing when the file has none.
   std::vector<SweepCriterion> criteria = {};

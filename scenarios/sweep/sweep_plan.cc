@@ -65,7 +65,8 @@ std::vector<std::vector<std::string>> Grid(const std::vector<std::vector<std::st
 
 PlannedFlight Planned(const SweepFile& file, const SweepVariant& variant, std::uint64_t seed,
                       std::vector<std::string> values, const std::string& program_digest) {
-  std::vector<Override> overrides = variant.set;
+  std::vector<Override> overrides = file.set;
+  overrides.insert(overrides.end(), variant.set.begin(), variant.set.end());
   for (std::size_t i = 0; i < values.size(); ++i) {
     const SweepParameter& parameter = file.parameters[i];
     overrides.emplace_back(fmt::format("{}={}", parameter.key, values[i]), parameter.place);
