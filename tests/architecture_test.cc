@@ -35,10 +35,12 @@ const std::map<std::string, std::set<std::string>>& MayInclude() {
         {"scenarios/footage", with_those_below({"scenarios/footage", "scenarios/flight"})},
         {"scenarios/report", with_those_below({"scenarios/report", "scenarios/footage", "scenarios/flight"})},
         {"scenarios/study", with_those_below({"scenarios/study", "scenarios/flight"})},
+        {"scenarios/sweep",
+         with_those_below({"scenarios/sweep", "scenarios/study", "scenarios/report", "scenarios/flight"})},
         {"scenarios/paper",
          with_those_below({"scenarios/paper", "scenarios/study", "scenarios/report", "scenarios/flight"})},
-        {"scenarios/cli", with_those_below({"scenarios/cli", "scenarios/paper", "scenarios/study", "scenarios/report",
-                                            "scenarios/footage", "scenarios/flight"})},
+        {"scenarios/cli", with_those_below({"scenarios/cli", "scenarios/sweep", "scenarios/paper", "scenarios/study",
+                                            "scenarios/report", "scenarios/footage", "scenarios/flight"})},
     };
   }();
   return folders;
@@ -60,6 +62,7 @@ const std::vector<LibraryRule>& LibraryRules() {
       {std::regex("scenarios/report/.*\\.cc"), std::regex("(cairo|kainjow)/.*")},
       {std::regex("scenarios/paper/paper_report\\.cc"), std::regex("kainjow/.*")},
       {std::regex("scenarios/paper/april_tag\\.cc"), std::regex("apriltag/.*")},
+      {std::regex("scenarios/sweep/sweep_store\\.cc"), std::regex("SQLiteCpp/.*")},
       {std::regex("scenarios/study/statistics\\.cc"), std::regex("boost/math/.*")},
       {std::regex("scenarios/report/video_.*\\.cc"), std::regex("lib(av[a-z]+|swscale)/.*")},
       {std::regex("scenarios/footage/(flight_bag\\.cc|bag_file\\.cc|bag_messages\\.h)"),

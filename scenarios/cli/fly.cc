@@ -20,12 +20,14 @@
 #include "scenarios/flight/scenario.h"
 #include "scenarios/report/flight_folder.h"
 #include "scenarios/report/junit.h"
+#include "scenarios/sweep/sweep_store.h"
 
 namespace touchdown::scenarios {
 namespace {
 
 struct Options {
   std::string scenario;
+  std::vector<std::string> from;  ///< A sweep's folder and a flight's id.
   std::vector<std::string> overrides;
   std::optional<std::string> seed;
   std::optional<std::string> estimator;
@@ -87,16 +89,48 @@ std::vector<Override> OverridesOf(const Options& options) {
   return overrides;
 }
 
-int FlyWith(const Options& options) {
-  const Scenario scenario = LoadScenario(options.scenario, OverridesOf(options));
-  const std::string out = options.out.value_or("out/" + scenario.name);
-  if (std::filesystem::path(options.scenario).parent_path() != "" &&
-      std::filesystem::weakly_canonical(options.scenario).parent_path() == std::filesystem::weakly_canonical(out)) {
+/// What is to be flown, and the log that it should leave, when that is known.
+struct Order {
+  Scenario scenario;
+  std::string log_sha256;
+};
+
+Order OrderFrom(const std::string& folder, const std::string& id) {
+  const auto row = SweepStore(folder, SweepStore::Access::kRead).Find(id);
+  if (!row) throw InputError(fmt::format("{}: has no flight {}", folder, id));
+  return {ParseScenario(row->scenario_yaml, id, {}), row->log_sha256};
+}
+
+/// A scenario's folder is not the place for what is made of it.
+void CheckPlace(const std::string& scenario, const std::string& out) {
+  namespace fs = std::filesystem;
+  if (fs::path(scenario).parent_path() != "" &&
+      fs::weakly_canonical(scenario).parent_path() == fs::weakly_canonical(out)) {
     throw InputError(fmt::format("output folder {}: holds the scenario that is flown; name another", out));
   }
+}
+
+void TellWhetherSame(const Order& order, const FlightResult& result) {
+  if (order.log_sha256.empty() || order.log_sha256 == result.log_sha256) return;
+  spdlog::warn("the log is not the sweep's: it was flown by another build, or on another type of CPU");
+}
+
+int FlyWith(const Options& options) {
+  const bool is_again = !options.from.empty();
+  if (options.scenario.empty() != is_again)
+    throw InputError("name either a SCENARIO or a sweep's flight, --from DIR ID");
+  const Order order = is_again ? OrderFrom(options.from[0], options.from[1])
+                               : Order{LoadScenario(options.scenario, OverridesOf(options)), ""};
+  const Scenario& scenario = order.scenario;
+  const std::string out = options.out.value_or("out/" + (is_again ? options.from[1] : scenario.name));
+  CheckPlace(options.scenario, out);
   if (options.junit) CheckOutputFile(*options.junit, kJunitMark);
   const FlightResult result = FlyWithProgress(scenario, out, options);
-  if (options.junit) WriteOutputFile(*options.junit, JunitXml(scenario, result), kJunitMark);
+  TellWhetherSame(order, result);
+  if (options.junit) {
+    const JunitSuite suite = SuiteOf(scenario, result.verdict, result.reason, result.metrics, result.checks);
+    WriteOutputFile(*options.junit, JunitXml({suite}), kJunitMark);
+  }
   if (options.talk.json) fmt::print("{}", ResultJson(scenario, result));
   if (options.talk.ForPeople()) PrintResult(scenario, result, out);
   if (result.verdict == Verdict::kError) spdlog::error("the simulation went wrong: {}", result.reason);
@@ -116,13 +150,20 @@ int FlyWith(const Options& options) {
 void AddFly(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
   CLI::App& command = *app.add_subcommand("fly", "Fly a scenario, judge it, and leave its files");
-  command.add_option("SCENARIO", options->scenario, "The scenario's YAML file")->required();
+  command.add_option("SCENARIO", options->scenario, "The scenario's YAML file");
   command.add_option("--set", options->overrides, "Change a key of the scenario, as in --set camera.noise_sigma=5")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  command.add_option("--seed", options->seed, "Seed of every random source (default: the scenario's)")->type_name("N");
+  command.add_option("--from", options->from, "In place of SCENARIO: a flight of a sweep, flown again")
+      ->type_name("DIR ID")
+      ->expected(2)
+      ->excludes("--set");
+  command.add_option("--seed", options->seed, "Seed of every random source (default: the scenario's)")
+      ->type_name("N")
+      ->excludes("--from");
   command.add_option("--estimator", options->estimator, "Name of the estimator (default: the scenario's)")
-      ->type_name("NAME");
+      ->type_name("NAME")
+      ->excludes("--from");
   command.add_option("--out", options->out, "Folder for the files (default: out/NAME)")->type_name("DIR");
   command
       .add_option("--video", options->video, "Whether to leave a film of the flight, flight.mp4: on (default) or off")

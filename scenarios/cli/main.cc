@@ -13,6 +13,7 @@
 #include "models/error.h"
 #include "scenarios/cli/calibrate.h"
 #include "scenarios/cli/command.h"
+#include "scenarios/cli/compare.h"
 #include "scenarios/cli/estimate.h"
 #include "scenarios/cli/fly.h"
 #include "scenarios/cli/interrupt.h"
@@ -20,6 +21,8 @@
 #include "scenarios/cli/paper.h"
 #include "scenarios/cli/report.h"
 #include "scenarios/cli/score.h"
+#include "scenarios/cli/sweep.h"
+#include "scenarios/cli/test.h"
 #include "scenarios/cli/train.h"
 #include "scenarios/flight/interrupted.h"
 
@@ -29,10 +32,11 @@ using touchdown::scenarios::AddCommand;
 using touchdown::scenarios::ExitStatus;
 using touchdown::scenarios::Run;
 
-AddCommand* const kCommands[] = {touchdown::scenarios::AddCalibrate, touchdown::scenarios::AddEstimate,
-                                 touchdown::scenarios::AddFly,       touchdown::scenarios::AddPad,
-                                 touchdown::scenarios::AddPaper,     touchdown::scenarios::AddReport,
-                                 touchdown::scenarios::AddScore,     touchdown::scenarios::AddTrain};
+AddCommand* const kCommands[] = {
+    touchdown::scenarios::AddCalibrate, touchdown::scenarios::AddCompare, touchdown::scenarios::AddEstimate,
+    touchdown::scenarios::AddFly,       touchdown::scenarios::AddPad,     touchdown::scenarios::AddPaper,
+    touchdown::scenarios::AddReport,    touchdown::scenarios::AddScore,   touchdown::scenarios::AddSweep,
+    touchdown::scenarios::AddTest,      touchdown::scenarios::AddTrain};
 
 int RunAndExplain(const Run& run) {
   try {

@@ -29,6 +29,8 @@ constexpr MetricInfo kMetrics[] = {
     {"flight.max_tilt_deg", "deg", "Largest true tilt from start to end."},
     {"flight.landing_time_s", "s", "From the beginning of the landing phase to first contact."},
     {"flight.touchdown_xy_error_m", "m", "True horizontal distance from the pad's centre at first contact of a foot."},
+    {"flight.touchdown_x_m", "m", "True place of the body's origin along W's X then."},
+    {"flight.touchdown_y_m", "m", "The same along W's Y."},
     {"flight.touchdown_yaw_error_deg", "deg", "True yaw then, modulo 180 degrees, absolute."},
     {"flight.touchdown_speed_m_s", "m/s", "True sink rate just before first contact."},
     {"flight.touchdown_tilt_deg", "deg", "True tilt at first contact."},
@@ -39,7 +41,7 @@ constexpr MetricInfo kMetrics[] = {
     {"estimate.roll_rmse_deg", "deg", "RMS error of vision's roll in frames with status ok."},
     {"estimate.pitch_rmse_deg", "deg", "The same of pitch."},
     {"estimate.yaw_rmse_deg", "deg", "The same of yaw, modulo 180 degrees."},
-    {"estimate.availability", "", "Frames with status ok over frames with the whole ring in view."},
+    {"estimate.availability", "", "Frames with status ok over frames with the whole ring in view.", true},
     {"estimate.ring_frames", "", "Frames with the whole ring in view."},
     {"estimate.false_pads", "", "Frames whose detected pad's centre is over 30 px from the true one."},
 };
@@ -98,6 +100,8 @@ void PutTouchdown(const FlightLog& log, Metrics& metrics) {
   if (!log.touchdown) return;
   const sim::TrueState& at = log.touchdown->at;
   metrics.emplace("flight.touchdown_xy_error_m", at.X_WB.translation().head<2>().norm());
+  metrics.emplace("flight.touchdown_x_m", at.X_WB.translation().x());
+  metrics.emplace("flight.touchdown_y_m", at.X_WB.translation().y());
   metrics.emplace("flight.touchdown_yaw_error_deg",
                   RadToDeg(std::abs(models::WrapToHalfPi(models::TaitBryanFromRotation(at.X_WB.linear()).yaw))));
   metrics.emplace("flight.touchdown_speed_m_s", -log.touchdown->before.v_WB.z());
@@ -117,11 +121,6 @@ void PutFlight(const FlightLog& log, Metrics& metrics) {
   double tilt = 0.0;
   for (const TickRecord& record : log.ticks) tilt = std::max(tilt, Tilt(record.truth.X_WB.linear()));
   if (!log.ticks.empty()) metrics.emplace("flight.max_tilt_deg", RadToDeg(tilt));
-}
-
-std::string Limit(const Criterion& criterion) {
-  if (criterion.min && criterion.max) return fmt::format("{} .. {}", *criterion.min, *criterion.max);
-  return criterion.min ? fmt::format(">= {}", *criterion.min) : fmt::format("<= {}", criterion.max.value());
 }
 
 }  // namespace
@@ -185,6 +184,11 @@ Metrics ComputeMetrics(const FlightLog& log) {
   return metrics;
 }
 
+std::string LimitText(const Criterion& criterion) {
+  if (criterion.min && criterion.max) return fmt::format("{} .. {}", *criterion.min, *criterion.max);
+  return criterion.min ? fmt::format(">= {}", *criterion.min) : fmt::format("<= {}", criterion.max.value());
+}
+
 std::vector<Check> Judge(const Scenario& scenario, Outcome outcome, const Metrics& metrics) {
   std::vector<Check> checks;
   checks.push_back({.name = "outcome",
@@ -197,7 +201,7 @@ std::vector<Check> Judge(const Scenario& scenario, Outcome outcome, const Metric
     Check check;
     check.name = criterion.metric;
     if (const MetricInfo* const info = FindMetric(criterion.metric)) check.unit = info->unit;
-    check.limit = Limit(criterion);
+    check.limit = LimitText(criterion);
     if (const auto found = metrics.find(criterion.metric); found != metrics.end()) {
       check.value = found->second;
       check.pass =

@@ -20,6 +20,7 @@ struct MetricInfo {
   std::string_view name;
   std::string_view unit;  ///< "" for none.
   std::string_view doc;
+  bool larger_is_better = false;
 };
 
 /// All metrics that there are, in the order in which they are shown.
@@ -44,13 +45,16 @@ Metrics Detection(std::span<const FrameRecord> frames);
 
 /// One demand on a flight, and whether it was kept.
 struct Check {
-  std::string name;             ///< Of the metric, or "outcome".
-  std::optional<double> value;  ///< nullopt for a metric that the flight does not have, and for the outcome.
-  std::string text;             ///< The outcome; empty for a metric.
-  std::string unit;
-  std::string limit;  ///< "<= 0.06", ">= 0.95", "0 .. 3", "landed".
+  std::string name = {};             ///< Of the metric, or "outcome".
+  std::optional<double> value = {};  ///< nullopt for a metric that the flight does not have, and for the outcome.
+  std::string text = {};             ///< The outcome; empty for a metric.
+  std::string unit = {};
+  std::string limit = {};  ///< "<= 0.06", ">= 0.95", "0 .. 3", "landed".
   bool pass = false;
 };
+
+/// "<= 0.06", ">= 0.95", "0 .. 3".
+std::string LimitText(const Criterion& criterion);
 
 /// The outcome against the one that the scenario expects, then each criterion in its order.
 std::vector<Check> Judge(const Scenario& scenario, Outcome outcome, const Metrics& metrics);

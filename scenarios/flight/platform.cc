@@ -40,4 +40,10 @@ std::vector<std::pair<std::string, std::string>> PlatformFacts() {
           {"opencv", CV_VERSION}};
 }
 
+std::string HostName() {
+  utsname system{};
+  uname(&system);
+  return system.nodename;
+}
+
 }  // namespace touchdown::scenarios

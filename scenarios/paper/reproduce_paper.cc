@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <iterator>
 #include <string>
 
 #include "models/error.h"
 #include "scenarios/flight/output_folder.h"
-#include "scenarios/flight/sha256.h"
+#include "scenarios/flight/program_digest.h"
 #include "scenarios/paper/accuracy.h"
 #include "scenarios/paper/ambiguity.h"
 #include "scenarios/paper/calibrations.h"
@@ -41,13 +40,6 @@ FolderKind PaperFolder() {
 
 std::string FolderJson(const ReproductionOptions& options) {
   return Json{{"kind", kMark}, {"quick", options.quick}}.dump(2) + "\n";
-}
-
-/// This build's, so that what another one measured does not count.
-std::string ProgramDigest() {
-  std::ifstream stream("/proc/self/exe", std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  return Sha256({&bytes});
 }
 
 /// Whether the run that `out` is from was a quick one.

@@ -9,14 +9,25 @@
 namespace touchdown::scenarios {
 namespace {
 
-void PutCounts(pugi::xml_node node, const FlightResult& result) {
-  const auto failed = std::count_if(result.checks.begin(), result.checks.end(), [](const Check& c) { return !c.pass; });
-  const bool is_error = result.verdict == Verdict::kError;
-  const auto tests = static_cast<long long>(result.checks.size());
-  node.append_attribute("tests") = tests;
-  node.append_attribute("failures") = is_error ? 0LL : static_cast<long long>(failed);
-  node.append_attribute("errors") = is_error ? tests : 0LL;
-  node.append_attribute("time") = fmt::format("{}", result.metrics.at("flight.sim_time_s")).c_str();
+struct Counts {
+  long long tests = 0, failures = 0, errors = 0;
+  double time_s = 0.0;
+
+  void Add(const JunitSuite& suite) {
+    const auto count = static_cast<long long>(suite.checks.size());
+    const auto failed = std::count_if(suite.checks.begin(), suite.checks.end(), [](const Check& c) { return !c.pass; });
+    tests += count;
+    failures += suite.error ? 0 : failed;
+    errors += suite.error ? count : 0;
+    time_s += suite.time_s;
+  }
+};
+
+void PutCounts(pugi::xml_node node, const Counts& counts) {
+  node.append_attribute("tests") = counts.tests;
+  node.append_attribute("failures") = counts.failures;
+  node.append_attribute("errors") = counts.errors;
+  node.append_attribute("time") = fmt::format("{}", counts.time_s).c_str();
 }
 
 /// "is 0.12 m, must be <= 0.06".
@@ -26,12 +37,12 @@ std::string Explain(const Check& check) {
   return fmt::format("is {}, must be {}", value, check.limit);
 }
 
-void PutCase(pugi::xml_node suite, const std::string& suite_name, const Check& check, const FlightResult& result) {
-  pugi::xml_node test = suite.append_child("testcase");
-  test.append_attribute("classname") = suite_name.c_str();
+void PutCase(pugi::xml_node node, const JunitSuite& suite, const Check& check) {
+  pugi::xml_node test = node.append_child("testcase");
+  test.append_attribute("classname") = suite.name.c_str();
   test.append_attribute("name") = check.name.c_str();
-  if (result.verdict == Verdict::kError) {
-    test.append_child("error").append_attribute("message") = result.reason.c_str();
+  if (suite.error) {
+    test.append_child("error").append_attribute("message") = suite.error->c_str();
   } else if (!check.pass) {
     test.append_child("failure").append_attribute("message") = Explain(check).c_str();
   }
@@ -39,22 +50,36 @@ void PutCase(pugi::xml_node suite, const std::string& suite_name, const Check& c
 
 }  // namespace
 
-std::string JunitXml(const Scenario& scenario, const FlightResult& result) {
+std::string JunitXml(const std::vector<JunitSuite>& suites) {
   pugi::xml_document document;
   pugi::xml_node declaration = document.append_child(pugi::node_declaration);
   declaration.append_attribute("version") = "1.0";
   declaration.append_attribute("encoding") = "UTF-8";
-  pugi::xml_node suites = document.append_child("testsuites");
-  suites.append_attribute("name") = "touchdown";
-  PutCounts(suites, result);
-  pugi::xml_node suite = suites.append_child("testsuite");
-  const std::string name = fmt::format("{}.seed{}", scenario.name, scenario.seed);
-  suite.append_attribute("name") = name.c_str();
-  PutCounts(suite, result);
-  for (const Check& check : result.checks) PutCase(suite, name, check, result);
+  pugi::xml_node root = document.append_child("testsuites");
+  root.append_attribute("name") = "touchdown";
+  Counts all;
+  for (const JunitSuite& suite : suites) all.Add(suite);
+  PutCounts(root, all);
+  for (const JunitSuite& suite : suites) {
+    pugi::xml_node node = root.append_child("testsuite");
+    node.append_attribute("name") = suite.name.c_str();
+    Counts counts;
+    counts.Add(suite);
+    PutCounts(node, counts);
+    for (const Check& check : suite.checks) PutCase(node, suite, check);
+  }
   std::ostringstream text;
   document.save(text, "  ");
   return text.str();
+}
+
+JunitSuite SuiteOf(const Scenario& scenario, Verdict verdict, const std::string& reason, const Metrics& metrics,
+                   const std::vector<Check>& checks) {
+  const auto time = metrics.find("flight.sim_time_s");
+  return {.name = fmt::format("{}.seed{}", scenario.name, scenario.seed),
+          .time_s = time == metrics.end() ? 0.0 : time->second,
+          .checks = checks,
+          .error = verdict == Verdict::kError ? std::optional(reason) : std::nullopt};
 }
 
 }  // namespace touchdown::scenarios

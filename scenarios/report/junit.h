@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "scenarios/flight/fly.h"
 
@@ -9,8 +11,19 @@ namespace touchdown::scenarios {
 /// What a JUnit file of Touchdown's, and none of another program's, holds.
 inline constexpr char kJunitMark[] = "<testsuites name=\"touchdown\"";
 
-/// A flight's checks as JUnit XML, as CI servers read it: a test suite with a test case for each check, its time the
-/// simulated one. A flight whose simulation went wrong is an error of every case.
-std::string JunitXml(const Scenario& scenario, const FlightResult& result);
+/// A flight and its checks.
+struct JunitSuite {
+  std::string name;
+  double time_s = 0.0;  ///< Simulated.
+  std::vector<Check> checks;
+  std::optional<std::string> error;  ///< What went wrong with the simulation, in place of its checks.
+};
+
+/// Flights as JUnit XML, as CI servers read it: each a test suite with a test case for each check. A flight whose
+/// simulation went wrong is an error of every case.
+std::string JunitXml(const std::vector<JunitSuite>& suites);
+
+JunitSuite SuiteOf(const Scenario& scenario, Verdict verdict, const std::string& reason, const Metrics& metrics,
+                   const std::vector<Check>& checks);
 
 }  // namespace touchdown::scenarios

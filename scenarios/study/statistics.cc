@@ -46,11 +46,17 @@ double Quantile(std::vector<double> values, double q) {
   return std::lerp(values[below], values[above], place - static_cast<double>(below));
 }
 
+double NormalQuantile(double chance) { return boost::math::quantile(boost::math::normal(), chance); }
+
+double StudentsTQuantile(double chance, int degrees_of_freedom) {
+  return boost::math::quantile(boost::math::students_t(degrees_of_freedom), chance);
+}
+
 Interval MeanInterval(std::span<const double> values) {
   const double mean = Mean(values);
   if (values.size() == 1) return {mean, mean, mean};
   const auto count = static_cast<double>(values.size());
-  const double t = boost::math::quantile(boost::math::students_t(count - 1.0), kUpper);
+  const double t = StudentsTQuantile(kUpper, static_cast<int>(values.size()) - 1);
   const double half = t * StandardDeviation(values) / std::sqrt(count);
   return {mean, mean - half, mean + half};
 }
@@ -58,7 +64,7 @@ Interval MeanInterval(std::span<const double> values) {
 Interval ShareInterval(int successes, int trials) {
   if (trials < 1 || successes < 0 || successes > trials) throw std::invalid_argument("no share of so many trials");
   const double n = trials, p = successes / n;
-  const double z = boost::math::quantile(boost::math::normal(), kUpper);
+  const double z = NormalQuantile(kUpper);
   const double centre = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);
   const double half = z / (1.0 + z * z / n) * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
   return {p, successes == 0 ? 0.0 : centre - half, successes == trials ? 1.0 : centre + half};

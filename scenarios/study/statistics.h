@@ -21,6 +21,11 @@ double StandardDeviation(std::span<const double> values);
 /// The value below which a share `q` of them lies, interpolated between order statistics; of at least one value.
 double Quantile(std::vector<double> values, double q);
 
+/// The value below which a standard normal variable stays with that chance; of Student's t on so many degrees of
+/// freedom.
+double NormalQuantile(double chance);
+double StudentsTQuantile(double chance, int degrees_of_freedom);
+
 /// The mean, by Student's t on n - 1 degrees of freedom; a single value has no interval but itself.
 Interval MeanInterval(std::span<const double> values);
 

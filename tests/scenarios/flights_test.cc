@@ -67,18 +67,6 @@ TEST(Flights, TakeoffHoverLandPassesAndLooksAsInTheREADME) {
   tests::ExpectPicture("film.jpg", picture, kSamePicture);
 }
 
-TEST(Flights, DisturbedHoverPasses) { ExpectPass(Fly(Flight("disturbed_hover"))); }
-
-TEST(Flights, HandHeldPasses) { ExpectPass(Fly(Flight("hand_held", {"hand.duration_s=12"}))); }
-
-TEST(Flights, LandingPasses) { ExpectPass(Fly(Flight("landing"))); }
-
-TEST(Flights, OutdoorPasses) {
-  for (const char* seed : {"seed=1", "seed=3"}) ExpectPass(Fly(Flight("outdoor", {seed})));
-}
-
-TEST(Flights, RectanglePadPasses) { ExpectPass(Fly(Flight("rectangle_pad"))); }
-
 TEST(Flights, ACoveredPadEndsInGivingUp) {
   const FlightResult result =
       Fly(Flight("landing", {"events=[{at_s: 1.0, do: cover_pad, duration_s: 100}]", "expect=gave_up", "criteria=[]"}));

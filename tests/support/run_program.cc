@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <string>
 #include <thread>
 
 namespace touchdown::tests {
@@ -37,7 +38,9 @@ void InterruptWhenDue(pid_t child, const Interruption& interruption) {
 
 ProgramRun RunProgram(const std::string& program, const std::vector<std::string>& arguments,
                       const std::filesystem::path& folder, const Interruption& interruption) {
-  const std::filesystem::path base = folder.parent_path() / (folder.filename().string() + ".captured");
+  static int runs = 0;  // One program may be run while another runs.
+  const std::filesystem::path base =
+      folder.parent_path() / (folder.filename().string() + ".captured_" + std::to_string(runs++));
   const std::string out_file = base.string() + "_out", err_file = base.string() + "_err";
   std::vector<char*> argv{const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));

@@ -26,9 +26,25 @@ FlightResult Result(Verdict verdict) {
   return result;
 }
 
+std::string Xml(Verdict verdict) {
+  const FlightResult result = Result(verdict);
+  return JunitXml({SuiteOf(Named(), result.verdict, result.reason, result.metrics, result.checks)});
+}
+
+TEST(Junit, SumsUpItsSuites) {
+  const FlightResult result = Result(Verdict::kFail);
+  const JunitSuite suite = SuiteOf(Named(), result.verdict, result.reason, result.metrics, result.checks);
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_string(JunitXml({suite, suite}).c_str()));
+  const pugi::xml_node suites = document.child("testsuites");
+  EXPECT_EQ(suites.attribute("tests").as_int(), 4);
+  EXPECT_EQ(suites.attribute("failures").as_int(), 2);
+  EXPECT_EQ(suites.attribute("time").as_double(), 25.0);
+}
+
 TEST(Junit, HasACaseForEachCheckAndCountsThoseThatFailed) {
   pugi::xml_document document;
-  ASSERT_TRUE(document.load_string(JunitXml(Named(), Result(Verdict::kFail)).c_str()));
+  ASSERT_TRUE(document.load_string(Xml(Verdict::kFail).c_str()));
   const pugi::xml_node suite = document.child("testsuites").child("testsuite");
   EXPECT_STREQ(suite.attribute("name").value(), "calm.seed7");
   EXPECT_EQ(suite.attribute("tests").as_int(), 2);
@@ -42,7 +58,7 @@ TEST(Junit, HasACaseForEachCheckAndCountsThoseThatFailed) {
 }
 
 TEST(Junit, IsAnErrorOfEveryCaseWhenTheSimulationWentWrong) {
-  const std::string text = JunitXml(Named(), Result(Verdict::kError));
+  const std::string text = Xml(Verdict::kError);
   EXPECT_NE(text.find(kJunitMark), std::string::npos);
   pugi::xml_document document;
   ASSERT_TRUE(document.load_string(text.c_str()));

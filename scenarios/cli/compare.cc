@@ -1,0 +1,102 @@
+#include "scenarios/cli/compare.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "models/error.h"
+#include "scenarios/cli/talk.h"
+#include "scenarios/sweep/compare.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+struct Options {
+  std::string a, b;
+  std::vector<std::string> margins;
+  Talk talk;
+};
+
+/// "pass_rate=0.02".
+Margin MarginFrom(const std::string& text) {
+  const std::size_t sign = text.find('=');
+  Margin margin{.name = text.substr(0, sign)};
+  const std::string number = sign == std::string::npos ? "" : text.substr(sign + 1);
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), margin.margin);
+  const bool is_number = error == std::errc() && end == number.data() + number.size() && std::isfinite(margin.margin);
+  if (!is_number || margin.margin < 0.0) {
+    throw InputError(fmt::format("--margin {}: must be NAME=NUMBER, the number at least 0", text));
+  }
+  return margin;
+}
+
+void Print(const Comparison& comparison, const Options& options) {
+  fmt::print("{} pairs; {} flights only in {}, {} only in {}\n", comparison.differences.front().pairs,
+             comparison.only_a, options.a, comparison.only_b, options.b);
+  fmt::print("  {:<34} {:>10} {:>10} {:>11}  {:<24} {:>10}\n", "", "A", "B", "B - A", "95 %", "resolvable");
+  for (const PairedDifference& d : comparison.differences) {
+    fmt::print("{} {:<34} {:>10.4g} {:>10.4g} {:>+11.4g}  {:<24} {:>10.3g} {}\n", d.is_worse ? "!" : " ", d.name, d.a,
+               d.b, d.difference.value, fmt::format("{:+.4g} to {:+.4g}", d.difference.low, d.difference.high),
+               d.resolvable, d.unit);
+  }
+  for (const PairedDifference& d : comparison.differences) {
+    if (d.is_worse) fmt::print("worse: {}, by more than {:g} {}\n", d.name, d.margin, d.unit);
+    if (d.margin > 0.0 && d.resolvable > d.margin) {
+      fmt::print("{}: so many pairs resolve {:.3g}, not the margin of {:g}; fly more seeds\n", d.name, d.resolvable,
+                 d.margin);
+    }
+  }
+}
+
+std::string ComparisonJson(const Comparison& comparison) {
+  nlohmann::ordered_json json{{"only_a", comparison.only_a},
+                              {"only_b", comparison.only_b},
+                              {"is_worse", comparison.is_worse()},
+                              {"differences", nlohmann::ordered_json::array()}};
+  for (const PairedDifference& d : comparison.differences) {
+    json["differences"].push_back({{"name", d.name},
+                                   {"unit", d.unit},
+                                   {"pairs", d.pairs},
+                                   {"a", d.a},
+                                   {"b", d.b},
+                                   {"difference", d.difference.value},
+                                   {"low", d.difference.low},
+                                   {"high", d.difference.high},
+                                   {"resolvable", d.resolvable},
+                                   {"margin", d.margin},
+                                   {"is_worse", d.is_worse}});
+  }
+  return json.dump(2) + "\n";
+}
+
+int CompareBoth(const Options& options) {
+  std::vector<Margin> margins;
+  for (const std::string& text : options.margins) margins.push_back(MarginFrom(text));
+  const Comparison comparison = Compare(LoadResults(options.a), LoadResults(options.b), margins);
+  if (options.talk.json) fmt::print("{}", ComparisonJson(comparison));
+  if (options.talk.ForPeople()) Print(comparison, options);
+  return comparison.is_worse() ? kFailed : kPassed;
+}
+
+}  // namespace
+
+void AddCompare(CLI::App& app, Run& run) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("compare", "Hold a sweep against an earlier one, flight by flight");
+  command.add_option("A", options->a, "The earlier one: a sweep's folder, or its rows as CSV")->required();
+  command.add_option("B", options->b, "The later one")->required();
+  command
+      .add_option("--margin", options->margins,
+                  "How much worse B may be, as in pass_rate=0.02 or flight.touchdown_xy_error_m=0.005; may be repeated")
+      ->type_name("NAME=NUMBER")
+      ->allow_extra_args(false);
+  AddTalk(command, options->talk);
+  command.callback([options, &run] { run = [options] { return CompareBoth(*options); }; });
+}
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "scenarios/cli/command.h"
+
+namespace touchdown::scenarios {
+
+/// `touchdown sweep`: many flights.
+void AddSweep(CLI::App& app, Run& run);
+
+}  // namespace touchdown::scenarios

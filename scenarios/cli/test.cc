@@ -1,0 +1,75 @@
+#include "scenarios/cli/test.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "scenarios/cli/interrupt.h"
+#include "scenarios/flight/output_file.h"
+#include "scenarios/report/junit.h"
+#include "scenarios/sweep/test_flights.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+struct Options {
+  std::string folder;
+  std::optional<std::string> junit;
+  int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+};
+
+void Print(const TestedFlight& test) {
+  fmt::print("{:<5} {:<32} {:6.1f} s  {} ({})\n", test.row.passed() ? "pass" : "FAIL", test.file.stem().string(),
+             test.row.wall_s, test.row.outcome, test.row.reason);
+  for (const Check& check : test.checks) {
+    if (check.pass) continue;
+    const std::string value = check.value          ? fmt::format("{:.4g} {}", *check.value, check.unit)
+                              : check.text.empty() ? "none"
+                                                   : check.text;
+    fmt::print("      {} is {}, must be {}\n", check.name, value, check.limit);
+  }
+  if (!test.row.passed()) fmt::print("      touchdown fly {}\n", test.file.string());
+  std::fflush(stdout);
+}
+
+std::string Junit(const std::vector<TestedFlight>& tests) {
+  std::vector<JunitSuite> suites;
+  for (const TestedFlight& test : tests) {
+    const Verdict verdict = test.row.verdict == "error" ? Verdict::kError : Verdict::kFail;
+    suites.push_back(SuiteOf(test.scenario, verdict, test.row.reason, test.row.metrics, test.checks));
+  }
+  return JunitXml(suites);
+}
+
+int Test(const Options& options) {
+  if (options.junit) CheckOutputFile(*options.junit, kJunitMark);
+  const std::vector<TestedFlight> tests = TestFlights(options.folder, options.jobs, InterruptRequested, Print);
+  if (options.junit) WriteOutputFile(*options.junit, Junit(tests), kJunitMark);
+  const auto passed = std::count_if(tests.begin(), tests.end(), [](const TestedFlight& t) { return t.row.passed(); });
+  fmt::print("{} of {} flights passed\n", passed, tests.size());
+  const bool is_error =
+      std::any_of(tests.begin(), tests.end(), [](const TestedFlight& t) { return t.row.verdict == "error"; });
+  if (is_error) return kInternalError;
+  return passed == static_cast<std::ptrdiff_t>(tests.size()) ? kPassed : kFailed;
+}
+
+}  // namespace
+
+void AddTest(CLI::App& app, Run& run) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("test", "Fly every scenario of a folder as a test");
+  command.add_option("FOLDER", options->folder, "The scenarios' folder")->required();
+  command.add_option("--jobs", options->jobs, "How many fly at a time (default: a job for each core)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  command.add_option("--junit", options->junit, "File for all criteria as JUnit XML")->type_name("FILE");
+  command.callback([options, &run] { run = [options] { return Test(*options); }; });
+}
+
+}  // namespace touchdown::scenarios

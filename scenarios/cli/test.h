@@ -1,0 +1,10 @@
+#pragma once
+
+#include "scenarios/cli/command.h"
+
+namespace touchdown::scenarios {
+
+/// `touchdown test`: every scenario of a folder as a flight test.
+void AddTest(CLI::App& app, Run& run);
+
+}  // namespace touchdown::scenarios

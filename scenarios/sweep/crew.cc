@@ -1,0 +1,124 @@
+#include "scenarios/sweep/crew.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <string.h>
+
+#include <chrono>
+#include <fstream>
+#include <iterator>
+#include <list>
+#include <optional>
+#include <thread>
+
+#include "models/error.h"
+#include "scenarios/flight/platform.h"
+#include "scenarios/flight/program_digest.h"
+#include "scenarios/flight/stopwatch.h"
+#include "scenarios/sweep/worker.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+constexpr int kUnusableFolderStatus = 2;
+
+struct Flying {
+  const FlightTask* task;
+  Worker worker;
+  Stopwatch since_start = {};
+  bool is_hung = false;
+};
+
+std::optional<FlightRow> LeftRow(const RowFolder& folder, const std::string& id) {
+  std::ifstream stream(folder.RowOf(id), std::ios::binary);
+  return RowFromJson({std::istreambuf_iterator<char>(stream), {}});
+}
+
+/// Of a process that left none.
+FlightRow RowWithoutFlight(const Flying& flying, const WorkerEnd& end) {
+  FlightRow row{.id = flying.task->id,
+                .program = ProgramDigest(),
+                .version = TOUCHDOWN_VERSION,
+                .host = HostName(),
+                .failed_check = "outcome",
+                .wall_s = flying.since_start.seconds(),
+                .complaint = end.complaint,
+                .scenario_yaml = flying.task->scenario_yaml};
+  if (flying.is_hung) {
+    row.end = RowEnd::kHung;
+    row.reason = fmt::format("not done after {:.0f} s", flying.task->limit_s);
+  } else if (end.signal == SIGKILL) {
+    row.end = RowEnd::kOutOfMemory;
+    row.reason = "killed by the system, as it does when memory runs out";
+  } else if (end.signal != 0) {
+    row.end = RowEnd::kCrashed;
+    row.reason = fmt::format("the program crashed: {}", strsignal(end.signal));
+  } else {
+    row.end = RowEnd::kCrashed;
+    row.reason = fmt::format("the program ended with status {}", end.exit_status);
+  }
+  return row;
+}
+
+std::string LastLine(std::string text) {
+  while (text.ends_with('\n')) text.pop_back();
+  return text.substr(text.rfind('\n') + 1);
+}
+
+/// What a process of the crew does; returns its exit status.
+int FlyAndExplain(const CrewOptions& options, const FlightTask& task) {
+  try {
+    options.fly(task);
+    return 0;
+  } catch (const InputError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return kUnusableFolderStatus;
+  }
+}
+
+}  // namespace
+
+void FlyTasks(const RowFolder& folder, const CrewOptions& options, const NextTask& next, const OnRow& on_row,
+              const StopRequested& stop_requested) {
+  constexpr std::chrono::milliseconds kLookEvery(5);
+  std::list<Flying> flying;
+  const auto start_more = [&] {
+    while (static_cast<int>(flying.size()) < options.jobs && !(stop_requested && stop_requested())) {
+      const FlightTask* task = next();
+      if (task == nullptr) return;
+      flying.push_back({task, Worker([&] { return FlyAndExplain(options, *task); }, task->memory_mb)});
+    }
+  };
+  const auto finish = [&](const Flying& done, const WorkerEnd& end) {
+    std::optional<FlightRow> row = LeftRow(folder, done.task->id);
+    if (!row && end.exit_status == kUnusableFolderStatus) {
+      throw InputError(LastLine(end.complaint));
+    }
+    if (!row) {
+      row = RowWithoutFlight(done, end);
+      folder.Leave(*row);
+    } else if (row->complaint != end.complaint) {
+      row->complaint = end.complaint;
+      folder.Leave(*row);
+    }
+    on_row(*row);
+  };
+  for (start_more(); !flying.empty(); start_more()) {
+    std::this_thread::sleep_for(kLookEvery);
+    for (auto each = flying.begin(); each != flying.end();) {
+      if (!each->is_hung && each->since_start.seconds() > each->task->limit_s) {
+        each->is_hung = true;
+        each->worker.Kill();
+      }
+      if (const auto end = each->worker.Poll()) {
+        const Flying done = std::move(*each);
+        each = flying.erase(each);
+        finish(done, *end);
+      } else {
+        ++each;
+      }
+    }
+  }
+}
+
+}  // namespace touchdown::scenarios

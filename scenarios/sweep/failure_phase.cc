@@ -1,0 +1,52 @@
+#include "scenarios/sweep/failure_phase.h"
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+namespace touchdown::scenarios {
+namespace {
+
+using controller::Phase;
+
+/// How much frames count towards a metric of vision: a sum, which grows with every frame that makes the metric worse.
+double ShareOf(const std::string& metric, const std::vector<FrameRecord>& frames) {
+  const Metrics detection = Detection(frames), errors = PoseErrors(frames);
+  const auto value = [](const Metrics& metrics, const std::string& name) {
+    const auto found = metrics.find(name);
+    return found == metrics.end() ? 0.0 : found->second;
+  };
+  if (metric == "estimate.false_pads") return value(detection, metric);
+  if (metric == "estimate.availability") {
+    return (1.0 - value(detection, metric)) * value(detection, "estimate.ring_frames");
+  }
+  const auto seen = std::count_if(frames.begin(), frames.end(),
+                                  [](const FrameRecord& frame) { return frame.status == estimator::FrameStatus::kOk; });
+  return value(errors, metric) * value(errors, metric) * static_cast<double>(seen);
+}
+
+Phase WorstPhaseOfVision(const std::string& metric, const FlightLog& log) {
+  std::map<Phase, std::vector<FrameRecord>> by_phase;
+  for (const FrameRecord& frame : log.frames) by_phase[frame.phase].push_back(frame);
+  Phase worst = log.frames.back().phase;
+  double largest = 0.0;
+  for (const auto& [phase, frames] : by_phase) {
+    const double share = ShareOf(metric, frames);
+    if (share <= largest) continue;
+    largest = share;
+    worst = phase;
+  }
+  return worst;
+}
+
+}  // namespace
+
+std::string FailurePhase(const Check& check, const FlightLog& log) {
+  if (check.name.starts_with("estimate.") && !log.frames.empty()) {
+    return std::string(Name(WorstPhaseOfVision(check.name, log)));
+  }
+  if (check.name.starts_with("flight.touchdown_")) return std::string(Name(Phase::kTouchdown));
+  return log.ticks.empty() ? "" : std::string(Name(log.ticks.back().control.phase));
+}
+
+}  // namespace touchdown::scenarios

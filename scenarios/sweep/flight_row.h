@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "scenarios/flight/metrics.h"
+
+namespace touchdown::scenarios {
+
+/// How the process that flew ended.
+enum class RowEnd {
+  kFlown,        ///< With a flight's result, whatever its verdict.
+  kCrashed,      ///< By a signal, or without leaving a result: the program itself failed.
+  kHung,         ///< It took longer than its limit.
+  kOutOfMemory,  ///< It needed more than its limit, or the system ended it (SIGKILL).
+};
+inline constexpr std::array<std::string_view, 4> kRowEndNames = {"flown", "crashed", "hung", "out_of_memory"};
+constexpr std::string_view Name(RowEnd end) { return kRowEndNames[static_cast<std::size_t>(end)]; }
+
+/// What is kept of a flight of a sweep.
+struct FlightRow {
+  std::string id = {};
+  std::string program = {};  ///< Digest of the program that flew it.
+  std::string version = {};
+  std::string host = {};
+  RowEnd end = RowEnd::kCrashed;
+  std::string verdict = "error";  ///< "pass", "fail" or "error".
+  std::string outcome = "error";  ///< As in result.json.
+  std::string reason = {};        ///< In a few words, why it ended so.
+  std::string failed_check = {};  ///< The first criterion that was not kept; empty when all were.
+  std::string failed_phase = {};  ///< The phase of the flight in which that happened.
+  Metrics metrics = {};
+  std::string log_sha256 = {};
+  double wall_s = 0.0;
+  std::string complaint = {};  ///< What the process said on stderr: its last lines.
+  std::string scenario_yaml = {};
+
+  bool passed() const { return verdict == "pass"; }
+};
+
+std::string RowJson(const FlightRow& row);
+/// nullopt for a text that is no row.
+std::optional<FlightRow> RowFromJson(const std::string& text);
+
+}  // namespace touchdown::scenarios

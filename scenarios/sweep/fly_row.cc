@@ -1,0 +1,82 @@
+#include "scenarios/sweep/fly_row.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+#include <system_error>
+
+#include "models/error.h"
+#include "scenarios/flight/fly.h"
+#include "scenarios/flight/output_file.h"
+#include "scenarios/flight/platform.h"
+#include "scenarios/flight/program_digest.h"
+#include "scenarios/flight/stopwatch.h"
+#include "scenarios/report/contact_sheet.h"
+#include "scenarios/sweep/failure_phase.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kRowMark = "\"failed_phase\"";
+constexpr const char* kPngMark = "PNG";
+
+void MakeFolder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw InputError(fmt::format("output folder {}: {}", folder.string(), error.message()));
+}
+
+void TellResult(const Scenario& scenario, const FlightLog& log, FlightRow& row) {
+  const FlightResult result = JudgeFlight(scenario, log);
+  row.end = RowEnd::kFlown;
+  row.verdict = Name(result.verdict);
+  row.outcome = Name(result.outcome);
+  row.reason = result.reason;
+  row.metrics = result.metrics;
+  row.log_sha256 = result.log_sha256;
+  const auto failed =
+      std::find_if(result.checks.begin(), result.checks.end(), [](const Check& check) { return !check.pass; });
+  if (failed == result.checks.end()) return;
+  row.failed_check = failed->name;
+  row.failed_phase = FailurePhase(*failed, log);
+}
+
+}  // namespace
+
+RowFolder::RowFolder(const fs::path& folder) : rows_(folder / "rows"), pictures_(folder / "pictures") {
+  MakeFolder(rows_);
+  MakeFolder(pictures_);
+}
+
+void RowFolder::Leave(const FlightRow& row) const { WriteOutputFile(RowOf(row.id), RowJson(row), kRowMark); }
+
+void FlyRow(const std::string& scenario_yaml, const std::string& id, const RowFolder& folder) {
+  const Scenario scenario = ParseScenario(scenario_yaml, "scenario", {});
+  FlightRow row{.id = id,
+                .program = ProgramDigest(),
+                .version = TOUCHDOWN_VERSION,
+                .host = HostName(),
+                .scenario_yaml = scenario_yaml};
+  const Stopwatch stopwatch;
+  ContactSheet sheet(scenario.assumed_camera(), scenario.time);
+  FlightObserver* const observers[] = {&sheet};
+  try {
+    TellResult(scenario, FlyClosedLoop(scenario, observers, nullptr), row);
+  } catch (const std::bad_alloc&) {
+    row.end = RowEnd::kOutOfMemory;
+    row.reason = "needs more memory than its limit";
+  } catch (const InputError& error) {
+    row.end = RowEnd::kFlown;
+    row.reason = error.what();
+  }
+  row.wall_s = stopwatch.seconds();
+  if (row.end == RowEnd::kFlown && !row.passed()) {
+    if (const auto png = sheet.Png()) WriteOutputFile(folder.PictureOf(row.id), *png, kPngMark);
+  }
+  folder.Leave(row);
+}
+
+}  // namespace touchdown::scenarios

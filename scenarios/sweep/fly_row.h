@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "scenarios/sweep/flight_row.h"
+
+namespace touchdown::scenarios {
+
+/// A folder into which processes leave what they flew, each under its flight's id.
+class RowFolder {
+ public:
+  /// `folder` is the sweep's. Throws InputError when what is needed cannot be made in it.
+  explicit RowFolder(const std::filesystem::path& folder);
+
+  /// Its file is there whole or not at all.
+  std::filesystem::path RowOf(const std::string& id) const { return rows_ / (id + ".json"); }
+  std::filesystem::path PictureOf(const std::string& id) const { return pictures_ / (id + ".png"); }
+  const std::filesystem::path& rows() const { return rows_; }
+
+  /// Throws InputError when it cannot be written.
+  void Leave(const FlightRow& row) const;
+
+ private:
+  std::filesystem::path rows_, pictures_;
+};
+
+/// Flies a resolved scenario and leaves its row under `id`; of a flight that did not pass, a contact sheet too. What
+/// goes wrong in the flight is a row that says so. Throws InputError when the row cannot be written or the scenario is
+/// none.
+void FlyRow(const std::string& scenario_yaml, const std::string& id, const RowFolder& folder);
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,63 @@
+#include "scenarios/sweep/pass_edge.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace touchdown::scenarios {
+namespace {
+
+constexpr int kPlaces = 121, kWidths = 17;
+// Of the range: from a step between neighbouring places to a slope over all of it.
+constexpr double kNarrowest = 0.005, kWidest = 0.5;
+constexpr std::array<double, 3> kLapses = {0.002, 0.02, 0.06};
+
+/// Of the logistic 1 / (1 + exp(x)), so that it falls from 1 to 0.
+double Falling(double x) { return 1.0 / (1.0 + std::exp(x)); }
+
+}  // namespace
+
+PassEdge::PassEdge(double min, double max, double level) : min_(min), max_(max) {
+  const double range = max - min;
+  for (int place = 0; place < kPlaces; ++place) {
+    for (int i = 0; i < kWidths; ++i) {
+      for (const double lapse : kLapses) {
+        if (level >= 1.0 - lapse) continue;  // This curve never reaches the level.
+        const double x_at_level = std::log((1.0 - lapse) / level - 1.0);
+        for (const double sign : {1.0, -1.0}) {
+          const double edge = min + range * place / (kPlaces - 1);
+          const double width = sign * range * kNarrowest * std::pow(kWidest / kNarrowest, i / (kWidths - 1.0));
+          curves_.push_back({edge, edge - x_at_level * width, width, lapse, 0.0});
+        }
+      }
+    }
+  }
+}
+
+void PassEdge::Take(const PassTrial& trial) {
+  for (Curve& curve : curves_) {
+    const double pass_rate = (1.0 - curve.lapse) * Falling((trial.value - curve.middle) / curve.width);
+    curve.log_posterior += std::log(std::max(1e-12, trial.passed ? pass_rate : 1.0 - pass_rate));
+  }
+}
+
+double PassEdge::Quantile(double share) const {
+  const double most = std::max_element(curves_.begin(), curves_.end(), [](const Curve& a, const Curve& b) {
+                        return a.log_posterior < b.log_posterior;
+                      })->log_posterior;
+  std::array<double, kPlaces> weights{};
+  for (const Curve& curve : curves_) {
+    const double place = (curve.edge - min_) / (max_ - min_) * (kPlaces - 1);
+    weights[static_cast<std::size_t>(std::lround(place))] += std::exp(curve.log_posterior - most);
+  }
+  const double wanted = share * std::accumulate(weights.begin(), weights.end(), 0.0);
+  double sum = 0.0;
+  for (int place = 0; place < kPlaces; ++place) {
+    sum += weights[static_cast<std::size_t>(place)];
+    if (sum >= wanted) return min_ + (max_ - min_) * place / (kPlaces - 1);
+  }
+  return max_;
+}
+
+}  // namespace touchdown::scenarios

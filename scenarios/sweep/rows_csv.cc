@@ -1,0 +1,132 @@
+#include "scenarios/sweep/rows_csv.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <tuple>
+
+#include "models/error.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+/// A cell, quoted where it must be (RFC 4180).
+std::string Cell(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string Line(const std::vector<std::string>& cells) {
+  std::vector<std::string> quoted;
+  for (const std::string& cell : cells) quoted.push_back(Cell(cell));
+  return fmt::format("{}\n", fmt::join(quoted, ","));
+}
+
+/// The cells of the line that begins at `at`, which is moved behind it; quoted ones may hold line ends.
+std::vector<std::string> TakeLine(const std::string& csv, std::size_t& at) {
+  std::vector<std::string> cells(1);
+  bool is_quoted = false;
+  for (; at < csv.size(); ++at) {
+    const char c = csv[at];
+    if (c == '"' && is_quoted && at + 1 < csv.size() && csv[at + 1] == '"') {
+      cells.back() += csv[++at];
+    } else if (c == '"') {
+      is_quoted = !is_quoted;
+    } else if (c == ',' && !is_quoted) {
+      cells.emplace_back();
+    } else if (c == '\n' && !is_quoted) {
+      ++at;
+      break;
+    } else {
+      cells.back() += c;
+    }
+  }
+  return cells;
+}
+
+/// Where the parts of a row lie: id, variant, parameters, seed, verdict, outcome, metrics, log_sha256.
+struct Layout {
+  std::vector<std::string> head;
+  std::size_t seed = 0;
+
+  explicit Layout(std::vector<std::string> cells) : head(std::move(cells)) {
+    seed = static_cast<std::size_t>(std::find(head.begin(), head.end(), "seed") - head.begin());
+  }
+  bool IsValid() const {
+    return head.size() > seed + 3 && seed >= 2 && head[0] == "id" && head[1] == "variant" &&
+           head[seed + 1] == "verdict" && head[seed + 2] == "outcome" && head.back() == "log_sha256";
+  }
+};
+
+SweepResult ResultFrom(const Layout& layout, const std::vector<std::string>& cells) {
+  const auto begin = cells.begin();
+  SweepResult result{.seed = std::stoull(cells[layout.seed]), .variant = cells[1]};
+  result.values.assign(begin + 2, begin + static_cast<std::ptrdiff_t>(layout.seed));
+  result.row.id = cells[0];
+  result.row.end = RowEnd::kFlown;
+  result.row.verdict = cells[layout.seed + 1];
+  result.row.outcome = cells[layout.seed + 2];
+  result.row.log_sha256 = cells.back();
+  for (std::size_t i = layout.seed + 3; i + 1 < cells.size(); ++i) {
+    if (!cells[i].empty() && FindMetric(layout.head[i]) != nullptr)
+      result.row.metrics[layout.head[i]] = std::stod(cells[i]);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string RowsCsv(const std::vector<std::string>& keys, std::vector<SweepResult> results) {
+  std::sort(results.begin(), results.end(), [](const SweepResult& a, const SweepResult& b) {
+    return std::tie(a.row.id, a.variant, a.values) < std::tie(b.row.id, b.variant, b.values);
+  });
+  std::vector<std::string> head{"id", "variant"};
+  head.insert(head.end(), keys.begin(), keys.end());
+  for (const char* name : {"seed", "verdict", "outcome"}) head.push_back(name);
+  for (const MetricInfo& metric : AllMetrics()) head.emplace_back(metric.name);
+  head.push_back("log_sha256");
+  std::string csv = Line(head);
+  for (const SweepResult& result : results) {
+    std::vector<std::string> cells{result.row.id, result.variant};
+    cells.insert(cells.end(), result.values.begin(), result.values.end());
+    for (const std::string& cell : {std::to_string(result.seed), result.row.verdict, result.row.outcome}) {
+      cells.push_back(cell);
+    }
+    for (const MetricInfo& metric : AllMetrics()) {
+      const auto found = result.row.metrics.find(metric.name);
+      cells.push_back(found == result.row.metrics.end() ? "" : fmt::format("{}", found->second));
+    }
+    cells.push_back(result.row.log_sha256);
+    csv += Line(cells);
+  }
+  return csv;
+}
+
+StoredResults ReadRowsCsv(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw InputError(fmt::format("{}: cannot be read", file.string()));
+  const std::string csv{std::istreambuf_iterator<char>(stream), {}};
+  std::size_t at = 0;
+  const Layout layout(TakeLine(csv, at));
+  if (!layout.IsValid()) throw InputError(fmt::format("{}:1: is no header of a sweep's rows", file.string()));
+  StoredResults stored{.source = file.string(), .keys = {}, .results = {}};
+  stored.keys.assign(layout.head.begin() + 2, layout.head.begin() + static_cast<std::ptrdiff_t>(layout.seed));
+  for (int line = 2; at < csv.size(); ++line) {
+    const std::vector<std::string> cells = TakeLine(csv, at);
+    const auto fail = [&] { return InputError(fmt::format("{}:{}: is no row of a sweep", file.string(), line)); };
+    if (cells.size() != layout.head.size()) throw fail();
+    try {
+      stored.results.push_back(ResultFrom(layout, cells));
+    } catch (const std::logic_error&) {  // Of std::stod: no number.
+      throw fail();
+    }
+  }
+  return stored;
+}
+
+}  // namespace touchdown::scenarios

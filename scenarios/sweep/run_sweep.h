@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "scenarios/flight/interrupted.h"
+#include "scenarios/sweep/sequential_test.h"
+#include "scenarios/sweep/sweep_store.h"
+
+namespace touchdown::scenarios {
+
+/// How far a sweep is.
+struct SweepProgress {
+  int planned = 0;
+  int done = 0;  ///< Of the planned ones, those that were there already among them.
+  int passed = 0;
+  double share = 0.0;  ///< Of the whole work, by the flights' expected lengths.
+};
+
+/// Of every `shards` planned flights the one of number `shard`, from 0.
+SweepPlan ShardOf(const SweepPlan& plan, int shard, int shards);
+
+/// Flies what is yet to be flown of a plan, into `folder`, and keeps every row as soon as it is there. Rows that an
+/// ended program left are taken in first. `stop` ends it sooner, decided by the flights in the plan's order, whatever
+/// the order in which they are done. Returns false when a stop was requested before all was flown. Throws InputError
+/// when the folder is another's, or cannot be written.
+bool RunSweep(const SweepFile& file, const SweepPlan& plan, const std::filesystem::path& folder, int jobs,
+              const StopRequested& stop_requested, const std::function<void(const SweepProgress&)>& progress);
+
+/// Takes the rows that processes left in `folder` into the store, and removes their files.
+void TakeInRows(const std::filesystem::path& folder, SweepStore& store);
+
+}  // namespace touchdown::scenarios

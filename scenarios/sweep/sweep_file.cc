@@ -1,0 +1,259 @@
+#include "scenarios/sweep/sweep_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "scenarios/flight/config_reader.h"
+#include "scenarios/flight/config_writer.h"
+#include "scenarios/flight/metrics.h"
+
+namespace touchdown::scenarios {
+
+void Describe(ConfigVisitor& v, SweepSeeds& seeds) {
+  v.Integer({"from", "The first."}, seeds.from, Between(0, 1e15));
+  v.Integer({"count", "How many."}, seeds.count, Between(1, 1e6));
+}
+
+void Describe(ConfigVisitor& v, FlightLimits& limits) {
+  v.OptionalNumber({"wall_s", "Time by the wall clock; default: a minute and 30 times the expected flight."},
+                   limits.wall_s, kSecond, kPositive);
+  v.Integer({"memory_mb", "Address space."}, limits.memory_mb, Between(256, 1e6));
+}
+
+void Describe(ConfigVisitor& v, SweepCriterion& criterion) {
+  v.Text({"metric", "pass_rate, or the name of a flight's metric.", true}, criterion.metric);
+  v.OptionalNumber({"quantile", "Of a flight's metric, over the flights that have it."}, criterion.quantile, kNoUnit,
+                   kFraction);
+  v.OptionalNumber({"min", "Smallest value that passes."}, criterion.min, kNoUnit, kAny);
+  v.OptionalNumber({"max", "Largest value that passes."}, criterion.max, kNoUnit, kAny);
+  v.Check("", [&criterion] {
+    const bool is_rate = criterion.metric == kPassRate;
+    if (!is_rate && FindMetric(criterion.metric) == nullptr) {
+      throw InputError(fmt::format("no metric of the name {}", criterion.metric));
+    }
+    if (is_rate == criterion.quantile.has_value()) {
+      throw InputError(is_rate ? "pass_rate has no quantile" : "a flight's metric needs a quantile");
+    }
+    if (!criterion.min && !criterion.max) throw InputError("needs min or max");
+    if (criterion.min && criterion.max && *criterion.min > *criterion.max) throw InputError("min is above max");
+  });
+}
+
+void Describe(ConfigVisitor& v, StopWhen& stop) {
+  const Range within{.min = 0.0, .max = 1.0, .min_is_open = true};
+  v.Number({"good_pass_rate", "A pass rate that is good enough."}, stop.good_pass_rate, kNoUnit, within);
+  v.Number({"bad_pass_rate", "A pass rate that is not; below the good one."}, stop.bad_pass_rate, kNoUnit, within);
+  v.Number({"good_refused", "Chance that the good one is refused."}, stop.good_refused, kNoUnit,
+           {.min = 0.0, .max = 0.5, .min_is_open = true});
+  v.Number({"bad_accepted", "Chance that the bad one is accepted."}, stop.bad_accepted, kNoUnit,
+           {.min = 0.0, .max = 0.5, .min_is_open = true});
+  v.Check("bad_pass_rate", [&stop] {
+    if (stop.bad_pass_rate >= stop.good_pass_rate) throw InputError("must be below good_pass_rate");
+  });
+}
+
+namespace {
+
+template <typename Bounds>
+void DescribeBounds(ConfigVisitor& v, Bounds& bounds) {
+  v.Number({"min", "The smallest value.", true}, bounds.min, kNoUnit, kAny);
+  v.Number({"max", "The largest value.", true}, bounds.max, kNoUnit, kAny);
+  v.Check("max", [&bounds] {
+    if (bounds.max <= bounds.min) throw InputError("must be above min");
+  });
+}
+
+}  // namespace
+
+void Describe(ConfigVisitor& v, UniformValues& values) { DescribeBounds(v, values); }
+void Describe(ConfigVisitor& v, LatinHypercubeValues& values) { DescribeBounds(v, values); }
+
+void Describe(ConfigVisitor& v, NormalValues& values) {
+  v.Number({"mean", "The middle.", true}, values.mean, kNoUnit, kAny);
+  v.Number({"sigma", "The standard deviation.", true}, values.sigma, kNoUnit, kNotNegative);
+}
+
+namespace {
+
+/// Of a parameter that is evenly spaced.
+struct RangeOfValues {
+  double from = 0.0;
+  double to = 1.0;
+  int count = 2;
+};
+
+void Describe(ConfigVisitor& v, RangeOfValues& range) {
+  v.Number({"from", "The first value.", true}, range.from, kNoUnit, kAny);
+  v.Number({"to", "The last value.", true}, range.to, kNoUnit, kAny);
+  v.Integer({"count", "How many.", true}, range.count, Between(2, 1e5));
+}
+
+/// The keys that are read field by field; the others hold a scenario's keys.
+struct PlainKeys {
+  SweepFile file;
+  std::string base;
+};
+
+void Describe(ConfigVisitor& v, PlainKeys& keys) {
+  SweepFile& file = keys.file;
+  v.Text({"name", "Default: the file's."}, file.name);
+  v.Text({"description", "For people."}, file.description);
+  v.Text({"base", "The scenario that is flown: a file's name, from this file's folder.", true}, keys.base);
+  v.Keys({"seeds", "A flight is flown with each."}, file.seeds);
+  v.Keys({"limits", "Of a flight."}, file.limits);
+  v.Items({"criteria", "What the sweep must show to pass."}, file.criteria);
+  v.OptionalKeys({"stop_when", "Ends the sweep when enough has been flown."}, file.stop_when, StopWhen());
+}
+
+/// A piece of configuration as YAML in one line.
+std::string FlowYaml(const ConfigNode& node) {
+  std::vector<std::string> parts;
+  switch (node.kind) {
+    case ConfigNode::Kind::kNothing:
+      return "~";
+    case ConfigNode::Kind::kText:
+      return node.quoted ? WriteText(node.text) : node.text;
+    case ConfigNode::Kind::kList:
+      for (const ConfigNode& item : node.items) parts.push_back(FlowYaml(item));
+      return fmt::format("[{}]", fmt::join(parts, ", "));
+    case ConfigNode::Kind::kKeys:
+      for (const ConfigEntry& entry : node.keys)
+        parts.push_back(fmt::format("{}: {}", entry.key, FlowYaml(entry.node)));
+      break;
+  }
+  return fmt::format("{{{}}}", fmt::join(parts, ", "));
+}
+
+ListedValues ListOf(const ConfigNode& list, const std::string& path) {
+  if (list.items.empty()) throw ConfigError(list.origin, path, "needs at least one value");
+  ListedValues values;
+  for (const ConfigNode& item : list.items) {
+    const std::string yaml = FlowYaml(item);
+    if (std::find(values.yaml.begin(), values.yaml.end(), yaml) != values.yaml.end()) {
+      throw ConfigError(item.origin, path, fmt::format("{} is there twice", yaml));
+    }
+    values.yaml.push_back(yaml);
+  }
+  return values;
+}
+
+ListedValues Spaced(const RangeOfValues& range) {
+  ListedValues values;
+  for (int i = 0; i < range.count; ++i) {
+    const double share = static_cast<double>(i) / (range.count - 1);
+    // Twelve digits: 0.1 and not 0.1 plus what counting up in steps adds to it.
+    values.yaml.push_back(fmt::format("{}", std::stod(fmt::format("{:.12g}", std::lerp(range.from, range.to, share)))));
+  }
+  return values;
+}
+
+SweepParameter ParameterOf(const ConfigEntry& entry) {
+  const ConfigNode& node = entry.node;
+  const std::string path = "parameters." + entry.key;
+  SweepParameter parameter{.key = entry.key, .place = node.origin.place, .values = {}};
+  if (node.kind == ConfigNode::Kind::kList) {
+    parameter.values = ListOf(node, path);
+    return parameter;
+  }
+  const std::string kind = node.kind == ConfigNode::Kind::kKeys && node.keys.size() == 1 ? node.keys[0].key : "";
+  if (kind == "range") {
+    parameter.values = Spaced(ReadAlone<RangeOfValues>(node.keys[0].node));
+  } else if (kind == "uniform") {
+    parameter.values = ReadAlone<UniformValues>(node.keys[0].node);
+  } else if (kind == "normal") {
+    parameter.values = ReadAlone<NormalValues>(node.keys[0].node);
+  } else if (kind == "latin_hypercube") {
+    parameter.values = ReadAlone<LatinHypercubeValues>(node.keys[0].node);
+  } else {
+    throw ConfigError(node.origin, path, "must be a list of values, or one of range, uniform, normal, latin_hypercube");
+  }
+  return parameter;
+}
+
+std::vector<SweepParameter> ParametersOf(const ConfigNode& node) {
+  if (node.kind != ConfigNode::Kind::kKeys) throw ConfigError(node.origin, "parameters", "must hold keys");
+  std::vector<SweepParameter> parameters;
+  for (const ConfigEntry& entry : node.keys) {
+    if (entry.key == "seed") throw ConfigError(entry.node.origin, "parameters.seed", "is given by seeds");
+    parameters.push_back(ParameterOf(entry));
+  }
+  return parameters;
+}
+
+std::vector<Override> OverridesOf(const ConfigNode& node, const std::string& path) {
+  if (node.kind != ConfigNode::Kind::kKeys) throw ConfigError(node.origin, path, "must hold keys of the scenario");
+  std::vector<Override> overrides;
+  for (const ConfigEntry& change : node.keys) {
+    overrides.emplace_back(fmt::format("{}={}", change.key, FlowYaml(change.node)), change.node.origin.place);
+  }
+  return overrides;
+}
+
+SweepVariant VariantOf(const ConfigNode& node, const std::string& path) {
+  if (node.kind != ConfigNode::Kind::kKeys) throw ConfigError(node.origin, path, "must hold keys");
+  SweepVariant variant;
+  for (const ConfigEntry& entry : node.keys) {
+    if (entry.key == "name" && entry.node.kind == ConfigNode::Kind::kText) {
+      variant.name = entry.node.text;
+    } else if (entry.key == "set") {
+      variant.set = OverridesOf(entry.node, path + ".set");
+    } else {
+      throw ConfigError(entry.node.origin, path + "." + entry.key,
+                        "known here: name (text), set (keys of the scenario)");
+    }
+  }
+  if (variant.name.empty()) throw ConfigError(node.origin, path + ".name", "must be given");
+  return variant;
+}
+
+std::vector<SweepVariant> VariantsOf(const ConfigNode& node) {
+  if (node.kind != ConfigNode::Kind::kList || node.items.size() < 2) {
+    throw ConfigError(node.origin, "variants", "must be a list of two or more");
+  }
+  std::vector<SweepVariant> variants;
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    variants.push_back(VariantOf(node.items[i], fmt::format("variants.{}", i)));
+    if (!names.insert(variants.back().name).second) {
+      throw ConfigError(node.items[i].origin, fmt::format("variants.{}.name", i), "is there twice");
+    }
+  }
+  return variants;
+}
+
+/// Takes a key out of `root`; nullopt when it is not there.
+std::optional<ConfigNode> TakeOut(ConfigNode& root, std::string_view key) {
+  const auto found =
+      std::find_if(root.keys.begin(), root.keys.end(), [&](const ConfigEntry& entry) { return entry.key == key; });
+  if (found == root.keys.end()) return std::nullopt;
+  ConfigNode node = std::move(found->node);
+  root.keys.erase(found);
+  return node;
+}
+
+}  // namespace
+
+SweepFile LoadSweepFile(const std::filesystem::path& file) {
+  ConfigNode root = ReadConfigFile(file);
+  const std::optional<ConfigNode> parameters = TakeOut(root, "parameters"), variants = TakeOut(root, "variants"),
+                                  set = TakeOut(root, "set");
+  const ConfigNode* base = root.Find("base");
+  const Origin base_origin = base != nullptr ? base->origin : root.origin;
+  PlainKeys keys = ReadAlone<PlainKeys>(root);
+  SweepFile sweep = std::move(keys.file);
+  if (sweep.name.empty()) sweep.name = file.stem().string();
+  sweep.base = base_origin.folder / keys.base;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(sweep.base, error)) {
+    throw ConfigError(base_origin, "base", fmt::format("no file {}", sweep.base.string()));
+  }
+  if (set) sweep.set = OverridesOf(*set, "set");
+  if (parameters) sweep.parameters = ParametersOf(*parameters);
+  sweep.variants = variants ? VariantsOf(*variants) : std::vector<SweepVariant>(1);
+  return sweep;
+}
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "scenarios/flight/scenario.h"
+
+namespace touchdown::scenarios {
+
+/// Values of a scenario key, each flown: crossed with those of other keys they make the sweep's grid.
+struct ListedValues {
+  std::vector<std::string> yaml = {};
+};
+
+/// A number that is drawn for each seed, uniformly in [min, max).
+struct UniformValues {
+  double min = 0.0;
+  double max = 1.0;
+};
+
+/// A number that is drawn for each seed from a normal distribution.
+struct NormalValues {
+  double mean = 0.0;
+  double sigma = 1.0;
+};
+
+/// A number that is drawn for each seed, in [min, max), so that each of as many equal parts of it as there are seeds
+/// is met once, in an order of its own for each key (McKay, Beckman and Conover 1979).
+struct LatinHypercubeValues {
+  double min = 0.0;
+  double max = 1.0;
+};
+
+/// The name of the criterion on the share of flights that pass.
+inline constexpr std::string_view kPassRate = "pass_rate";
+
+/// What a sweep does with one key of the scenario.
+struct SweepParameter {
+  std::string key = {};
+  std::string place = {};  ///< Where it was written, for messages.
+  std::variant<ListedValues, UniformValues, NormalValues, LatinHypercubeValues> values = {};
+};
+
+/// A setting that is flown beside others on the same seeds and values.
+struct SweepVariant {
+  std::string name = {};
+  std::vector<Override> set = {};
+};
+
+/// A demand on the sweep as a whole.
+struct SweepCriterion {
+  std::string metric = {};              ///< "pass_rate", or a flight's.
+  std::optional<double> quantile = {};  ///< Of a flight's metric, over the flights that have it.
+  std::optional<double> min = {};
+  std::optional<double> max = {};
+};
+
+/// When enough has been flown: Wald's sequential probability ratio test of two pass rates.
+struct StopWhen {
+  double good_pass_rate = 0.99;
+  double bad_pass_rate = 0.95;
+  double good_refused = 0.05;  ///< Chance of calling a sweep of the good rate bad, at most, about.
+  double bad_accepted = 0.05;  ///< Chance of calling one of the bad rate good.
+};
+
+struct SweepSeeds {
+  std::int64_t from = 1;
+  int count = 1;
+};
+
+/// What a flight of a sweep may take before it is ended and told as hung, or out of memory.
+struct FlightLimits {
+  std::optional<double> wall_s = {};  ///< Default: see SweepPlan.
+  int memory_mb = 4096;
+};
+
+/// What is to be flown, as a file of scenarios/sweeps tells it.
+struct SweepFile {
+  std::string name = {};
+  std::string description = {};
+  std::filesystem::path base = {};  ///< The scenario.
+  SweepSeeds seeds = {};
+  FlightLimits limits = {};
+  std::vector<Override> set = {};  ///< Over the base, of every flight.
+  std::vector<SweepParameter> parameters = {};
+  std::vector<SweepVariant> variants = {};  ///< One of no name that sets nothing when the file has none.
+  std::vector<SweepCriterion> criteria = {};
+  std::optional<StopWhen> stop_when = {};
+};
+
+/// Throws InputError, naming file, line and key, for anything that is not as docs/sweeps.md has it. That the keys of
+/// `parameters` are a scenario's is seen when the flights are planned (PlanSweep).
+SweepFile LoadSweepFile(const std::filesystem::path& file);
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,250 @@
+#include "scenarios/sweep/sweep_store.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "models/error.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int kApplicationId =
+    0x7464776e;  // "tdwn": what tells a sweep's database from any other (PRAGMA application_id).
+constexpr int kVersion = 1;
+
+constexpr const char* kSchema = R"(
+CREATE TABLE sweep (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
+CREATE TABLE plan (
+  position INTEGER PRIMARY KEY, id TEXT NOT NULL, seed INTEGER NOT NULL, variant TEXT NOT NULL, parameters TEXT NOT NULL);
+CREATE TABLE flights (
+  id TEXT PRIMARY KEY, program TEXT NOT NULL, version TEXT NOT NULL, host TEXT NOT NULL, process TEXT NOT NULL,
+  verdict TEXT NOT NULL, outcome TEXT NOT NULL, reason TEXT NOT NULL, failed_check TEXT NOT NULL,
+  failed_phase TEXT NOT NULL, log_sha256 TEXT NOT NULL, wall_s REAL NOT NULL, complaint TEXT NOT NULL,
+  scenario TEXT NOT NULL) WITHOUT ROWID;
+CREATE TABLE metrics (
+  id TEXT NOT NULL REFERENCES flights ON DELETE CASCADE, name TEXT NOT NULL, value REAL NOT NULL,
+  PRIMARY KEY (id, name)) WITHOUT ROWID;
+CREATE VIEW results AS
+  SELECT plan.*, process, verdict, outcome, reason, failed_check, failed_phase, log_sha256, wall_s, version, host
+  FROM plan JOIN flights USING (id);
+CREATE VIEW stale AS
+  SELECT * FROM flights WHERE program <> (SELECT value FROM sweep WHERE key = 'program');
+)";
+
+FlightRow RowFrom(const SQLite::Statement& query) {
+  FlightRow row;
+  const auto text = [&query](const char* column) { return query.getColumn(column).getString(); };
+  row.id = text("id");
+  row.program = text("program");
+  row.version = text("version");
+  row.host = text("host");
+  const std::string process = text("process");
+  for (std::size_t i = 0; i < kRowEndNames.size(); ++i) {
+    if (kRowEndNames[i] == process) row.end = static_cast<RowEnd>(i);
+  }
+  row.verdict = text("verdict");
+  row.outcome = text("outcome");
+  row.reason = text("reason");
+  row.failed_check = text("failed_check");
+  row.failed_phase = text("failed_phase");
+  row.log_sha256 = text("log_sha256");
+  row.wall_s = query.getColumn("wall_s").getDouble();
+  row.complaint = text("complaint");
+  row.scenario_yaml = text("scenario");
+  return row;
+}
+
+}  // namespace
+
+struct SweepStore::Impl {
+  fs::path file;
+  std::optional<SQLite::Database> db;
+
+  /// Runs what works on the database, and tells of its errors as the user's.
+  template <typename Work>
+  auto Guarded(Work&& work) -> decltype(work()) {
+    try {
+      return work();
+    } catch (const SQLite::Exception& error) {
+      throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+    }
+  }
+
+  int Pragma(const char* name) { return db->execAndGet(fmt::format("PRAGMA {}", name)).getInt(); }
+
+  void Check() {
+    if (Pragma("application_id") != kApplicationId) throw InputError(fmt::format("{}: is no sweep's", file.string()));
+    const int version = Pragma("user_version");
+    if (version != kVersion) {
+      throw InputError(fmt::format("{}: is of version {}, this program's is {}", file.string(), version, kVersion));
+    }
+    const std::string state = db->execAndGet("PRAGMA quick_check").getString();
+    if (state != "ok")
+      throw InputError(fmt::format("{}: is damaged: {}", file.string(), state.substr(0, state.find('\n'))));
+  }
+
+  void Make() {
+    SQLite::Transaction transaction(*db);
+    db->exec(fmt::format("PRAGMA application_id = {}", kApplicationId));
+    db->exec(fmt::format("PRAGMA user_version = {}", kVersion));
+    db->exec(kSchema);
+    transaction.commit();
+  }
+
+  std::string Value(const char* key) {
+    SQLite::Statement query(*db, "SELECT value FROM sweep WHERE key = ?");
+    query.bind(1, key);
+    return query.executeStep() ? query.getColumn(0).getString() : "";
+  }
+
+  Metrics MetricsOf(const std::string& id) {
+    SQLite::Statement query(*db, "SELECT name, value FROM metrics WHERE id = ?");
+    query.bind(1, id);
+    Metrics metrics;
+    while (query.executeStep()) metrics[query.getColumn(0).getString()] = query.getColumn(1).getDouble();
+    return metrics;
+  }
+};
+
+SweepStore::SweepStore(const fs::path& folder, Access access) : impl_(std::make_unique<Impl>()) {
+  impl_->file = folder / "sweep.db";
+  const bool is_there = fs::exists(impl_->file);
+  if (access == Access::kRead && !is_there) throw InputError(fmt::format("{}: no such file", impl_->file.string()));
+  impl_->Guarded([&] {
+    constexpr int kWait_ms = 5000;
+    impl_->db.emplace(impl_->file.string(),
+                      access == Access::kRead ? SQLite::OPEN_READONLY : SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
+                      kWait_ms);
+    impl_->db->exec("PRAGMA foreign_keys = ON");
+    // An empty file is what a program that was ended just then left.
+    if (access == Access::kWrite && impl_->Pragma("page_count") == 0) {
+      impl_->Make();
+    } else {
+      impl_->Check();
+    }
+  });
+}
+
+SweepStore::~SweepStore() = default;
+
+void SweepStore::SetPlan(const std::string& name, const SweepPlan& plan, const std::string& program_digest) {
+  impl_->Guarded([&] {
+    SQLite::Database& db = *impl_->db;
+    SQLite::Transaction transaction(db);
+    db.exec("DELETE FROM plan");
+    db.exec("DELETE FROM sweep");
+    SQLite::Statement put_fact(db, "INSERT INTO sweep VALUES (?, ?)");
+    for (const auto& [key, value] : {std::pair<std::string, std::string>("name", name),
+                                     {"program", program_digest},
+                                     {"keys", Json(plan.keys).dump()}}) {
+      put_fact.bind(1, key);
+      put_fact.bind(2, value);
+      put_fact.exec();
+      put_fact.reset();
+    }
+    SQLite::Statement put(db, "INSERT INTO plan VALUES (?, ?, ?, ?, ?)");
+    for (const PlannedFlight& flight : plan.flights) {
+      Json parameters = Json::object();
+      for (std::size_t i = 0; i < plan.keys.size(); ++i) parameters[plan.keys[i]] = flight.values[i];
+      put.bind(1, flight.position);
+      put.bind(2, flight.id);
+      put.bind(3, static_cast<std::int64_t>(flight.seed));
+      put.bind(4, flight.variant);
+      put.bind(5, parameters.dump());
+      put.exec();
+      put.reset();
+    }
+    transaction.commit();
+  });
+}
+
+void SweepStore::Put(const FlightRow& row) {
+  impl_->Guarded([&] {
+    SQLite::Database& db = *impl_->db;
+    SQLite::Transaction transaction(db);
+    SQLite::Statement put(db, "INSERT OR REPLACE INTO flights VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    int column = 0;
+    for (const std::string& text : {row.id, row.program, row.version, row.host, std::string(Name(row.end)), row.verdict,
+                                    row.outcome, row.reason, row.failed_check, row.failed_phase, row.log_sha256}) {
+      put.bind(++column, text);
+    }
+    put.bind(++column, row.wall_s);
+    put.bind(++column, row.complaint);
+    put.bind(++column, row.scenario_yaml);
+    put.exec();
+    SQLite::Statement put_metric(db, "INSERT OR REPLACE INTO metrics VALUES (?, ?, ?)");
+    for (const auto& [name, value] : row.metrics) {
+      put_metric.bind(1, row.id);
+      put_metric.bind(2, name);
+      put_metric.bind(3, value);
+      put_metric.exec();
+      put_metric.reset();
+    }
+    transaction.commit();
+  });
+}
+
+std::optional<FlightRow> SweepStore::Find(const std::string& id) const {
+  return impl_->Guarded([&]() -> std::optional<FlightRow> {
+    SQLite::Statement query(*impl_->db, "SELECT * FROM flights WHERE id = ?");
+    query.bind(1, id);
+    if (!query.executeStep()) return std::nullopt;
+    FlightRow row = RowFrom(query);
+    row.metrics = impl_->MetricsOf(id);
+    return row;
+  });
+}
+
+bool SweepStore::Has(const std::string& id) const {
+  return impl_->Guarded([&] {
+    SQLite::Statement query(*impl_->db, "SELECT 1 FROM flights WHERE id = ?");
+    query.bind(1, id);
+    return query.executeStep();
+  });
+}
+
+std::string SweepStore::name() const {
+  return impl_->Guarded([&] { return impl_->Value("name"); });
+}
+
+std::vector<std::string> SweepStore::keys() const {
+  const std::string keys = impl_->Guarded([&] { return impl_->Value("keys"); });
+  return keys.empty() ? std::vector<std::string>() : Json::parse(keys).get<std::vector<std::string>>();
+}
+
+std::size_t SweepStore::planned() const {
+  return impl_->Guarded(
+      [&] { return static_cast<std::size_t>(impl_->db->execAndGet("SELECT count(*) FROM plan").getInt64()); });
+}
+
+std::vector<SweepResult> SweepStore::Results() const {
+  const std::vector<std::string> keys = this->keys();
+  return impl_->Guarded([&] {
+    std::vector<SweepResult> results;
+    SQLite::Statement query(
+        *impl_->db, "SELECT seed, variant, parameters, flights.* FROM plan JOIN flights USING (id) ORDER BY position");
+    while (query.executeStep()) {
+      SweepResult result{.seed = static_cast<std::uint64_t>(query.getColumn("seed").getInt64()),
+                         .variant = query.getColumn("variant").getString(),
+                         .row = RowFrom(query)};
+      const Json parameters = Json::parse(query.getColumn("parameters").getString());
+      for (const std::string& key : keys) result.values.push_back(parameters.at(key).get<std::string>());
+      result.row.metrics = impl_->MetricsOf(result.row.id);
+      results.push_back(std::move(result));
+    }
+    return results;
+  });
+}
+
+std::size_t SweepStore::stale() const {
+  return impl_->Guarded(
+      [&] { return static_cast<std::size_t>(impl_->db->execAndGet("SELECT count(*) FROM stale").getInt64()); });
+}
+
+}  // namespace touchdown::scenarios

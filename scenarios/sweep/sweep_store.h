@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenarios/sweep/flight_row.h"
+#include "scenarios/sweep/sweep_plan.h"
+
+namespace touchdown::scenarios {
+
+/// A flight of the sweep as it is planned now, with what was flown of it.
+struct SweepResult {
+  std::uint64_t seed = 0;
+  std::string variant = {};
+  std::vector<std::string> values = {};  ///< As YAML, in the order of the plan's keys.
+  FlightRow row = {};
+};
+
+/// A sweep's results: sweep.db in its folder, an SQLite database (docs/sweeps.md tells its tables). Rows are there
+/// whole or not at all, whatever ends the program or the machine. All members throw InputError, naming the file, when
+/// it cannot be read or written, is damaged, or is no sweep's of this version.
+class SweepStore {
+ public:
+  enum class Access { kRead, kWrite };
+
+  /// With kWrite it is made when it is not there.
+  SweepStore(const std::filesystem::path& folder, Access access);
+  ~SweepStore();
+
+  /// Replaces the plan. Rows of flights that it does not hold stay, and do not count.
+  void SetPlan(const std::string& name, const SweepPlan& plan, const std::string& program_digest);
+
+  /// A row of the same id is replaced.
+  void Put(const FlightRow& row);
+
+  std::optional<FlightRow> Find(const std::string& id) const;
+  bool Has(const std::string& id) const;
+
+  std::string name() const;
+  std::vector<std::string> keys() const;
+  std::size_t planned() const;
+  /// What is flown of the plan, in its order.
+  std::vector<SweepResult> Results() const;
+  /// Rows that another build flew.
+  std::size_t stale() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,207 @@
+// `touchdown sweep` as a user meets it: interrupted, killed, its disk full, its flights crashed.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "tests/support/program_fixture.h"
+#include "tests/support/small_mount.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::steady_clock;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using tests::ProgramRun;
+using tests::SmallMount;
+
+class SweepCommand : public tests::ProgramFixture {
+ protected:
+  /// A sweep of flights that are over soon.
+  void PutSweep(int seeds, const std::string& more = "") {
+    folder_.Put("short.yaml", R"(start: {airborne: true, position_m: [0, 0, 0.4]}
+script: [{do: hover, position_m: [0, 0, 0.4], duration_s: 0.1}]
+camera: {model: {width_px: 320, height_px: 240, fx_px: 160, fy_px: 160, cx_px: 159.5, cy_px: 119.5}}
+)");
+    folder_.Put("sweep.yaml", "base: short.yaml\nseeds: {count: " + std::to_string(seeds) + "}\n" + more);
+  }
+  ProgramRun Sweep(const std::vector<std::string>& more = {}, const tests::Interruption& interruption = {}) {
+    std::vector<std::string> arguments{"sweep", "sweep.yaml", "--out", "out"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return Run(arguments, interruption);
+  }
+  /// The rows of `folder`, flown or not.
+  std::string Csv(const std::string& folder) {
+    EXPECT_EQ(Run({"sweep", "sweep.yaml", "--out", folder, "--csv", folder + ".csv", "--quiet"}).status, 0);
+    return folder_.Content(folder + ".csv");
+  }
+  /// Sends a signal to one of the processes that fly for the sweep in `out`, when there is one.
+  bool Signal(int signal) const {
+    for (const auto& entry : fs::directory_iterator("/proc")) {
+      std::ifstream stream(entry.path() / "comm");
+      std::string name;
+      if (!(stream >> name) || name != "touchdown-fly") continue;
+      std::error_code error;
+      if (fs::read_symlink(entry.path() / "cwd", error) != fs::canonical(folder_.path()) || error) continue;
+      return kill(std::stoi(entry.path().filename().string()), signal) == 0;
+    }
+    return false;
+  }
+};
+
+TEST_F(SweepCommand, FliesEachFlightOnceHoweverManyAtATime) {
+  PutSweep(3, "parameters: {camera.noise_sigma: [0, 3]}\n");
+  const ProgramRun run = Sweep({"--jobs", "2", "--csv", "two.csv"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.out,
+              AllOf(HasSubstr("sweep: 6 of 6 flights"), HasSubstr("camera.noise_sigma=3"), HasSubstr("100.0 %")));
+  ASSERT_EQ(Run({"sweep", "sweep.yaml", "--out", "one", "--jobs", "1", "--csv", "one.csv"}).status, 0);
+  const std::string csv = folder_.Content("two.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 7);
+  EXPECT_EQ(csv, folder_.Content("one.csv"));
+
+  const steady_clock::time_point begin = steady_clock::now();
+  EXPECT_EQ(Csv("out"), csv) << "flies nothing again";
+  EXPECT_LT(steady_clock::now() - begin, std::chrono::seconds(2));
+  PutSweep(4, "parameters: {camera.noise_sigma: [0, 3]}\n");
+  const std::string longer = Csv("out");
+  EXPECT_EQ(std::count(longer.begin(), longer.end(), '\n'), 9) << "two more";
+}
+
+TEST_F(SweepCommand, ListsTheFlightsWithoutFlying) {
+  PutSweep(2, "parameters: {camera.noise_sigma: [0, 3]}\n");
+  const ProgramRun run = Run({"sweep", "sweep.yaml", "--dry-run"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("seed 2  camera.noise_sigma=3\n"), HasSubstr("4 flights, ")));
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
+TEST_F(SweepCommand, FliesARowAgainToTheSameLog) {
+  PutSweep(1);
+  const std::string csv = Csv("out");
+  const std::string id = csv.substr(csv.find('\n') + 1, 16), hash = csv.substr(csv.size() - 65, 64);
+  const ProgramRun run = Run({"fly", "--from", "out", id, "--out", "again", "--video", "off"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.err, Not(HasSubstr("not the sweep's")));
+  EXPECT_EQ(nlohmann::json::parse(folder_.Content("again/result.json")).at("log_sha256"), hash);
+  EXPECT_THAT(ErrorOf({"fly", "--from", "out", "0123"}), HasSubstr("out: has no flight 0123"));
+  EXPECT_THAT(ErrorOf({"fly", "--from", "none", id}), HasSubstr("none/sweep.db: no such file"));
+  EXPECT_THAT(ErrorOf({"fly"}), HasSubstr("--from DIR ID"));
+}
+
+TEST_F(SweepCommand, FailsWhenItsCriteriaAreNotKept) {
+  PutSweep(2, "criteria: [{metric: pass_rate, min: 0.5}, {metric: flight.sim_time_s, quantile: 0.5, max: 0.01}]\n");
+  const ProgramRun run = Sweep();
+  EXPECT_EQ(run.status, 1) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("pass  pass_rate"), HasSubstr("FAIL  flight.sim_time_s at 0.5")));
+}
+
+TEST_F(SweepCommand, StopsWhenEnoughIsFlownWithTheSameRowsHoweverMany) {
+  PutSweep(30, "stop_when: {good_pass_rate: 0.9, bad_pass_rate: 0.5, good_refused: 0.1, bad_accepted: 0.1}\n");
+  // Each pass weighs ln(0.5/0.9); ln(0.1/0.9) takes four of them.
+  EXPECT_THAT(Sweep({"--jobs", "2", "--csv", "two.csv"}).out, HasSubstr("4 of 4 flights"));
+  ASSERT_EQ(Run({"sweep", "sweep.yaml", "--out", "one", "--jobs", "1", "--csv", "one.csv"}).status, 0);
+  EXPECT_EQ(folder_.Content("two.csv"), folder_.Content("one.csv"));
+}
+
+TEST_F(SweepCommand, LandsWhatFliesAndGoesOnLaterWhenInterrupted) {
+  PutSweep(8);
+  const ProgramRun run = Sweep({"--jobs", "2"}, {SIGINT, [&] { return Signal(0); }});
+  EXPECT_EQ(run.status, 130) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("the same command goes on from there"));
+  EXPECT_THAT(run.out, Not(HasSubstr("8 of 8")));
+  EXPECT_THAT(Sweep().out, HasSubstr("8 of 8 flights"));
+}
+
+TEST_F(SweepCommand, HasTheSameRowsAfterTwentyKills) {
+  PutSweep(60);
+  const std::string undisturbed = Csv("undisturbed");
+  std::mt19937 random(1);
+  int killed = 0;
+  for (int i = 0; i < 20; ++i) {
+    const auto end = steady_clock::now() + std::chrono::milliseconds(std::uniform_int_distribution(100, 1500)(random));
+    killed += Sweep({"--quiet"}, {SIGKILL, [&] { return steady_clock::now() > end; }}).status == -1 ? 1 : 0;
+  }
+  EXPECT_GT(killed, 10);
+  EXPECT_EQ(Csv("out"), undisturbed);
+}
+
+TEST_F(SweepCommand, RefusesASecondSweepInTheSameFolder) {
+  PutSweep(6);
+  ProgramRun second;
+  Sweep({"--jobs", "1"}, {SIGINT, [&] {
+                            if (!Signal(0)) return false;
+                            second = Run({"sweep", "sweep.yaml", "--out", "out"});
+                            return true;
+                          }});
+  EXPECT_EQ(second.status, 2);
+  EXPECT_THAT(second.err, HasSubstr("output folder out: another sweep works there"));
+}
+
+TEST_F(SweepCommand, TellsOfFlightsWhoseProcessCrashedOrHung) {
+  PutSweep(3, "limits: {wall_s: 4}\n");
+  bool crashed = false;
+  const ProgramRun run =
+      Sweep({"--jobs", "1", "--csv", "rows.csv"}, {SIGCONT, [&] { return crashed = Signal(SIGSEGV); }});
+  EXPECT_TRUE(crashed);
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("3 of 3 flights"));
+  EXPECT_THAT(folder_.Content("rows.csv"), HasSubstr(",error,error,"));
+  ASSERT_EQ(Run({"sweep", "sweep.yaml", "--out", "hung", "--jobs", "1", "--csv", "hung.csv"},
+                {SIGCONT, [&] { return Signal(SIGSTOP); }})
+                .status,
+            0);
+  EXPECT_THAT(folder_.Content("hung.csv"), HasSubstr(",error,error,"));
+}
+
+TEST_F(SweepCommand, TellsOfAFlightThatNeedsTooMuchMemory) {
+  PutSweep(1, "limits: {memory_mb: 256}\n");
+  EXPECT_EQ(Sweep({"--csv", "rows.csv"}).status, 0);
+  EXPECT_THAT(folder_.Content("rows.csv"), HasSubstr(",error,error,"));
+}
+
+TEST_F(SweepCommand, KeepsItsRowsOnAFullOrReadOnlyDisk) {
+  PutSweep(2);
+  fs::create_directories(folder_ / "small");
+  const SmallMount small(folder_ / "small");
+  if (!small.is_there()) GTEST_SKIP() << "no right to mount";
+  ASSERT_EQ(Run({"sweep", "sweep.yaml", "--out", "small/out", "--quiet"}).status, 0);
+  const std::string before = Csv("small/out");
+  PutSweep(40);
+  small.Fill();
+  EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--out", "small/out", "--quiet"}), HasSubstr("small/out"));
+  small.MakeReadOnly();
+  EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--out", "small/out", "--quiet"}), HasSubstr("small/out"));
+}
+
+TEST_F(SweepCommand, RefusesBadInputAndLeavesNothing) {
+  PutSweep(2, "parameters: {camera.noise_sigm: [1]}\n");
+  const std::set<std::string> before = Names();
+  EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--out", "out"}),
+              HasSubstr("sweep.yaml:3: camera.noise_sigm: unknown key"));
+  EXPECT_THAT(ErrorOf({"sweep", "none.yaml", "--out", "out"}), HasSubstr("none.yaml"));
+  PutSweep(2);
+  EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml"}), HasSubstr("--out"));
+  EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--out", "out", "--shard", "3/2"}), HasSubstr("--shard 3/2"));
+  EXPECT_EQ(Names(), before);
+  folder_.Put("full/letter.txt", "mine");
+  EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--out", "full"}),
+              HasSubstr("output folder full: is not empty, and no sweep's"));
+  folder_.Put("other/sweep.db", "mine");
+  EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--out", "other"}), HasSubstr("other/sweep.db: file is not a database"));
+  EXPECT_EQ(folder_.Content("other/sweep.db"), "mine");
+}
+
+}  // namespace
+}  // namespace touchdown::scenarios

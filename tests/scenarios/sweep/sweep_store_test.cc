@@ -1,0 +1,133 @@
+#include "scenarios/sweep/sweep_store.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "models/error.h"
+#include "scenarios/sweep/rows_csv.h"
+#include "tests/support/temporary_folder.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+SweepPlan PlanOf(const std::vector<std::string>& ids) {
+  SweepPlan plan{.keys = {"camera.noise_sigma"}, .flights = {}};
+  for (const std::string& id : ids) {
+    plan.flights.push_back(
+        {.position = static_cast<std::int64_t>(plan.flights.size()), .id = id, .seed = 7, .values = {"3"}});
+  }
+  return plan;
+}
+
+FlightRow Row(const std::string& id, const std::string& verdict = "pass", const std::string& program = "this") {
+  return {.id = id,
+          .program = program,
+          .version = "1",
+          .host = "h",
+          .end = RowEnd::kFlown,
+          .verdict = verdict,
+          .outcome = "landed",
+          .metrics = {{"flight.sim_time_s", 0.1 + 0.2}, {"estimate.false_pads", 2.0}},
+          .log_sha256 = "abc",
+          .wall_s = 2.5,
+          .complaint = "a line\n",
+          .scenario_yaml = "seed: 7\n"};
+}
+
+class SweepStoreTest : public testing::Test {
+ protected:
+  SweepStore Open(SweepStore::Access access = SweepStore::Access::kWrite) { return {folder_.path(), access}; }
+  std::string ErrorOnOpening(SweepStore::Access access) {
+    try {
+      Open(access);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  const tests::TemporaryFolder folder_;
+};
+
+TEST_F(SweepStoreTest, GivesBackWhatItWasGiven) {
+  {
+    SweepStore store = Open();
+    store.SetPlan("sweep", PlanOf({"a", "b"}), "this");
+    store.Put(Row("a", "fail"));
+  }
+  const SweepStore store = Open(SweepStore::Access::kRead);
+  EXPECT_EQ(store.name(), "sweep");
+  EXPECT_EQ(store.planned(), 2u);
+  EXPECT_TRUE(store.Has("a"));
+  EXPECT_FALSE(store.Has("b"));
+  EXPECT_EQ(RowJson(store.Find("a").value()), RowJson(Row("a", "fail")));
+  EXPECT_EQ(store.Find("b"), std::nullopt);
+  const std::vector<SweepResult> results = store.Results();
+  ASSERT_EQ(results.size(), 1u);
+  EXPECT_EQ(results[0].seed, 7u);
+  EXPECT_THAT(results[0].values, ElementsAre("3"));
+  EXPECT_EQ(results[0].row.metrics.at("flight.sim_time_s"), 0.1 + 0.2) << "to the last bit";
+}
+
+TEST_F(SweepStoreTest, CountsAFlightThatWasFlownTwiceOnce) {
+  SweepStore store = Open();
+  store.SetPlan("sweep", PlanOf({"a"}), "this");
+  store.Put(Row("a"));
+  store.Put(Row("a"));
+  EXPECT_EQ(store.Results().size(), 1u);
+}
+
+TEST_F(SweepStoreTest, KeepsAndDoesNotCountWhatIsNotOfThePlanOrOfAnotherBuild) {
+  SweepStore store = Open();
+  store.SetPlan("sweep", PlanOf({"a", "b"}), "old");
+  store.Put(Row("a", "pass", "old"));
+  store.SetPlan("sweep", PlanOf({"c"}), "this");
+  store.Put(Row("c"));
+  EXPECT_EQ(store.Results().size(), 1u);
+  EXPECT_EQ(store.stale(), 1u);
+  EXPECT_TRUE(store.Has("a"));
+}
+
+TEST_F(SweepStoreTest, RefusesWhatIsNoSweeps) {
+  EXPECT_THAT(ErrorOnOpening(SweepStore::Access::kRead), HasSubstr("sweep.db: no such file"));
+  folder_.Put("sweep.db", "a text of somebody's");
+  EXPECT_THAT(ErrorOnOpening(SweepStore::Access::kWrite), HasSubstr("sweep.db: file is not a database"));
+  EXPECT_EQ(folder_.Content("sweep.db"), "a text of somebody's");
+}
+
+TEST_F(SweepStoreTest, RefusesAnotherVersionAndADamagedFile) {
+  {
+    SweepStore store = Open();
+    store.SetPlan("sweep", PlanOf({"a"}), "this");
+    for (int i = 0; i < 200; ++i) store.Put(Row("row " + std::to_string(i)));
+  }
+  const std::string whole = folder_.Content("sweep.db");
+  std::string other = whole;
+  other[63] = 9;  // The last byte of the file's user_version.
+  folder_.Put("sweep.db", other);
+  EXPECT_THAT(ErrorOnOpening(SweepStore::Access::kWrite), HasSubstr("sweep.db: is of version 9, this program's is 1"));
+  folder_.Put("sweep.db", whole.substr(0, whole.size() / 2));
+  EXPECT_THAT(ErrorOnOpening(SweepStore::Access::kWrite), HasSubstr("sweep.db: "));
+  EXPECT_THAT(ErrorOnOpening(SweepStore::Access::kRead), HasSubstr("sweep.db: "));
+  EXPECT_EQ(folder_.Content("sweep.db").size(), whole.size() / 2) << "as it was";
+}
+
+TEST(RowsCsv, IsSortedByIdAndQuotesWhatMustBe) {
+  SweepResult b{.seed = 2, .variant = "", .values = {"[0, 1]"}, .row = Row("b")};
+  SweepResult a{.seed = 1, .variant = "", .values = {"[2, \"x\"]"}, .row = Row("a", "fail")};
+  const std::string csv = RowsCsv({"start.position_m"}, {b, a});
+  EXPECT_THAT(csv, StartsWith("id,variant,start.position_m,seed,verdict,outcome,flight.sim_time_s,"));
+  const std::size_t first = csv.find("\na,,\"[2, \"\"x\"\"]\",1,fail,landed,0.30000000000000004,"),
+                    second = csv.find("\nb,,\"[0, 1]\",2,pass,landed,");
+  ASSERT_NE(first, std::string::npos) << csv;
+  EXPECT_LT(first, second);
+  EXPECT_THAT(csv, testing::EndsWith(",abc\n"));
+  EXPECT_THAT(csv, testing::Not(HasSubstr(",h,"))) << "no host";
+}
+
+}  // namespace
+}  // namespace touchdown::scenarios
