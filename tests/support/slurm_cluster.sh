@@ -1,0 +1,128 @@
+#!/usr/bin/env bash
+# A Slurm cluster of two nodes of a core each, n1 and n2, on the loopback of this machine, for the tests. It needs root
+# and lives in a folder of its own: its tools find it by SLURM_CONF=DIR/slurm.conf.
+#   slurm_cluster.sh start DIR            starts it; returns when both nodes are idle
+#   slurm_cluster.sh stop DIR             stops it and whatever runs on it
+#   slurm_cluster.sh kill-node DIR NODE   ends a node as a power cut would, with all that runs on it
+set -euo pipefail
+mkdir -p "$2"
+dir=$(cd "$2" && pwd)
+export SLURM_CONF=$dir/slurm.conf
+
+# Prints so many ports that nobody listens on.
+free_ports() {
+  local port=$((20000 + RANDOM % 30000)) wanted=$1
+  while [ "$wanted" -gt 0 ]; do
+    port=$((port + 1))
+    (exec 3<>"/dev/tcp/127.0.0.1/$port") 2>/dev/null && continue
+    echo "$port"
+    wanted=$((wanted - 1))
+  done
+}
+
+write_conf() {
+  local host ports
+  host=$(hostname -s)
+  mapfile -t ports < <(free_ports 3)
+  cat >"$SLURM_CONF" <<CONF
+ClusterName=test
+SlurmctldHost=$host(127.0.0.1)
+SlurmctldPort=${ports[0]}
+SlurmUser=root
+SlurmdUser=root
+AuthType=auth/munge
+AuthInfo=socket=$dir/munge.socket,cred_expire=5
+CommunicationParameters=NoCtldInAddrAny,NoInAddrAny
+StateSaveLocation=$dir/state
+SlurmctldPidFile=$dir/slurmctld.pid
+SlurmctldLogFile=$dir/slurmctld.log
+SlurmdSpoolDir=$dir/spool_%n
+SlurmdPidFile=$dir/%n.pid
+SlurmdLogFile=$dir/%n.log
+SlurmdParameters=config_overrides
+MaxArraySize=11
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+JobAcctGatherType=jobacct_gather/none
+MpiDefault=none
+SwitchType=switch/none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_Core
+SchedulerParameters=sched_interval=1,bf_interval=1
+ReturnToService=2
+SlurmdTimeout=5
+KillWait=2
+NodeName=n1 NodeHostname=$host NodeAddr=127.0.0.1 Port=${ports[1]} CPUs=1 RealMemory=1000
+NodeName=n2 NodeHostname=$host NodeAddr=127.0.0.1 Port=${ports[2]} CPUs=1 RealMemory=1000
+PartitionName=all Nodes=n1,n2 Default=YES State=UP
+CONF
+}
+
+wait_until() {
+  for _ in $(seq 200); do
+    if "$@" 2>/dev/null; then return; fi
+    sleep 0.1
+  done
+  echo "slurm_cluster.sh: in vain: $*" >&2
+  tail -n 5 "$dir"/*.log >&2
+  exit 1
+}
+both_idle() { [ "$(sinfo --noheader --Node --states=idle --format=%N | wc -l)" = 2 ]; }
+
+start() {
+  mkdir -p "$dir/state"
+  chmod 755 "$dir"
+  write_conf
+  (umask 077 && head -c 1024 /dev/urandom >"$dir/munge.key")
+  munged --force --socket="$dir/munge.socket" --key-file="$dir/munge.key" --pid-file="$dir/munged.pid" \
+    --log-file="$dir/munged.log" --seed-file="$dir/munge.seed"
+  slurmctld -f "$SLURM_CONF"
+  slurmd -f "$SLURM_CONF" -N n1
+  slurmd -f "$SLURM_CONF" -N n2
+  wait_until both_idle
+}
+
+# The processes that the node started for its jobs, and those that watch over them, first.
+processes_of() {
+  local pid watchers="" flyers=""
+  for environ in /proc/[0-9]*/environ; do
+    pid=${environ#/proc/}
+    pid=${pid%/environ}
+    tr '\0' '\n' <"$environ" 2>/dev/null | grep -qx "SLURM_CONF=$SLURM_CONF" || continue
+    tr '\0' '\n' <"$environ" 2>/dev/null | grep -qx "SLURMD_NODENAME=$1" || continue
+    flyers+=" $pid"
+    local parent
+    parent=$(awk '/^PPid:/ {print $2}' "/proc/$pid/status" 2>/dev/null) || continue
+    grep -q slurmstepd "/proc/$parent/comm" 2>/dev/null && watchers+=" $parent"
+  done
+  echo "$watchers $flyers"
+}
+
+kill_node() {
+  local processes
+  kill -9 "$(cat "$dir/$1.pid")"
+  processes=$(processes_of "$1")
+  # shellcheck disable=SC2086
+  kill -9 $processes 2>/dev/null || true
+}
+
+ended() { ! kill -0 "$1" 2>/dev/null; }
+
+stop() {
+  local pid
+  for node in n1 n2; do
+    for pid in $(processes_of "$node"); do kill -9 "$pid" 2>/dev/null || true; done
+  done
+  for daemon in n1 n2 slurmctld munged; do
+    pid=$(cat "$dir/$daemon.pid" 2>/dev/null) || continue
+    kill "$pid" 2>/dev/null || continue
+    wait_until ended "$pid"
+  done
+}
+
+case $1 in
+  start) start ;;
+  stop) stop ;;
+  kill-node) kill_node "$3" ;;
+  *) exit 2 ;;
+esac
