@@ -92,13 +92,17 @@ bool FlyAll(const SweepFile& file, const SweepPlan& plan, const Options& options
   });
 }
 
+std::string TaskWords(const SlurmSweep& sweep) {
+  return fmt::format("{} flights in {} task{}", sweep.flights, sweep.tasks, sweep.tasks == 1 ? "" : "s");
+}
+
 int SweepOnSlurm(const SweepFile& file, const SweepPlan& plan, const Options& options) {
   if (!options.out) throw InputError("--out: name a folder that all nodes share");
   if (file.stop_when)
     throw InputError("--slurm: a sweep with stop_when cannot be split, since each flight may be the last");
   if (options.dry_run) {
     const SlurmSweep planned = PlanTasks(file, plan, *options.out, options.on_slurm);
-    fmt::print("{} tasks, {} flights\n", planned.tasks, planned.flights);
+    fmt::print("{}\n", TaskWords(planned));
     return kPassed;
   }
   const SlurmSweep submitted = SubmitSweep(file, plan, *options.out, options.on_slurm);
@@ -106,7 +110,7 @@ int SweepOnSlurm(const SweepFile& file, const SweepPlan& plan, const Options& op
   if (submitted.flights == 0) {
     fmt::print("{}: all {} flights are there, nothing was submitted\n", file.name, plan.flights.size());
   } else {
-    fmt::print("Slurm job {}: {} tasks, {} flights\n", submitted.job, submitted.tasks, submitted.flights);
+    fmt::print("Slurm job {}: {}\n", submitted.job, TaskWords(submitted));
   }
   return kPassed;
 }

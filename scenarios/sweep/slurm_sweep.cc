@@ -67,17 +67,16 @@ std::string ShellQuoted(const std::string& text) {
   return quoted + "'";
 }
 
-std::string Script(const SweepFile& file, std::size_t tasks) {
+std::string Script(std::size_t tasks) {
   return fmt::format(R"(#!/bin/sh
 #SBATCH --job-name=touchdown
-#SBATCH --comment={}
 #SBATCH --array=0-{}
 #SBATCH --requeue
 #SBATCH --open-mode=append
 #SBATCH --output=slurm/%a.log
 exec {} sweep-task . "$SLURM_ARRAY_TASK_ID"
 )",
-                     ShellQuoted(file.name), tasks - 1, ShellQuoted(fs::read_symlink("/proc/self/exe").string()));
+                     tasks - 1, ShellQuoted(fs::read_symlink("/proc/self/exe").string()));
 }
 
 fs::path JobFile(const fs::path& folder) { return folder / "slurm" / "job.yaml"; }
@@ -124,7 +123,7 @@ SlurmSweep SubmitSweep(const SweepFile& file, const SweepPlan& plan, const fs::p
   if (missing.empty()) return {};
   const std::vector<FlightChunk> chunks = Chunks(file, missing, ChunkSize(missing, options, most));
   WriteTasks(folder, chunks);
-  WriteOutputFile(folder / "slurm.sh", Script(file, chunks.size()), kScriptMark);
+  WriteOutputFile(folder / "slurm.sh", Script(chunks.size()), kScriptMark);
   const std::string job = SubmitScript(folder / "slurm.sh", fs::absolute(folder), options.site);
   WriteOutputFile(JobFile(folder), kJobMark + job + "\n", kJobMark);
   return {.job = job, .tasks = chunks.size(), .flights = missing.size()};

@@ -64,7 +64,7 @@ wait_until() {
     sleep 0.1
   done
   echo "slurm_cluster.sh: in vain: $*" >&2
-  tail -n 5 "$dir"/*.log >&2
+  tail --lines=5 "$dir"/*.log >&2
   exit 1
 }
 both_idle() { [ "$(sinfo --noheader --Node --states=idle --format=%N | wc -l)" = 2 ]; }
@@ -82,37 +82,35 @@ start() {
   wait_until both_idle
 }
 
-# The processes that the node started for its jobs, and those that watch over them, first.
+# What the node started for its jobs: the processes that watch over them, then theirs.
 processes_of() {
-  local pid watchers="" flyers=""
+  local pid parent watchers="" flyers=""
   for environ in /proc/[0-9]*/environ; do
-    pid=${environ#/proc/}
-    pid=${pid%/environ}
-    tr '\0' '\n' <"$environ" 2>/dev/null | grep -qx "SLURM_CONF=$SLURM_CONF" || continue
-    tr '\0' '\n' <"$environ" 2>/dev/null | grep -qx "SLURMD_NODENAME=$1" || continue
+    grep -qszx "SLURM_CONF=$SLURM_CONF" "$environ" && grep -qszx "SLURMD_NODENAME=$1" "$environ" || continue
+    pid=$(basename "$(dirname "$environ")")
     flyers+=" $pid"
-    local parent
     parent=$(awk '/^PPid:/ {print $2}' "/proc/$pid/status" 2>/dev/null) || continue
-    grep -q slurmstepd "/proc/$parent/comm" 2>/dev/null && watchers+=" $parent"
+    grep -qs slurmstepd "/proc/$parent/comm" && watchers+=" $parent"
   done
   echo "$watchers $flyers"
 }
 
+end_processes_of() {
+  local pid
+  for pid in $(processes_of "$1"); do kill -9 "$pid" 2>/dev/null || true; done
+}
+
 kill_node() {
-  local processes
   kill -9 "$(cat "$dir/$1.pid")"
-  processes=$(processes_of "$1")
-  # shellcheck disable=SC2086
-  kill -9 $processes 2>/dev/null || true
+  end_processes_of "$1"
 }
 
 ended() { ! kill -0 "$1" 2>/dev/null; }
 
 stop() {
-  local pid
-  for node in n1 n2; do
-    for pid in $(processes_of "$node"); do kill -9 "$pid" 2>/dev/null || true; done
-  done
+  local daemon pid
+  end_processes_of n1
+  end_processes_of n2
   for daemon in n1 n2 slurmctld munged; do
     pid=$(cat "$dir/$daemon.pid" 2>/dev/null) || continue
     kill "$pid" 2>/dev/null || continue
