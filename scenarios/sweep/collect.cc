@@ -63,7 +63,8 @@ void CopyPictures(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::create_directories(to / "pictures", error);
   if (!error) {
-    fs::copy(from / "pictures", to / "pictures", fs::copy_options::overwrite_existing, error);
+    fs::copy(from / "pictures", to / "pictures", fs::copy_options::recursive | fs::copy_options::overwrite_existing,
+             error);
   }
   if (error) throw InputError(fmt::format("output folder {}: {}", to.string(), error.message()));
 }
