@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A Slurm cluster of two nodes of a core each, n1 and n2, on the loopback of this machine, for the tests. It needs root
 # and lives in a folder of its own: its tools find it by SLURM_CONF=DIR/slurm.conf.
-#   slurm_cluster.sh start DIR            starts it; returns when both nodes are idle
+#   slurm_cluster.sh start DIR            starts it; returns when both nodes are idle. It ends with what called this
 #   slurm_cluster.sh stop DIR             stops it and whatever runs on it
 #   slurm_cluster.sh kill-node DIR NODE   ends a node as a power cut would, with all that runs on it
 set -euo pipefail
@@ -59,7 +59,7 @@ CONF
 }
 
 wait_until() {
-  for _ in $(seq 200); do
+  for _ in $(seq 400); do
     if "$@" 2>/dev/null; then return; fi
     sleep 0.1
   done
@@ -105,7 +105,8 @@ kill_node() {
   end_processes_of "$1"
 }
 
-ended() { ! kill -0 "$1" 2>/dev/null; }
+# A process that nobody has asked after is still listed once it is dead.
+ended() { ! grep -qs '^State:[[:space:]]*[^ZX]' "/proc/$1/status"; }
 
 stop() {
   local daemon pid
@@ -118,8 +119,16 @@ stop() {
   done
 }
 
+stop_with_caller() {
+  while kill -0 "$PPID" 2>/dev/null; do sleep 1; done
+  stop
+}
+
 case $1 in
-  start) start ;;
+  start)
+    stop_with_caller </dev/null >/dev/null 2>&1 &
+    start
+    ;;
   stop) stop ;;
   kill-node) kill_node "$3" ;;
   *) exit 2 ;;

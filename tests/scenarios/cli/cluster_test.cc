@@ -70,7 +70,7 @@ class ClusterTest : public tests::ProgramFixture {
 
 TEST_F(ClusterTest, PartsTogetherHaveTheRowsOfTheWhole) {
   PutSweep(
-      3,
+      2,
       "parameters: {camera.noise_sigma: [0, 3]}\nvariants: [{name: plain}, {name: turned, set: {start.yaw_deg: 5}}]\n");
   const std::string whole = LocalCsv("whole");
   for (const std::string part : {"1", "2", "3"}) {
