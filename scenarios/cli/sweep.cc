@@ -20,14 +20,13 @@
 #include "scenarios/sweep/boundary.h"
 #include "scenarios/sweep/rows_csv.h"
 #include "scenarios/sweep/run_sweep.h"
+#include "scenarios/sweep/slurm_sweep.h"
 #include "scenarios/sweep/sweep_summary.h"
 
 namespace touchdown::scenarios {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kCsvMark = "id,variant,";
 
 struct Options {
   std::string sweep;
@@ -37,6 +36,8 @@ struct Options {
   std::optional<std::string> boundary;
   double level = 0.5;
   int flights = 60;
+  bool slurm = false;
+  SlurmOptions on_slurm;
   Talk talk;
 };
 
@@ -119,21 +120,61 @@ int SeekBoundary(const SweepFile& file, const Options& options) {
   return kPassed;
 }
 
+std::string TaskWords(const SlurmSweep& sweep) {
+  return fmt::format("{} flights in {} task{}", sweep.flights, sweep.tasks, sweep.tasks == 1 ? "" : "s");
+}
+
+int SweepOnSlurm(const SweepFile& file, const SweepPlan& plan, const Options& options) {
+  if (!options.out) throw InputError("--out: name a folder that all nodes share");
+  if (file.stop_when)
+    throw InputError("--slurm: a sweep with stop_when cannot be split, since each flight may be the last");
+  if (options.dry_run) {
+    const SlurmSweep planned = PlanTasks(file, plan, *options.out, options.on_slurm);
+    fmt::print("{}\n", TaskWords(planned));
+    return kPassed;
+  }
+  const SlurmSweep submitted = SubmitSweep(file, plan, *options.out, options.on_slurm);
+  if (options.talk.quiet) return kPassed;
+  if (submitted.flights == 0) {
+    fmt::print("{}: all {} flights are there, nothing was submitted\n", file.name, plan.flights.size());
+  } else {
+    fmt::print("Slurm job {}: {}\n", submitted.job, TaskWords(submitted));
+  }
+  return kPassed;
+}
+
+void AddSlurmOptions(CLI::App& command, Options& options) {
+  constexpr const char* kGroup = "Slurm";
+  CLI::Option* const slurm =
+      command.add_flag("--slurm", options.slurm, "Submit the flights instead of flying them here");
+  slurm->group(kGroup);
+  for (const char* here : {"--jobs", "--csv", "--json"}) slurm->excludes(command.get_option(here));
+  const auto add = [&](const char* name, auto& value, const char* type, const char* text) {
+    return command.add_option(name, value, text)->type_name(type)->group(kGroup)->needs(slurm);
+  };
+  add("--chunk", options.on_slurm.chunk, "K", "Flights in a task (default: some minutes' worth)")
+      ->check(CLI::Range(1, 1000000));
+  add("--partition", options.on_slurm.site.partition, "P", "As of sbatch");
+  add("--account", options.on_slurm.site.account, "A", "As of sbatch");
+  add("--time", options.on_slurm.site.time, "T", "A task's time limit, as of sbatch");
+}
+
 int Sweep(const Options& options) {
   const SweepFile file = LoadSweepFile(options.sweep);
   if (options.boundary) return SeekBoundary(file, options);
   SweepPlan plan = PlanSweep(file, ProgramDigest());
   if (options.shard) plan = TakeShard(file, plan, *options.shard);
+  if (options.slurm) return SweepOnSlurm(file, plan, options);
   if (options.dry_run) {
     PrintPlan(plan, options.jobs);
     return kPassed;
   }
   if (!options.out) throw InputError("--out: name a folder for the rows");
-  if (options.csv) CheckOutputFile(*options.csv, kCsvMark);
+  if (options.csv) CheckOutputFile(*options.csv, kRowsCsvMark);
   const bool is_done = FlyAll(file, plan, options);
   const SweepStore store(*options.out, SweepStore::Access::kRead);
   const std::vector<SweepResult> results = store.Results();
-  if (options.csv) WriteOutputFile(*options.csv, RowsCsv(store.keys(), results), kCsvMark);
+  if (options.csv) WriteOutputFile(*options.csv, RowsCsv(store.keys(), results), kRowsCsvMark);
   const SweepSummary summary = Summarize(file, results, store.planned());
   if (options.talk.ForPeople()) PrintSummary(file, summary, *options.out);
   if (!is_done) {
@@ -171,6 +212,7 @@ void AddSweep(CLI::App& app, Run& run) {
       ->check(CLI::Range(6, 100000));
   command.add_flag("--dry-run", options->dry_run, "List the flights, and fly none");
   AddTalk(command, options->talk);
+  AddSlurmOptions(command, *options);
   command.callback([options, &run] { run = [options] { return Sweep(*options); }; });
 }
 

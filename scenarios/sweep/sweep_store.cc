@@ -103,6 +103,13 @@ struct SweepStore::Impl {
     return query.executeStep() ? query.getColumn(0).getString() : "";
   }
 
+  static std::vector<std::string> ValuesIn(const SQLite::Statement& query, const std::vector<std::string>& keys) {
+    const Json parameters = Json::parse(query.getColumn("parameters").getString());
+    std::vector<std::string> values;
+    for (const std::string& key : keys) values.push_back(parameters.at(key).get<std::string>());
+    return values;
+  }
+
   Metrics MetricsOf(const std::string& id) {
     SQLite::Statement query(*db, "SELECT name, value FROM metrics WHERE id = ?");
     query.bind(1, id);
@@ -213,6 +220,10 @@ std::string SweepStore::name() const {
   return impl_->Guarded([&] { return impl_->Value("name"); });
 }
 
+std::string SweepStore::program() const {
+  return impl_->Guarded([&] { return impl_->Value("program"); });
+}
+
 std::vector<std::string> SweepStore::keys() const {
   const std::string keys = impl_->Guarded([&] { return impl_->Value("keys"); });
   return keys.empty() ? std::vector<std::string>() : Json::parse(keys).get<std::vector<std::string>>();
@@ -221,6 +232,21 @@ std::vector<std::string> SweepStore::keys() const {
 std::size_t SweepStore::planned() const {
   return impl_->Guarded(
       [&] { return static_cast<std::size_t>(impl_->db->execAndGet("SELECT count(*) FROM plan").getInt64()); });
+}
+
+SweepPlan SweepStore::Plan() const {
+  SweepPlan plan{.keys = keys(), .flights = {}};
+  return impl_->Guarded([&] {
+    SQLite::Statement query(*impl_->db, "SELECT * FROM plan ORDER BY position");
+    while (query.executeStep()) {
+      plan.flights.push_back({.position = query.getColumn("position").getInt64(),
+                              .id = query.getColumn("id").getString(),
+                              .seed = static_cast<std::uint64_t>(query.getColumn("seed").getInt64()),
+                              .variant = query.getColumn("variant").getString(),
+                              .values = Impl::ValuesIn(query, plan.keys)});
+    }
+    return plan;
+  });
 }
 
 std::vector<SweepResult> SweepStore::Results() const {
@@ -232,9 +258,8 @@ std::vector<SweepResult> SweepStore::Results() const {
     while (query.executeStep()) {
       SweepResult result{.seed = static_cast<std::uint64_t>(query.getColumn("seed").getInt64()),
                          .variant = query.getColumn("variant").getString(),
+                         .values = Impl::ValuesIn(query, keys),
                          .row = RowFrom(query)};
-      const Json parameters = Json::parse(query.getColumn("parameters").getString());
-      for (const std::string& key : keys) result.values.push_back(parameters.at(key).get<std::string>());
       result.row.metrics = impl_->MetricsOf(result.row.id);
       results.push_back(std::move(result));
     }

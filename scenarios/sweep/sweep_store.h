@@ -42,7 +42,11 @@ class SweepStore {
 
   std::string name() const;
   std::vector<std::string> keys() const;
+  /// Digest of the program that planned.
+  std::string program() const;
   std::size_t planned() const;
+  /// Without what is not kept of it: the flights' scenarios, lengths and limits.
+  SweepPlan Plan() const;
   /// What is flown of the plan, in its order.
   std::vector<SweepResult> Results() const;
   /// Rows that another build flew.

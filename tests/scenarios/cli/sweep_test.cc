@@ -15,6 +15,7 @@
 
 #include "scenarios/sweep/sweep_store.h"
 #include "tests/support/program_fixture.h"
+#include "tests/support/short_sweep.h"
 #include "tests/support/small_mount.h"
 
 namespace touchdown::scenarios {
@@ -30,15 +31,7 @@ using tests::SmallMount;
 
 class SweepCommand : public tests::ProgramFixture {
  protected:
-  /// A sweep of flights that are over soon.
-  void PutSweep(int seeds, const std::string& more = "") {
-    folder_.Put("short.yaml", R"(start: {airborne: true, position_m: [0, 0, 0.4]}
-script: [{do: hover, position_m: [0, 0, 0.4], duration_s: 0.1}]
-camera: {model: {width_px: 320, height_px: 240, fx_px: 160, fy_px: 160, cx_px: 159.5, cy_px: 119.5}}
-scene: {floor_size_m: 4, posters: 0, objects: 0}
-)");
-    folder_.Put("sweep.yaml", "base: short.yaml\nseeds: {count: " + std::to_string(seeds) + "}\n" + more);
-  }
+  void PutSweep(int seeds, const std::string& more = "") { tests::PutShortSweep(folder_, seeds, more); }
   ProgramRun Sweep(const std::vector<std::string>& more = {}, const tests::Interruption& interruption = {}) {
     std::vector<std::string> arguments{"sweep", "sweep.yaml", "--out", "out"};
     arguments.insert(arguments.end(), more.begin(), more.end());

@@ -129,5 +129,22 @@ TEST(RowsCsv, IsSortedByIdAndQuotesWhatMustBe) {
   EXPECT_THAT(csv, testing::Not(HasSubstr(",h,"))) << "no host";
 }
 
+TEST_F(SweepStoreTest, GivesBackItsPlan) {
+  SweepStore store = Open();
+  SweepPlan plan = PlanOf({"a", "b"});
+  plan.flights[1].position = 5;
+  plan.flights[1].variant = "windy";
+  store.SetPlan("sweep", plan, "this");
+  const SweepPlan kept = store.Plan();
+  EXPECT_EQ(store.program(), "this");
+  EXPECT_EQ(kept.keys, plan.keys);
+  ASSERT_EQ(kept.flights.size(), 2u);
+  EXPECT_EQ(kept.flights[1].position, 5);
+  EXPECT_EQ(kept.flights[1].id, "b");
+  EXPECT_EQ(kept.flights[1].seed, 7u);
+  EXPECT_EQ(kept.flights[1].variant, "windy");
+  EXPECT_THAT(kept.flights[1].values, ElementsAre("3"));
+}
+
 }  // namespace
 }  // namespace touchdown::scenarios
