@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace touchdown::scenarios {
@@ -30,6 +32,20 @@ inline std::string QuotedCsvLine(std::vector<std::string> cells) {
     cell = '"' + cell + '"';
   }
   return CsvLine(cells);
+}
+
+/// A limit as people write it, "≤ 0.06".
+inline std::string WithSigns(std::string limit) {
+  for (const auto& [ascii, sign] : {std::pair("<=", "≤"), std::pair(">=", "≥"), std::pair("..", "–")}) {
+    if (const std::size_t at = limit.find(ascii); at != std::string::npos) limit.replace(at, 2, sign);
+  }
+  return limit;
+}
+
+/// "gave_up" as "gave up".
+inline std::string Words(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
 }
 
 }  // namespace touchdown::scenarios
