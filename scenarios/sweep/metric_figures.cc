@@ -19,8 +19,9 @@ std::vector<Bin> BinsOf(const std::vector<SweepResult>& results, const std::stri
   const std::vector<double> values = MetricValues(results, metric);
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   const bool is_one = *least == *most;
-  const double low = is_one ? *least - 0.5 * std::max(std::abs(*least), 1.0) : *least;
-  const double span = is_one ? std::max(std::abs(*least), 1.0) : *most - *least;
+  constexpr double kWidthOfOne = 0.1;
+  const double span = !is_one ? *most - *least : *least == 0.0 ? kWidthOfOne : kWidthOfOne * std::abs(*least);
+  const double low = is_one ? *least - 0.5 * span : *least;
   const auto count = is_one ? 1 : std::clamp<std::size_t>(static_cast<std::size_t>(std::sqrt(values.size())), 5, 40);
   std::vector<Bin> bins(count);
   const double width = span / static_cast<double>(count);
@@ -71,18 +72,19 @@ Figure HistogramFigure(const SweepOutcome& sweep, const std::string& metric) {
   const std::string unit = info == nullptr || info->unit.empty() ? "" : fmt::format(", {}", info->unit);
   Figure figure{.name = NameOf("histogram", metric),
                 .title = metric,
-                .caption = info == nullptr ? "" : std::string(info->doc),
+                .caption = fmt::format("Of the {} flights that have it.", MetricValues(sweep.results, metric).size()),
                 .csv = "from,to,passed,all\n"};
-  if (!limits.empty()) figure.caption += " Dashed: what the sweep's criterion asks of its quantile.";
+  if (!limits.empty()) figure.caption += " Dashed: what a criterion of the sweep asks of a quantile.";
   for (const Bin& bin : bins)
     figure.csv += fmt::format("{},{},{},{}\n", Number(bin.from), Number(bin.to), bin.passed, bin.all);
-  const char* const kBox = "using 'from':(0):'from':'to':(0):'{0}' with boxxyerror lc rgb {1} title '{2}'";
   figure.plot = LimitCommands(bins, limits) +
                 fmt::format(
                     "set xlabel {} noenhanced\nset ylabel 'flights'\nset yrange [0:*]\nset key outside right "
-                    "top\nplot data {}, '' {}\n",
-                    Quoted(metric + unit), fmt::format(fmt::runtime(kBox), "all", "SET_POINT", "not passed"),
-                    fmt::format(fmt::runtime(kBox), "passed", "ESTIMATE", "passed"));
+                    "top\nset style fill border rgb PAPER\n"
+                    "plot data using 'from':(0):'from':'to':(0):'passed' with boxxyerror lc rgb ESTIMATE title "
+                    "'passed', '' using 'from':(0):'from':'to':'passed':'all' with boxxyerror lc rgb SET_POINT "
+                    "title 'not passed'\n",
+                    Quoted(metric + unit));
   figure.height_cm = 6.0;
   return figure;
 }

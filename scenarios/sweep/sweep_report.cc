@@ -79,10 +79,12 @@ data FailureData(const SweepTerms& terms, const SweepResult& result, const fs::p
   failure.set("cause", CauseOf(row));
   failure.set("reason", row.reason);
   failure.set("complaint", row.complaint);
+  failure.set("has_complaint", Flag(!row.complaint.empty()));
   failure.set("cells", Texts(FailureCells(terms, result)));
   const std::string picture = "pictures/" + row.id + ".png";
   std::error_code error;
-  failure.set("picture", fs::exists(folder / picture, error) ? picture : "");
+  failure.set("picture", picture);
+  failure.set("has_picture", Flag(fs::exists(folder / picture, error)));
   return failure;
 }
 
@@ -133,7 +135,8 @@ std::string SweepPage(const SweepOutcome& sweep, const fs::path& folder) {
   page.set("has_criteria", Flag(!summary.criteria.empty()));
   page.set("kept", Flag(summary.keeps_criteria()));
   const std::size_t left = sweep.planned - std::min(sweep.planned, sweep.results.size());
-  page.set("left", left > 0 ? std::to_string(left) : "");
+  page.set("left", std::to_string(left));
+  page.set("is_partial", Flag(left > 0));
   page.set("planned", std::to_string(sweep.planned));
   page.set("glance", Glance(sweep, summary));
   PutSections(SweepSections(sweep, summary), page);

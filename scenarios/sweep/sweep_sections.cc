@@ -158,7 +158,7 @@ std::string RateText(const PassCount& count) { return Fixed(kPercent * count.rat
 
 std::string RateInterval(const PassCount& count) {
   const Interval rate = count.rate();
-  return fmt::format("{} to {}", Fixed(kPercent * rate.low, 1), Fixed(kPercent * rate.high, 1));
+  return fmt::format("{}–{}", Fixed(kPercent * rate.low, 1), Fixed(kPercent * rate.high, 1));
 }
 
 std::vector<ReportSection> SweepSections(const SweepOutcome& sweep, const SweepSummary& summary) {

@@ -13,7 +13,7 @@ std::vector<ReportSection> SweepSections(const SweepOutcome& sweep, const SweepS
 /// Why a flight did not pass, in a few words: what became of its process, or the criterion and the phase.
 std::string CauseOf(const FlightRow& row);
 
-/// A pass rate and its interval: "75.0" and "95 %: 30.1 to 95.4".
+/// A pass rate and its interval in percent: "75.0" and "30.1–95.4".
 std::string RateText(const PassCount& count);
 std::string RateInterval(const PassCount& count);
 
