@@ -39,23 +39,24 @@ std::vector<Bin> BinsOf(const std::vector<SweepResult>& results, const std::stri
   return bins;
 }
 
-std::vector<double> LimitsOn(const SweepTerms& terms, const std::string& metric) {
+/// What the criteria ask of the metric's quantiles; not what is far from every value.
+std::vector<double> LimitsNear(const std::vector<Bin>& bins, const SweepTerms& terms, const std::string& metric) {
+  const double span = bins.back().to - bins.front().from;
   std::vector<double> limits;
   for (const SweepCriterion& criterion : terms.criteria) {
     if (criterion.metric != metric) continue;
-    if (criterion.min) limits.push_back(*criterion.min);
-    if (criterion.max) limits.push_back(*criterion.max);
+    for (const std::optional<double>& limit : {criterion.min, criterion.max}) {
+      if (limit && *limit > bins.front().from - span && *limit < bins.back().to + span) limits.push_back(*limit);
+    }
   }
   return limits;
 }
 
-/// The range of a histogram and the limits in it; limits far from every value are left out.
+/// The range of a histogram, and the limits in it.
 std::string LimitCommands(const std::vector<Bin>& bins, const std::vector<double>& limits) {
   double least = bins.front().from, most = bins.back().to;
-  const double span = most - least;
   std::string commands;
   for (const double limit : limits) {
-    if (limit < bins.front().from - span || limit > bins.back().to + span) continue;
     least = std::min(least, limit);
     most = std::max(most, limit);
     commands += fmt::format("set arrow from {0},graph 0 to {0},graph 1 nohead dt 2 lw 1.4 lc rgb INK front\n", limit);
@@ -67,7 +68,7 @@ std::string LimitCommands(const std::vector<Bin>& bins, const std::vector<double
 
 Figure HistogramFigure(const SweepOutcome& sweep, const std::string& metric) {
   const std::vector<Bin> bins = BinsOf(sweep.results, metric);
-  const std::vector<double> limits = LimitsOn(sweep.terms, metric);
+  const std::vector<double> limits = LimitsNear(bins, sweep.terms, metric);
   const MetricInfo* const info = FindMetric(metric);
   const std::string unit = info == nullptr || info->unit.empty() ? "" : fmt::format(", {}", info->unit);
   Figure figure{.name = NameOf("histogram", metric),
@@ -77,14 +78,16 @@ Figure HistogramFigure(const SweepOutcome& sweep, const std::string& metric) {
   if (!limits.empty()) figure.caption += " Dashed: what a criterion of the sweep asks of a quantile.";
   for (const Bin& bin : bins)
     figure.csv += fmt::format("{},{},{},{}\n", Number(bin.from), Number(bin.to), bin.passed, bin.all);
-  figure.plot = LimitCommands(bins, limits) +
-                fmt::format(
-                    "set xlabel {} noenhanced\nset ylabel 'flights'\nset yrange [0:*]\nset key outside right "
-                    "top\nset style fill border rgb PAPER\n"
-                    "plot data using 'from':(0):'from':'to':(0):'passed' with boxxyerror lc rgb ESTIMATE title "
-                    "'passed', '' using 'from':(0):'from':'to':'passed':'all' with boxxyerror lc rgb SET_POINT "
-                    "title 'not passed'\n",
-                    Quoted(metric + unit));
+  figure.plot =
+      LimitCommands(bins, limits) +
+      fmt::format(
+          "set xlabel {} noenhanced\nset ylabel 'flights'\nset yrange [0:*]\nset key outside top center horizontal "
+          "top\nset style fill border rgb PAPER\n"
+          "plot data using 'from':(0):'from':'to':(0):'passed' with boxxyerror lc rgb ESTIMATE title "
+          "'passed', '' using 'from':(0):'from':'to':'passed':'all' with boxxyerror lc rgb SET_POINT "
+          "title 'not passed'\n",
+          Quoted(metric + unit));
+  figure.width_cm = 12.0;
   figure.height_cm = 6.0;
   return figure;
 }
@@ -112,11 +115,12 @@ Figure TouchdownFigure(const SweepOutcome& sweep, double pad_radius_m) {
       count, radius);
   figure.plot = fmt::format(
       "set size ratio -1\nset xlabel 'x, mm'\nset ylabel 'y, mm'\nset xrange [-{0}:{0}]\nset yrange [-{0}:{0}]\n"
-      "set key outside right top\nset object 1 circle at first 0,0 size first {1} fs empty border rgb MUTED lw 1.2\n"
-      "plot data using 'x_mm':'passed_y_mm' with {2} title 'passed', '' using 'x_mm':'failed_y_mm' with {3} title 'not "
+      "set key outside top center horizontal\nset samples 181\n"
+      "plot sample [t=0:2.1*pi] '+' using ({1}*cos(t)):({1}*sin(t)) with lines lc rgb MUTED lw 1.4 title 'ring', "
+      "data using 'x_mm':'passed_y_mm' with {2} title 'passed', '' using 'x_mm':'failed_y_mm' with {3} title 'not "
       "passed'\n",
       reach, radius, kPassedPoints, kFailedPoints);
-  figure.width_cm = 13.0;
+  figure.width_cm = 12.0;
   figure.height_cm = 10.0;
   return figure;
 }

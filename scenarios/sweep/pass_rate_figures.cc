@@ -130,7 +130,7 @@ Figure HeatMapFigure(const SweepOutcome& sweep, std::size_t axis_x, std::size_t 
         ", '' using 'x':'y':(sprintf('%d/%d', column('passed'), column('flown'))) with labels tc rgb '#111111'";
   }
   figure.plot += "\n";
-  figure.width_cm = 13.0;
+  figure.width_cm = 12.0;
   figure.height_cm = std::clamp(3.0 + 0.9 * static_cast<double>(rows.size()), 5.0, 14.0);
   return figure;
 }
@@ -155,12 +155,13 @@ Figure DrawnValuesFigure(const SweepOutcome& sweep, std::size_t axis) {
       (points.empty() ? "set xrange [0:1]\n" : RangeAround("xrange", points.front().value, points.back().value)) +
       fmt::format(
           "set xlabel {} noenhanced\nset ylabel 'passed, %'\nset yrange [-20:120]\nset ytics 0,25,100\n"
-          "set key outside right top\nplot data using 'value':'passed' with {} title 'passed', '' using "
+          "set key outside top center horizontal\nplot data using 'value':'passed' with {} title 'passed', '' using "
           "'value':'failed' with {} title 'not passed'",
           Quoted(key), kPassedPoints, kFailedPoints);
   if (!groups.empty())
     figure.plot += ", '' using 'value':'percent':'low':'high' with yerrorlines pt 7 ps 0.4 lc rgb INK title 'share'";
   figure.plot += "\n";
+  figure.width_cm = 12.0;
   return figure;
 }
 

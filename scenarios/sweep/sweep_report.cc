@@ -6,6 +6,7 @@
 #include "scenarios/report/page_assets.h"
 #include "scenarios/report/section_page.h"
 #include "scenarios/report/text.h"
+#include "scenarios/sweep/pass_rate_figures.h"
 #include "scenarios/sweep/sweep_sections.h"
 
 namespace touchdown::scenarios {
@@ -46,7 +47,7 @@ data Glance(const SweepOutcome& sweep, const SweepSummary& summary) {
   put("Flights that did not", std::to_string(summary.all.flown - summary.all.passed), "");
   put("Flown", std::to_string(summary.all.flown), "");
   put("Planned", std::to_string(sweep.planned), "");
-  put("Flown by another build, not counted", std::to_string(sweep.stale), "");
+  if (sweep.stale > 0) put("Flown by another build, not counted", std::to_string(sweep.stale), "");
   return items;
 }
 
@@ -67,7 +68,10 @@ std::vector<std::string> FailureHead(const SweepTerms& terms) {
 std::vector<std::string> FailureCells(const SweepTerms& terms, const SweepResult& result) {
   std::vector<std::string> cells{std::to_string(result.seed)};
   if (!terms.variants.empty()) cells.push_back(result.variant);
-  cells.insert(cells.end(), result.values.begin(), result.values.end());
+  for (std::size_t i = 0; i < terms.axes.size(); ++i) {
+    const auto drawn = terms.axes[i].listed.empty() ? AsNumber(result.values[i]) : std::nullopt;
+    cells.push_back(drawn ? fmt::format("{:.4g}", *drawn) : result.values[i]);
+  }
   return cells;
 }
 

@@ -133,7 +133,7 @@ TEST_F(SweepReportTest, PutsTheTouchdownsAroundTheirPad) {
   const Figure figure = Section(Sections(), "touchdown").figures.at(0);
   EXPECT_THAT(figure.csv, StartsWith("x_mm,passed_y_mm,failed_y_mm\n1.000,-1.000,\n2.000,-1.000,\n"));
   EXPECT_THAT(figure.csv, HasSubstr("\n6.000,,-1.000\n"));
-  EXPECT_THAT(figure.plot, HasSubstr("circle at first 0,0 size first 80 "));
+  EXPECT_THAT(figure.plot, HasSubstr("using (80*cos(t)):(80*sin(t))"));
   EXPECT_THAT(figure.caption, HasSubstr("of the 19 flights"));
 }
 
