@@ -24,7 +24,7 @@ struct Options {
 /// Of what is planned, and of parts that were not given: positions between others that nothing is planned at.
 void PrintMissing(const SweepStore& store, std::size_t flown) {
   const SweepPlan plan = store.Plan();
-  fmt::print("{}: {} of {} flights", store.name(), flown, plan.flights.size());
+  fmt::print("{}: {} of {} flights", store.terms().name, flown, plan.flights.size());
   if (flown < plan.flights.size()) fmt::print(", {} missing", plan.flights.size() - flown);
   fmt::print("\n");
   const std::size_t whole = plan.flights.empty() ? 0 : static_cast<std::size_t>(plan.flights.back().position) + 1;
@@ -38,7 +38,7 @@ int CollectRows(const Options& options) {
   Collect(options.folder, {options.from.begin(), options.from.end()});
   const SweepStore store(options.folder, SweepStore::Access::kRead);
   const std::vector<SweepResult> results = store.Results();
-  if (options.csv) WriteOutputFile(*options.csv, RowsCsv(store.keys(), results), kRowsCsvMark);
+  if (options.csv) WriteOutputFile(*options.csv, RowsCsv(store.terms().keys(), results), kRowsCsvMark);
   PrintMissing(store, results.size());
   return kPassed;
 }

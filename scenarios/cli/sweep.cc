@@ -21,7 +21,7 @@
 #include "scenarios/sweep/rows_csv.h"
 #include "scenarios/sweep/run_sweep.h"
 #include "scenarios/sweep/slurm_sweep.h"
-#include "scenarios/sweep/sweep_summary.h"
+#include "scenarios/sweep/sweep_report.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -75,8 +75,8 @@ std::string Percent(const PassCount& count) {
                      kPercent * rate.low, kPercent * rate.high);
 }
 
-void PrintSummary(const SweepFile& file, const SweepSummary& summary, const std::string& out) {
-  fmt::print("{}: {} of {} flights\n", file.name, summary.all.flown, summary.planned);
+void PrintSummary(const SweepOutcome& sweep, const SweepSummary& summary, const std::string& out) {
+  fmt::print("{}: {} of {} flights\n", sweep.terms.name, summary.all.flown, sweep.planned);
   if (summary.all.flown > 0) fmt::print("  passed  {}\n", Percent(summary.all));
   for (const PassCountOf& each : summary.by_value) {
     fmt::print("  {:<40} {}\n", fmt::format("{}={}", each.key, each.value), Percent(each.count));
@@ -85,7 +85,7 @@ void PrintSummary(const SweepFile& file, const SweepSummary& summary, const std:
     fmt::print("  {}  {:<40} {:>10} {:<4} {}\n", check.pass ? "pass" : "FAIL", check.name,
                check.value ? fmt::format("{:.4g}", *check.value) : "none", check.unit, check.limit);
   }
-  fmt::print("rows in {}/sweep.db\n", out);
+  fmt::print("rows in {0}/sweep.db, report in {0}/report.html\n", out);
 }
 
 bool FlyAll(const SweepFile& file, const SweepPlan& plan, const Options& options) {
@@ -159,6 +159,18 @@ void AddSlurmOptions(CLI::App& command, Options& options) {
   add("--time", options.on_slurm.site.time, "T", "A task's time limit, as of sbatch");
 }
 
+/// A page that cannot be drawn does not make a sweep of hours fail.
+void WriteReport(const SweepOutcome& sweep, const fs::path& folder) {
+  std::string page;
+  try {
+    page = SweepPage(sweep, folder);
+  } catch (const InputError& error) {
+    spdlog::warn("no report: {}", error.what());
+    return;
+  }
+  WriteOutputFile(folder / "report.html", page, kSweepPageMark);
+}
+
 int Sweep(const Options& options) {
   const SweepFile file = LoadSweepFile(options.sweep);
   if (options.boundary) return SeekBoundary(file, options);
@@ -171,12 +183,13 @@ int Sweep(const Options& options) {
   }
   if (!options.out) throw InputError("--out: name a folder for the rows");
   if (options.csv) CheckOutputFile(*options.csv, kRowsCsvMark);
+  CheckOutputFile(fs::path(*options.out) / "report.html", kSweepPageMark);
   const bool is_done = FlyAll(file, plan, options);
-  const SweepStore store(*options.out, SweepStore::Access::kRead);
-  const std::vector<SweepResult> results = store.Results();
-  if (options.csv) WriteOutputFile(*options.csv, RowsCsv(store.keys(), results), kRowsCsvMark);
-  const SweepSummary summary = Summarize(file, results, store.planned());
-  if (options.talk.ForPeople()) PrintSummary(file, summary, *options.out);
+  const SweepOutcome sweep = ReadOutcome({*options.out, SweepStore::Access::kRead});
+  if (options.csv) WriteOutputFile(*options.csv, RowsCsv(sweep.terms.keys(), sweep.results), kRowsCsvMark);
+  WriteReport(sweep, *options.out);
+  const SweepSummary summary = Summarize(sweep);
+  if (options.talk.ForPeople()) PrintSummary(sweep, summary, *options.out);
   if (!is_done) {
     spdlog::warn("interrupted: what was flown is kept in {}, and the same command goes on from there", *options.out);
     return kInterrupted;

@@ -18,13 +18,14 @@ namespace fs = std::filesystem;
 /// A sweep, or some of its flights, as a folder has it.
 struct Part {
   fs::path folder;
-  std::string name, program;
+  SweepTerms terms;
+  std::string program;
   SweepPlan plan;
 };
 
 Part ReadPart(const fs::path& folder) {
   const SweepStore store(folder, SweepStore::Access::kRead);
-  return {folder, store.name(), store.program(), store.Plan()};
+  return {folder, store.terms(), store.program(), store.Plan()};
 }
 
 /// All parts' flights, by position.
@@ -33,8 +34,9 @@ SweepPlan Join(const std::vector<Part>& parts) {
   std::map<std::int64_t, PlannedFlight> flights;
   for (const Part& part : parts) {
     const auto refuse = [&](const std::string& why) { throw InputError(part.folder.string() + ": " + why); };
-    if (part.name != first.name) {
-      refuse(fmt::format("is of sweep {}, and {} of sweep {}", part.name, first.folder.string(), first.name));
+    if (part.terms.name != first.terms.name) {
+      refuse(
+          fmt::format("is of sweep {}, and {} of sweep {}", part.terms.name, first.folder.string(), first.terms.name));
     }
     if (part.program != first.program) refuse(fmt::format("is of another build than {}", first.folder.string()));
     for (const PlannedFlight& flight : part.plan.flights) {
@@ -82,7 +84,7 @@ void Collect(const fs::path& folder, const std::vector<fs::path>& from) {
   SweepStore store(folder, SweepStore::Access::kWrite);
   TakeInRows(folder, store);
   if (from.empty()) return;
-  store.SetPlan(parts.front().name, whole, parts.front().program);
+  store.SetPlan(parts.front().terms, whole, parts.front().program);
   for (const Part& part : parts) {
     if (fs::equivalent(part.folder, folder)) continue;
     TakeRows(part, store);

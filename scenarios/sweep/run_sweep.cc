@@ -138,7 +138,7 @@ bool RunSweep(const SweepFile& file, const SweepPlan& plan, const fs::path& fold
   const FolderLock lock(folder);
   SweepStore store(folder, SweepStore::Access::kWrite);
   TakeInRows(folder, store);
-  store.SetPlan(file.name, plan, ProgramDigest());
+  store.SetPlan(TermsOf(file), plan, ProgramDigest());
   Agenda agenda(file, plan, store);
   if (progress) progress(agenda.Progress());
 
@@ -153,7 +153,7 @@ bool RunSweep(const SweepFile& file, const SweepPlan& plan, const fs::path& fold
   };
   FlyTasks(
       rows, crew, [&] { return agenda.Next(); }, keep, stop_requested);
-  if (agenda.IsDecided()) store.SetPlan(file.name, FirstOf(plan, agenda.counted()), ProgramDigest());
+  if (agenda.IsDecided()) store.SetPlan(TermsOf(file), FirstOf(plan, agenda.counted()), ProgramDigest());
   return agenda.IsDone();
 }
 

@@ -12,7 +12,7 @@ SweepStatus StatusOf(const std::filesystem::path& folder) {
   for (const FlightRow& row : LeftRows(folder)) passed[row.id] = row.passed();
   for (const SweepResult& result : store.Results()) passed[result.row.id] = result.row.passed();
 
-  SweepStatus status{.name = store.name(), .stale = store.stale(), .slurm_job = SlurmJobOf(folder)};
+  SweepStatus status{.name = store.terms().name, .stale = store.stale(), .slurm_job = SlurmJobOf(folder)};
   for (const PlannedFlight& flight : store.Plan().flights) {
     ++status.planned;
     const auto found = passed.find(flight.id);

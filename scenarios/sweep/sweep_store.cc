@@ -140,16 +140,15 @@ SweepStore::SweepStore(const fs::path& folder, Access access) : impl_(std::make_
 
 SweepStore::~SweepStore() = default;
 
-void SweepStore::SetPlan(const std::string& name, const SweepPlan& plan, const std::string& program_digest) {
+void SweepStore::SetPlan(const SweepTerms& terms, const SweepPlan& plan, const std::string& program_digest) {
   impl_->Guarded([&] {
     SQLite::Database& db = *impl_->db;
     SQLite::Transaction transaction(db);
     db.exec("DELETE FROM plan");
     db.exec("DELETE FROM sweep");
     SQLite::Statement put_fact(db, "INSERT INTO sweep VALUES (?, ?)");
-    for (const auto& [key, value] : {std::pair<std::string, std::string>("name", name),
-                                     {"program", program_digest},
-                                     {"keys", Json(plan.keys).dump()}}) {
+    for (const auto& [key, value] :
+         {std::pair<std::string, std::string>("program", program_digest), {"terms", TermsJson(terms)}}) {
       put_fact.bind(1, key);
       put_fact.bind(2, value);
       put_fact.exec();
@@ -216,17 +215,17 @@ bool SweepStore::Has(const std::string& id) const {
   });
 }
 
-std::string SweepStore::name() const {
-  return impl_->Guarded([&] { return impl_->Value("name"); });
-}
-
 std::string SweepStore::program() const {
   return impl_->Guarded([&] { return impl_->Value("program"); });
 }
 
-std::vector<std::string> SweepStore::keys() const {
-  const std::string keys = impl_->Guarded([&] { return impl_->Value("keys"); });
-  return keys.empty() ? std::vector<std::string>() : Json::parse(keys).get<std::vector<std::string>>();
+SweepTerms SweepStore::terms() const {
+  const std::string json = impl_->Guarded([&] { return impl_->Value("terms"); });
+  try {
+    return json.empty() ? SweepTerms() : TermsFromJson(json);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", impl_->file.string(), error.what()));
+  }
 }
 
 std::size_t SweepStore::planned() const {
@@ -235,7 +234,7 @@ std::size_t SweepStore::planned() const {
 }
 
 SweepPlan SweepStore::Plan() const {
-  SweepPlan plan{.keys = keys(), .flights = {}};
+  SweepPlan plan{.keys = terms().keys(), .flights = {}};
   return impl_->Guarded([&] {
     SQLite::Statement query(*impl_->db, "SELECT * FROM plan ORDER BY position");
     while (query.executeStep()) {
@@ -250,7 +249,7 @@ SweepPlan SweepStore::Plan() const {
 }
 
 std::vector<SweepResult> SweepStore::Results() const {
-  const std::vector<std::string> keys = this->keys();
+  const std::vector<std::string> keys = terms().keys();
   return impl_->Guarded([&] {
     std::vector<SweepResult> results;
     SQLite::Statement query(

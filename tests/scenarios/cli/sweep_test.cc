@@ -111,6 +111,22 @@ TEST_F(SweepCommand, FailsWhenItsCriteriaAreNotKept) {
   EXPECT_THAT(run.out, AllOf(HasSubstr("pass  pass_rate"), HasSubstr("FAIL  flight.sim_time_s at 0.5")));
 }
 
+TEST_F(SweepCommand, LeavesAReportThatIsRebuiltFromItsRowsAlone) {
+  PutSweep(2, "criteria: [{metric: flight.sim_time_s, quantile: 0.5, max: 0.01}]\n");
+  ASSERT_EQ(Sweep().status, 1);
+  const std::string page = folder_.Content("out/report.html");
+  EXPECT_THAT(page, AllOf(HasSubstr("Criteria not kept"), HasSubstr("flight.sim_time_s at 0.5")));
+  for (const char* name : {"sweep.yaml", "short.yaml", "out/report.html"}) fs::remove(folder_ / name);
+  EXPECT_EQ(Run({"report", "out"}).status, 0);
+  EXPECT_EQ(folder_.Content("out/report.html"), page);
+
+  folder_.Put("out/report.html", "mine");
+  EXPECT_THAT(ErrorOf({"report", "out"}), HasSubstr("out/report.html: is there already, and something else"));
+  PutSweep(3);
+  EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--out", "out"}), HasSubstr("out/report.html"));
+  EXPECT_EQ(folder_.Content("out/report.html"), "mine");
+}
+
 TEST_F(SweepCommand, StopsWhenEnoughIsFlownWithTheSameRowsHoweverMany) {
   PutSweep(30, "stop_when: {good_pass_rate: 0.9, bad_pass_rate: 0.5, good_refused: 0.1, bad_accepted: 0.1}\n");
   // Each pass weighs ln(0.5/0.9); ln(0.1/0.9) takes four of them.
@@ -148,7 +164,9 @@ TEST_F(SweepCommand, LandsWhatFliesAndGoesOnLaterWhenInterrupted) {
   EXPECT_EQ(run.status, 130) << run.err;
   EXPECT_THAT(run.err, HasSubstr("the same command goes on from there"));
   EXPECT_THAT(run.out, Not(HasSubstr("8 of 8")));
+  EXPECT_THAT(folder_.Content("out/report.html"), HasSubstr("of 8 flights are yet to be flown"));
   EXPECT_THAT(Sweep().out, HasSubstr("8 of 8 flights"));
+  EXPECT_THAT(folder_.Content("out/report.html"), Not(HasSubstr("yet to be flown")));
 }
 
 TEST_F(SweepCommand, HasTheSameRowsAfterTwentyKills) {
