@@ -188,7 +188,7 @@ TEST_F(SweepStoreTest, GivesBackItsPlan) {
   EXPECT_EQ(kept.flights[1].id, "b");
   EXPECT_EQ(kept.flights[1].seed, 7u);
   EXPECT_EQ(kept.flights[1].variant, "windy");
-  EXPECT_THAT(kept.flights[1].values, ElementsAre("3"));
+  EXPECT_THAT(kept.flights[1].values, ElementsAre("3", "1.5"));
 }
 
 }  // namespace
