@@ -60,7 +60,7 @@ const std::vector<LibraryRule>& LibraryRules() {
       {std::regex("sim/.*"), std::regex("(mujoco|GL|EGL|opencv2|spdlog|fmt)/.*")},
       {std::regex("scenarios/.*"), std::regex("(opencv2|yaml-cpp|CLI|nlohmann|openssl|spdlog|fmt)/.*|pugixml\\.hpp")},
       {std::regex("scenarios/report/.*\\.cc"), std::regex("(cairo|kainjow)/.*")},
-      {std::regex("scenarios/paper/paper_report\\.cc"), std::regex("kainjow/.*")},
+      {std::regex("scenarios/(paper/paper|sweep/sweep)_report\\.cc"), std::regex("kainjow/.*")},
       {std::regex("scenarios/paper/april_tag\\.cc"), std::regex("apriltag/.*")},
       {std::regex("scenarios/sweep/sweep_store\\.cc"), std::regex("SQLiteCpp/.*")},
       {std::regex("scenarios/study/statistics\\.cc"), std::regex("boost/math/.*")},

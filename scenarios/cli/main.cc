@@ -12,6 +12,7 @@
 
 #include "models/error.h"
 #include "scenarios/cli/calibrate.h"
+#include "scenarios/cli/collect.h"
 #include "scenarios/cli/command.h"
 #include "scenarios/cli/compare.h"
 #include "scenarios/cli/estimate.h"
@@ -21,7 +22,9 @@
 #include "scenarios/cli/paper.h"
 #include "scenarios/cli/report.h"
 #include "scenarios/cli/score.h"
+#include "scenarios/cli/status.h"
 #include "scenarios/cli/sweep.h"
+#include "scenarios/cli/sweep_task.h"
 #include "scenarios/cli/test.h"
 #include "scenarios/cli/train.h"
 #include "scenarios/flight/interrupted.h"
@@ -33,9 +36,10 @@ using touchdown::scenarios::ExitStatus;
 using touchdown::scenarios::Run;
 
 AddCommand* const kCommands[] = {
-    touchdown::scenarios::AddCalibrate, touchdown::scenarios::AddCompare, touchdown::scenarios::AddEstimate,
-    touchdown::scenarios::AddFly,       touchdown::scenarios::AddPad,     touchdown::scenarios::AddPaper,
-    touchdown::scenarios::AddReport,    touchdown::scenarios::AddScore,   touchdown::scenarios::AddSweep,
+    touchdown::scenarios::AddCalibrate, touchdown::scenarios::AddCollect, touchdown::scenarios::AddCompare,
+    touchdown::scenarios::AddEstimate,  touchdown::scenarios::AddFly,     touchdown::scenarios::AddPad,
+    touchdown::scenarios::AddPaper,     touchdown::scenarios::AddReport,  touchdown::scenarios::AddScore,
+    touchdown::scenarios::AddStatus,    touchdown::scenarios::AddSweep,   touchdown::scenarios::AddSweepTask,
     touchdown::scenarios::AddTest,      touchdown::scenarios::AddTrain};
 
 int RunAndExplain(const Run& run) {

@@ -9,15 +9,28 @@
 #include "scenarios/flight/output_file.h"
 #include "scenarios/report/flight_files.h"
 #include "scenarios/report/flight_page.h"
+#include "scenarios/sweep/sweep_report.h"
 
 namespace touchdown::scenarios {
 namespace {
 
-int MakeReport(const std::filesystem::path& folder) {
-  const std::filesystem::path page = folder / "report.html";
+namespace fs = std::filesystem;
+
+void MakeFlightReport(const fs::path& folder, const fs::path& page) {
   const FlightFiles files = ReadFlightFiles(folder);
   CheckOutputFile(page, kFlightPageMark);
   WriteOutputFile(page, FlightPage(files), kFlightPageMark);
+}
+
+void MakeSweepReport(const fs::path& folder, const fs::path& page) {
+  const SweepOutcome sweep = ReadOutcome({folder, SweepStore::Access::kRead});
+  CheckOutputFile(page, kSweepPageMark);
+  WriteOutputFile(page, SweepPage(sweep, folder), kSweepPageMark);
+}
+
+int MakeReport(const fs::path& folder) {
+  const fs::path page = folder / "report.html";
+  fs::exists(folder / "sweep.db") ? MakeSweepReport(folder, page) : MakeFlightReport(folder, page);
   fmt::print("{}\n", page.string());
   return kPassed;
 }
@@ -26,8 +39,9 @@ int MakeReport(const std::filesystem::path& folder) {
 
 void AddReport(CLI::App& app, Run& run) {
   const auto folder = std::make_shared<std::string>();
-  CLI::App& command = *app.add_subcommand("report", "Rebuild a flight's report.html from the files beside it");
-  command.add_option("DIR", *folder, "The flight's folder")->required();
+  CLI::App& command =
+      *app.add_subcommand("report", "Rebuild the report.html of a flight or a sweep from the files beside it");
+  command.add_option("DIR", *folder, "The folder of the flight or the sweep")->required();
   command.callback([folder, &run] { run = [folder] { return MakeReport(*folder); }; });
 }
 

@@ -4,7 +4,7 @@
 
 namespace touchdown::scenarios {
 
-/// `touchdown report DIR`: rebuilds the page of a flight from its folder's files.
+/// `touchdown report DIR`: rebuilds the page of a flight or a sweep from its folder's files.
 AddCommand AddReport;
 
 }  // namespace touchdown::scenarios

@@ -20,14 +20,13 @@
 #include "scenarios/sweep/boundary.h"
 #include "scenarios/sweep/rows_csv.h"
 #include "scenarios/sweep/run_sweep.h"
-#include "scenarios/sweep/sweep_summary.h"
+#include "scenarios/sweep/slurm_sweep.h"
+#include "scenarios/sweep/sweep_report.h"
 
 namespace touchdown::scenarios {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kCsvMark = "id,variant,";
 
 struct Options {
   std::string sweep;
@@ -37,6 +36,8 @@ struct Options {
   std::optional<std::string> boundary;
   double level = 0.5;
   int flights = 60;
+  bool slurm = false;
+  SlurmOptions on_slurm;
   Talk talk;
 };
 
@@ -74,8 +75,8 @@ std::string Percent(const PassCount& count) {
                      kPercent * rate.low, kPercent * rate.high);
 }
 
-void PrintSummary(const SweepFile& file, const SweepSummary& summary, const std::string& out) {
-  fmt::print("{}: {} of {} flights\n", file.name, summary.all.flown, summary.planned);
+void PrintSummary(const SweepOutcome& sweep, const SweepSummary& summary, const std::string& out) {
+  fmt::print("{}: {} of {} flights\n", sweep.terms.name, summary.all.flown, sweep.planned);
   if (summary.all.flown > 0) fmt::print("  passed  {}\n", Percent(summary.all));
   for (const PassCountOf& each : summary.by_value) {
     fmt::print("  {:<40} {}\n", fmt::format("{}={}", each.key, each.value), Percent(each.count));
@@ -84,7 +85,7 @@ void PrintSummary(const SweepFile& file, const SweepSummary& summary, const std:
     fmt::print("  {}  {:<40} {:>10} {:<4} {}\n", check.pass ? "pass" : "FAIL", check.name,
                check.value ? fmt::format("{:.4g}", *check.value) : "none", check.unit, check.limit);
   }
-  fmt::print("rows in {}/sweep.db\n", out);
+  fmt::print("rows in {0}/sweep.db, report in {0}/report.html\n", out);
 }
 
 bool FlyAll(const SweepFile& file, const SweepPlan& plan, const Options& options) {
@@ -119,23 +120,76 @@ int SeekBoundary(const SweepFile& file, const Options& options) {
   return kPassed;
 }
 
+std::string TaskWords(const SlurmSweep& sweep) {
+  return fmt::format("{} flights in {} task{}", sweep.flights, sweep.tasks, sweep.tasks == 1 ? "" : "s");
+}
+
+int SweepOnSlurm(const SweepFile& file, const SweepPlan& plan, const Options& options) {
+  if (!options.out) throw InputError("--out: name a folder that all nodes share");
+  if (file.stop_when)
+    throw InputError("--slurm: a sweep with stop_when cannot be split, since each flight may be the last");
+  if (options.dry_run) {
+    const SlurmSweep planned = PlanTasks(file, plan, *options.out, options.on_slurm);
+    fmt::print("{}\n", TaskWords(planned));
+    return kPassed;
+  }
+  const SlurmSweep submitted = SubmitSweep(file, plan, *options.out, options.on_slurm);
+  if (options.talk.quiet) return kPassed;
+  if (submitted.flights == 0) {
+    fmt::print("{}: all {} flights are there, nothing was submitted\n", file.name, plan.flights.size());
+  } else {
+    fmt::print("Slurm job {}: {}\n", submitted.job, TaskWords(submitted));
+  }
+  return kPassed;
+}
+
+void AddSlurmOptions(CLI::App& command, Options& options) {
+  constexpr const char* kGroup = "Slurm";
+  CLI::Option* const slurm =
+      command.add_flag("--slurm", options.slurm, "Submit the flights instead of flying them here");
+  slurm->group(kGroup);
+  for (const char* here : {"--jobs", "--csv", "--json"}) slurm->excludes(command.get_option(here));
+  const auto add = [&](const char* name, auto& value, const char* type, const char* text) {
+    return command.add_option(name, value, text)->type_name(type)->group(kGroup)->needs(slurm);
+  };
+  add("--chunk", options.on_slurm.chunk, "K", "Flights in a task (default: some minutes' worth)")
+      ->check(CLI::Range(1, 1000000));
+  add("--partition", options.on_slurm.site.partition, "P", "As of sbatch");
+  add("--account", options.on_slurm.site.account, "A", "As of sbatch");
+  add("--time", options.on_slurm.site.time, "T", "A task's time limit, as of sbatch");
+}
+
+/// A page that cannot be drawn does not make a sweep of hours fail.
+void WriteReport(const SweepOutcome& sweep, const fs::path& folder) {
+  std::string page;
+  try {
+    page = SweepPage(sweep, folder);
+  } catch (const InputError& error) {
+    spdlog::warn("no report: {}", error.what());
+    return;
+  }
+  WriteOutputFile(folder / "report.html", page, kSweepPageMark);
+}
+
 int Sweep(const Options& options) {
   const SweepFile file = LoadSweepFile(options.sweep);
   if (options.boundary) return SeekBoundary(file, options);
   SweepPlan plan = PlanSweep(file, ProgramDigest());
   if (options.shard) plan = TakeShard(file, plan, *options.shard);
+  if (options.slurm) return SweepOnSlurm(file, plan, options);
   if (options.dry_run) {
     PrintPlan(plan, options.jobs);
     return kPassed;
   }
   if (!options.out) throw InputError("--out: name a folder for the rows");
-  if (options.csv) CheckOutputFile(*options.csv, kCsvMark);
+  if (options.csv) CheckOutputFile(*options.csv, kRowsCsvMark);
+  CheckOutputFile(fs::path(*options.out) / "report.html", kSweepPageMark);
   const bool is_done = FlyAll(file, plan, options);
-  const SweepStore store(*options.out, SweepStore::Access::kRead);
-  const std::vector<SweepResult> results = store.Results();
-  if (options.csv) WriteOutputFile(*options.csv, RowsCsv(store.keys(), results), kCsvMark);
-  const SweepSummary summary = Summarize(file, results, store.planned());
-  if (options.talk.ForPeople()) PrintSummary(file, summary, *options.out);
+  const SweepOutcome sweep = ReadOutcome({*options.out, SweepStore::Access::kRead});
+  if (options.csv) WriteOutputFile(*options.csv, RowsCsv(sweep.terms.keys(), sweep.results), kRowsCsvMark);
+  WriteReport(sweep, *options.out);
+  const SweepSummary summary = Summarize(sweep);
+  if (options.talk.ForPeople()) PrintSummary(sweep, summary, *options.out);
   if (!is_done) {
     spdlog::warn("interrupted: what was flown is kept in {}, and the same command goes on from there", *options.out);
     return kInterrupted;
@@ -171,6 +225,7 @@ void AddSweep(CLI::App& app, Run& run) {
       ->check(CLI::Range(6, 100000));
   command.add_flag("--dry-run", options->dry_run, "List the flights, and fly none");
   AddTalk(command, options->talk);
+  AddSlurmOptions(command, *options);
   command.callback([options, &run] { run = [options] { return Sweep(*options); }; });
 }
 

@@ -9,7 +9,7 @@
 #include "models/random_stream.h"
 #include "scenarios/paper/circle_limit.h"
 #include "scenarios/paper/still_room.h"
-#include "scenarios/paper/text.h"
+#include "scenarios/report/text.h"
 #include "sim/scene.h"
 
 namespace touchdown::scenarios {
@@ -206,12 +206,12 @@ std::string PlotOverRoll(const std::string& column, const std::string& limit, co
       label, curves);
 }
 
-ReportSection Report(const PaperPlan& plan, const Measured& measured) {
+PaperSection Report(const PaperPlan& plan, const Measured& measured) {
   std::vector<Cell> cells;
   for (std::size_t i = 0; i < kDistances_m.size() * kRolls_deg.size(); ++i) {
     cells.push_back(Summed(measured, plan.placements, i));
   }
-  ReportSection section{.id = "accuracy", .title = "5 DOF accuracy (Sec. VI-B.5, Fig. 10)"};
+  PaperSection section{{.id = "accuracy", .title = "5 DOF accuracy (Sec. VI-B.5, Fig. 10)"}};
   section.paragraphs = {fmt::format(
       "The vehicle is held still with the pad's centre on the optical axis: {} placements a cell, each in a room of "
       "its own, {} frames each. A placement's mean error is systematic (calibration, pixel grid), what remains over "

@@ -11,7 +11,7 @@
 #include "models/angles.h"
 #include "models/random_stream.h"
 #include "scenarios/paper/still_room.h"
-#include "scenarios/paper/text.h"
+#include "scenarios/report/text.h"
 #include "scenarios/study/statistics.h"
 
 namespace touchdown::scenarios {
@@ -134,8 +134,8 @@ std::string IdOf(double tilt_deg) { return fmt::format("ambiguity_{:.0f}_deg", t
 
 std::string Percent(int part, int whole) { return whole == 0 ? "none" : Fixed(100.0 * part / whole, 1) + " %"; }
 
-ReportSection Report(const PaperPlan& plan, const Measured& measured) {
-  ReportSection section{.id = "ambiguity", .title = "The ambiguity (Sec. IV-C.2)"};
+PaperSection Report(const PaperPlan& plan, const Measured& measured) {
+  PaperSection section{{.id = "ambiguity", .title = "The ambiguity (Sec. IV-C.2)"}};
   section.paragraphs.push_back(fmt::format(
       "{} views at each tilt, 0.5, 1 and 1.5 m away, noise as in a flight; from each ring's ellipse both poses, and "
       "Eq. 14 with a vertical that is off by so much in {} directions. The right pose is the one that the true "

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "models/angles.h"
-#include "scenarios/paper/text.h"
+#include "scenarios/report/text.h"
 #include "scenarios/study/calibration_bench.h"
 #include "scenarios/study/statistics.h"
 
@@ -57,7 +57,7 @@ Json Measure(int seed, const StopRequested& stop_requested) {
           {"imu_tilt_error_deg", RadToDeg(imu.tilt_error_rad)}};
 }
 
-ReportSection Report(const PaperPlan& plan, const Measured& measured) {
+PaperSection Report(const PaperPlan& plan, const Measured& measured) {
   struct Row {
     const char* label;
     const char* key;
@@ -70,7 +70,7 @@ ReportSection Report(const PaperPlan& plan, const Measured& measured) {
                                          {"camera in body: position", "position_error_mm", "mm", 2},
                                          {"camera in body: rotation", "rotation_error_deg", "deg", 3},
                                          {"IMU in body: tilt", "imu_tilt_error_deg", "deg", 3}}};
-  ReportSection section{.id = "calibrations", .title = "Calibrations (Sec. III-D, Eqs. 1 and 2)"};
+  PaperSection section{{.id = "calibrations", .title = "Calibrations (Sec. III-D, Eqs. 1 and 2)"}};
   section.paragraphs.push_back(
       fmt::format("The camera looks at a chessboard from 27 places while the tracking system sees vehicle and board: "
                   "intrinsics and the board's pose from the corners, the camera's mounting by Eq. 2. The IMU's "

@@ -7,7 +7,7 @@
 #include "scenarios/flight/stopwatch.h"
 #include "scenarios/paper/april_tag.h"
 #include "scenarios/paper/flown_flight.h"
-#include "scenarios/paper/text.h"
+#include "scenarios/report/text.h"
 #include "scenarios/study/statistics.h"
 
 namespace touchdown::scenarios {
@@ -98,12 +98,12 @@ ReportTable ByHeight(const std::vector<FrameCost>& costs) {
   return table;
 }
 
-ReportSection Report(const Measured& measured) {
+PaperSection Report(const Measured& measured) {
   const Json& json = measured.at(kComputationTimeId);
   const std::vector<FrameCost> costs = CostsOf(json);
   const std::vector<double> total = Of(costs, [](const FrameCost& cost) { return std::optional(cost.total_ms()); });
   const double ratio = json.at("vision_ms_same_frames").get<double>() / json.at("april_tag_ms").get<double>();
-  ReportSection section{.id = "computation-time", .title = "Computation time (Sec. VI-B.4, Fig. 9)"};
+  PaperSection section{{.id = "computation-time", .title = "Computation time (Sec. VI-B.4, Fig. 9)"}};
   section.paragraphs.push_back(fmt::format(
       "The autonomous flight of seed 1, one core, nothing beside it that this program runs. Recognition is everything "
       "from the image to what may be the pad; geometry is edges, ellipses, the print's check, and the pose. A frame "

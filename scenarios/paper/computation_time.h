@@ -1,7 +1,7 @@
 #pragma once
 
+#include "scenarios/paper/experiment.h"
 #include "scenarios/paper/paper_plan.h"
-#include "scenarios/paper/section.h"
 
 namespace touchdown::scenarios {
 

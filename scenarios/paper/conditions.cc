@@ -5,7 +5,7 @@
 
 #include "scenarios/paper/flight_group.h"
 #include "scenarios/paper/flown_flight.h"
-#include "scenarios/paper/text.h"
+#include "scenarios/report/text.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -100,8 +100,8 @@ ReportTable HandTable(const PaperPlan& plan, const Measured& measured) {
   return table;
 }
 
-ReportSection Report(const PaperPlan& plan, const Measured& measured) {
-  ReportSection section{.id = "conditions", .title = "What makes the error"};
+PaperSection Report(const PaperPlan& plan, const Measured& measured) {
+  PaperSection section{{.id = "conditions", .title = "What makes the error"}};
   section.paragraphs.push_back(
       fmt::format("A hover of {:.0f} s at 1 m, {} rooms each, with one thing changed at a time; RMSE against the "
                   "truth, with contour points at their sub-pixel places and, on the same frames, on whole pixels. The "

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "scenarios/paper/text.h"
+#include "scenarios/report/text.h"
 
 namespace touchdown::scenarios {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "scenarios/paper/figure.h"
 #include "scenarios/paper/measurement.h"
+#include "scenarios/report/figure.h"
 
 namespace touchdown::scenarios {
 

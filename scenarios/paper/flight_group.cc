@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "scenarios/paper/text.h"
+#include "scenarios/report/text.h"
 #include "scenarios/study/statistics.h"
 
 namespace touchdown::scenarios {

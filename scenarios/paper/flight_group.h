@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scenarios/paper/section.h"
+#include "scenarios/paper/experiment.h"
 
 namespace touchdown::scenarios {
 

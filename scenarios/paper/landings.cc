@@ -7,7 +7,7 @@
 #include "scenarios/paper/flight_group.h"
 #include "scenarios/paper/flown_flight.h"
 #include "scenarios/paper/table_one.h"
-#include "scenarios/paper/text.h"
+#include "scenarios/report/text.h"
 #include "scenarios/study/statistics.h"
 
 namespace touchdown::scenarios {
@@ -52,7 +52,7 @@ std::string Spread(const Interval& interval, int digits) {
   return fmt::format("95 %: {} to {}", Fixed(std::max(0.0, interval.low), digits), Fixed(interval.high, digits));
 }
 
-void Compare(const std::string& which, const FlightGroup& flights, ReportSection& section) {
+void Compare(const std::string& which, const FlightGroup& flights, PaperSection& section) {
   const std::string why =
       "No wind, and no landing gear that bounces; the blind descent ends at the ground by prediction, not by cutting "
       "the motors high above it.";
@@ -87,14 +87,14 @@ std::string PlacesCsv(const Deviations& d) {
   return csv;
 }
 
-ReportSection Report(const PaperPlan& plan, const Measured& measured) {
+PaperSection Report(const PaperPlan& plan, const Measured& measured) {
   std::vector<std::string> ids;
   for (int i = 1; i <= plan.landings; ++i) ids.push_back(IdOf(i));
   const FlightGroup row(measured, AutonomousFlightIds(plan)), many(measured, ids);
   const Deviations places = DeviationsOf(many);
   const auto landed = static_cast<int>(places.x_mm.size());
   const Interval share = ShareInterval(landed, many.count());
-  ReportSection section{.id = "landings", .title = "Landings (Sec. VI-B.3)"};
+  PaperSection section{{.id = "landings", .title = "Landings (Sec. VI-B.3)"}};
   section.paragraphs.push_back(
       fmt::format("In a row: the {} autonomous flights above. Beyond them {} landings from about the hover at 1 m, 0.1 "
                   "m (1 sigma, along X and Y) off and 5° turned, each in a room of its own: {} came to rest on their "

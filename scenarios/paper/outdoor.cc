@@ -7,8 +7,8 @@
 #include "scenarios/paper/flight_group.h"
 #include "scenarios/paper/flown_flight.h"
 #include "scenarios/paper/table_one.h"
-#include "scenarios/paper/text.h"
 #include "scenarios/report/published.h"
+#include "scenarios/report/text.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -70,9 +70,9 @@ ComparedQuantity RatioOf(const TableOneRow& row, const std::optional<double>& in
               : "The paper says 'similar overall performance'; 1.5 is our reading of it."};
 }
 
-ReportSection Report(const PaperPlan& plan, const Measured& measured) {
+PaperSection Report(const PaperPlan& plan, const Measured& measured) {
   const FlightGroup flights(measured, Ids(plan.seeds)), flights_indoors(measured, AutonomousFlightIds(plan));
-  ReportSection section{.id = "outdoor", .title = "Outdoor flight (Sec. VI-C, Fig. 11)"};
+  PaperSection section{{.id = "outdoor", .title = "Outdoor flight (Sec. VI-C, Fig. 11)"}};
   const std::vector<double> availability = flights.Values("estimate.availability");
   section.paragraphs.push_back(
       fmt::format("Takeoff, hover and landing on grass with a path and objects beside the pad, in the sun, which casts "

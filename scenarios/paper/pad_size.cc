@@ -6,7 +6,7 @@
 #include "models/angles.h"
 #include "models/random_stream.h"
 #include "scenarios/paper/still_room.h"
-#include "scenarios/paper/text.h"
+#include "scenarios/report/text.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -79,8 +79,8 @@ std::pair<double, double> WorkingRange(const Json& heights, int frames) {
   return longest;
 }
 
-ReportSection Report(const PaperPlan& plan, const Measured& measured) {
-  ReportSection section{.id = "pad-size", .title = "Working distance against blind range (Sec. III-B)"};
+PaperSection Report(const PaperPlan& plan, const Measured& measured) {
+  PaperSection section{{.id = "pad-size", .title = "Working distance against blind range (Sec. III-B)"}};
   section.paragraphs.push_back(fmt::format(
       "\"A larger radius would lead to a larger working distance for the vision system, but would lead to a larger "
       "'blind' range.\" The pad at other scales, in a cluttered room, seen from {} places about each height: the "

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "scenarios/paper/section.h"
+#include "scenarios/paper/experiment.h"
 
 namespace touchdown::scenarios {
 
@@ -20,6 +20,6 @@ struct ReportHead {
 /// The report's files by their names within its folder: report.html, README.md (the summary, and the figures as
 /// pictures), summary.csv, and in figures/ each figure as CSV, PDF and SVG, each table as CSV and each picture.
 /// Throws as Draw does.
-std::map<std::string, std::string> ReportFiles(const ReportHead& head, const std::vector<ReportSection>& sections);
+std::map<std::string, std::string> ReportFiles(const ReportHead& head, const std::vector<PaperSection>& sections);
 
 }  // namespace touchdown::scenarios

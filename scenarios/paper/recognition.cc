@@ -13,7 +13,7 @@
 #include "scenarios/flight/pad_view.h"
 #include "scenarios/paper/recognition_pictures.h"
 #include "scenarios/paper/still_room.h"
-#include "scenarios/paper/text.h"
+#include "scenarios/report/text.h"
 #include "scenarios/study/classifier_truth.h"
 #include "scenarios/study/classifier_views.h"
 #include "scenarios/study/statistics.h"
@@ -196,7 +196,7 @@ FalseCounts SumFalse(const PaperPlan& plan, const Measured& measured) {
   return sum;
 }
 
-void ReportFalse(const FalseCounts& sum, ReportSection& section) {
+void ReportFalse(const FalseCounts& sum, PaperSection& section) {
   const Interval p1 = sum.FalseShare(FrameTrace::Label::kCircle), p2 = sum.FalseShare(FrameTrace::Label::kH);
   const Interval frames_p1 = ShareInterval(sum.frames_false_circle, sum.frames),
                  frames_p2 = ShareInterval(sum.frames_false_letter, sum.frames),
@@ -218,7 +218,7 @@ void ReportFalse(const FalseCounts& sum, ReportSection& section) {
        .why = "The bound is the paper's: below min(p1, p2) of the same frames."});
 }
 
-void ReportFound(const PaperPlan& plan, const Measured& measured, ReportSection& section) {
+void ReportFound(const PaperPlan& plan, const Measured& measured, PaperSection& section) {
   std::array<std::array<std::array<int, 2>, kTilts_deg.size() - 1>, kDistances_m.size() - 1> bins{};
   int frames = 0, found = 0, false_pads = 0, all = 0;
   for (int room = 1; room <= plan.recognition_scenes; ++room) {
@@ -251,8 +251,8 @@ void ReportFound(const PaperPlan& plan, const Measured& measured, ReportSection&
   section.tables.push_back(std::move(table));
 }
 
-ReportSection Report(const PaperPlan& plan, const Measured& measured) {
-  ReportSection section{.id = "recognition", .title = "Landing pad recognition (Secs. IV-A, VI-A, Figs. 2, 4, 5)"};
+PaperSection Report(const PaperPlan& plan, const Measured& measured) {
+  PaperSection section{{.id = "recognition", .title = "Landing pad recognition (Secs. IV-A, VI-A, Figs. 2, 4, 5)"}};
   section.paragraphs.push_back(
       fmt::format("{} rooms with a floor, light, posters, objects and a dozen lone rings and lone letters of their "
                   "own, seen from {} to {} m, up to {:.0f}° tilted, a third of the views as in a calm hover, others in "

@@ -12,9 +12,9 @@
 #include "estimator/paper/binarize.h"
 #include "estimator/paper/components.h"
 #include "models/angles.h"
-#include "scenarios/paper/base64.h"
 #include "scenarios/paper/still_room.h"
 #include "scenarios/report/annotated_frame.h"
+#include "scenarios/report/base64.h"
 
 namespace touchdown::scenarios {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "scenarios/flight/scenario.h"
-#include "scenarios/paper/section.h"
+#include "scenarios/paper/experiment.h"
 
 namespace touchdown::scenarios {
 

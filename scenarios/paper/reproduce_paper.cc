@@ -62,7 +62,7 @@ void ClaimFolder(const fs::path& out, const ReproductionOptions& options) {
   folder.Commit();
 }
 
-void WriteReport(const fs::path& out, const ReproductionOptions& options, const std::vector<ReportSection>& sections,
+void WriteReport(const fs::path& out, const ReproductionOptions& options, const std::vector<PaperSection>& sections,
                  const std::string& table_one, const std::vector<std::pair<std::string, std::string>>& platform) {
   const ReportHead head{.mark = fmt::format("<!-- {} -->", kMark),
                         .quick = options.quick,
@@ -111,7 +111,7 @@ std::vector<ComparedQuantity> ReproducePaper(const fs::path& out, const Reproduc
   }
   measured = TakeMeasurements(all, store, options.jobs, stop_requested, progress);
 
-  std::vector<ReportSection> sections;
+  std::vector<PaperSection> sections;
   std::vector<ComparedQuantity> compared;
   for (const Experiment& experiment : experiments) {
     sections.push_back(experiment.report(measured));

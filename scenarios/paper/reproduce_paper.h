@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "scenarios/paper/section.h"
+#include "scenarios/paper/experiment.h"
 #include "scenarios/paper/take_measurements.h"
 
 namespace touchdown::scenarios {

@@ -7,8 +7,8 @@
 #include "scenarios/paper/flight_figures.h"
 #include "scenarios/paper/flight_group.h"
 #include "scenarios/paper/flown_flight.h"
-#include "scenarios/paper/text.h"
 #include "scenarios/report/published.h"
+#include "scenarios/report/text.h"
 #include "scenarios/study/statistics.h"
 
 namespace touchdown::scenarios {
@@ -118,9 +118,9 @@ std::string Conditions(const FlightGroup& flights, const char* name) {
       flights.false_pads(), Span(flights.Values("flight.max_tilt_deg"), 1), Span(flights.Values("max_height_m"), 2));
 }
 
-ReportSection Report(const PaperPlan& plan, const Measured& measured) {
-  ReportSection section{.id = "table-one",
-                        .title = "Hand-held, hovering, autonomous flight (Sec. VI-B.1-3, Figs. 6-8, Table I)"};
+PaperSection Report(const PaperPlan& plan, const Measured& measured) {
+  PaperSection section{
+      {.id = "table-one", .title = "Hand-held, hovering, autonomous flight (Sec. VI-B.1-3, Figs. 6-8, Table I)"}};
   section.paragraphs.push_back(
       "Vision's unfiltered pose of the body, over the frames with status ok, on the rendered camera with lens, noise, "
       "blur and latency, in rooms full of decoys; estimator and autopilot know camera and mountings as the "

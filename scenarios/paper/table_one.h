@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "scenarios/paper/experiment.h"
 #include "scenarios/paper/paper_plan.h"
-#include "scenarios/paper/section.h"
 
 namespace touchdown::scenarios {
 

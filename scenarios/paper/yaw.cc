@@ -6,7 +6,7 @@
 #include "scenarios/paper/flight_group.h"
 #include "scenarios/paper/flown_flight.h"
 #include "scenarios/paper/table_one.h"
-#include "scenarios/paper/text.h"
+#include "scenarios/report/text.h"
 #include "scenarios/study/yaw_study.h"
 
 namespace touchdown::scenarios {
@@ -55,7 +55,7 @@ std::string RowsCsv(const std::vector<YawErrors>& rows) {
   return csv;
 }
 
-void ReportTurned(const Measured& measured, ReportSection& section) {
+void ReportTurned(const Measured& measured, PaperSection& section) {
   ReportTable table{
       .name = "yaw_methods",
       .caption = "Largest and RMS error over a whole turn in steps of one degree, by the height of the H in the image.",
@@ -112,7 +112,7 @@ void ReportTurned(const Measured& measured, ReportSection& section) {
        .why = "'Even smaller errors' than the H's: the bound is our H's own."});
 }
 
-void ReportFlown(const PaperPlan& plan, const Measured& measured, ReportSection& section) {
+void ReportFlown(const PaperPlan& plan, const Measured& measured, PaperSection& section) {
   std::vector<std::string> ids;
   for (int seed = 1; seed <= plan.seeds; ++seed) ids.push_back(FlownId(seed));
   const FlightGroup over_rectangle(measured, ids), over_h(measured, AutonomousFlightIds(plan));
@@ -128,8 +128,8 @@ void ReportFlown(const PaperPlan& plan, const Measured& measured, ReportSection&
   section.compared.push_back(over_rectangle.Failures("Pad with a rectangle"));
 }
 
-ReportSection Report(const PaperPlan& plan, const Measured& measured) {
-  ReportSection section{.id = "yaw", .title = "Yaw from the letter (Sec. IV-C.3)"};
+PaperSection Report(const PaperPlan& plan, const Measured& measured) {
+  PaperSection section{{.id = "yaw", .title = "Yaw from the letter (Sec. IV-C.3)"}};
   section.paragraphs.push_back(
       "A synthetic H, turned in steps of one degree, seen from straight above without noise: the error of the major "
       "axis of the ellipse fitted to its contour, as the estimator does it, of image moments, and of the ellipse on a "

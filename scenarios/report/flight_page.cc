@@ -17,6 +17,7 @@
 #include "scenarios/report/flight_series.h"
 #include "scenarios/report/page_assets.h"
 #include "scenarios/report/published.h"
+#include "scenarios/report/text.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -69,20 +70,6 @@ class JsonFile {
 };
 
 std::string Figure(double value) { return fmt::format("{:.4g}", value); }
-
-/// As people write it.
-std::string WithSigns(std::string limit) {
-  for (const auto& [ascii, sign] : {std::pair("<=", "≤"), std::pair(">=", "≥"), std::pair("..", "–")}) {
-    if (const std::size_t at = limit.find(ascii); at != std::string::npos) limit.replace(at, 2, sign);
-  }
-  return limit;
-}
-
-/// "gave_up" as "gave up".
-std::string Words(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
-}
 
 std::string Doc(std::string_view metric) {
   const MetricInfo* const info = FindMetric(metric);

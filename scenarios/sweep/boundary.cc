@@ -69,6 +69,7 @@ Boundary FindBoundary(const SweepFile& file, const BoundarySearch& search, const
   SweepPlan plan;
   SweepFile whole = file;
   whole.stop_when.reset();
+  whole.parameters[parameter].values = UniformValues{min, max};  // On its page: not listed, but met here and there.
   while (boundary.flights < search.flights) {
     const int round = std::min(kRound, search.flights - boundary.flights);
     for (int i = 0; i < round; ++i) {

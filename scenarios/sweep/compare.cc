@@ -127,7 +127,7 @@ bool Comparison::is_worse() const {
 StoredResults LoadResults(const std::string& source) {
   if (fs::is_directory(source)) {
     const SweepStore store(source, SweepStore::Access::kRead);
-    return {source, store.keys(), store.Results()};
+    return {source, store.terms().keys(), store.Results()};
   }
   return ReadRowsCsv(source);
 }

@@ -6,13 +6,28 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <system_error>
 
 #include "models/error.h"
 
 namespace touchdown::scenarios {
 
-FolderLock::FolderLock(const std::filesystem::path& folder) {
-  const std::filesystem::path file = folder / ".lock";
+namespace fs = std::filesystem;
+
+void ClaimFolder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw InputError(fmt::format("output folder {}: {}", folder.string(), error.message()));
+  if (fs::exists(folder / "sweep.db")) return;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().filename() != ".lock") {
+      throw InputError(fmt::format("output folder {}: is not empty, and no sweep's", folder.string()));
+    }
+  }
+}
+
+FolderLock::FolderLock(const fs::path& folder) {
+  const fs::path file = folder / ".lock";
   fd_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (fd_ < 0) throw InputError(fmt::format("output folder {}: {}", folder.string(), strerror(errno)));
   // Of all kinds of locks the one that a forked process does not inherit.

@@ -4,6 +4,9 @@
 
 namespace touchdown::scenarios {
 
+/// Makes a sweep's folder. Throws InputError when it cannot be made, or holds something else than a sweep.
+void ClaimFolder(const std::filesystem::path& folder);
+
 /// That nobody else works in a folder, while it lives. It ends with the program, however that ends.
 class FolderLock {
  public:

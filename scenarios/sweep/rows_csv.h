@@ -8,6 +8,9 @@
 
 namespace touchdown::scenarios {
 
+/// What tells a file of rows from any other: see WriteOutputFile.
+inline constexpr const char* kRowsCsvMark = "id,variant,";
+
 /// The results of a sweep, wherever they were kept.
 struct StoredResults {
   std::string source = {};  ///< The sweep's folder or the CSV file.

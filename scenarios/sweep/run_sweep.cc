@@ -1,14 +1,12 @@
 #include "scenarios/sweep/run_sweep.h"
 
-#include <fmt/format.h>
-
+#include <chrono>
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <set>
 #include <system_error>
 
-#include "models/error.h"
 #include "scenarios/flight/program_digest.h"
 #include "scenarios/sweep/crew.h"
 #include "scenarios/sweep/folder_lock.h"
@@ -17,19 +15,6 @@ namespace touchdown::scenarios {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Makes the folder, or sees that what is in it is a sweep's.
-void ClaimFolder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw InputError(fmt::format("output folder {}: {}", folder.string(), error.message()));
-  if (fs::exists(folder / "sweep.db")) return;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().filename() != ".lock") {
-      throw InputError(fmt::format("output folder {}: is not empty, and no sweep's", folder.string()));
-    }
-  }
-}
 
 /// What is known of the planned flights, and what is to be flown next.
 class Agenda {
@@ -105,6 +90,20 @@ void RemoveRow(const fs::path& file) {
   fs::remove(file, ignored);
 }
 
+/// nullopt for what is no row, or none yet.
+std::optional<FlightRow> RowIn(const fs::path& file) {
+  if (file.extension() != ".json") return std::nullopt;
+  std::ifstream stream(file, std::ios::binary);
+  return RowFromJson({std::istreambuf_iterator<char>(stream), {}});
+}
+
+/// Whether a process left it that was ended while it wrote, and none writes it now.
+bool IsAbandoned(const fs::directory_entry& entry) {
+  std::error_code gone;
+  const fs::file_time_type written = entry.last_write_time(gone);
+  return !gone && fs::file_time_type::clock::now() - written > std::chrono::minutes(10);
+}
+
 }  // namespace
 
 SweepPlan ShardOf(const SweepPlan& plan, int shard, int shards) {
@@ -115,13 +114,21 @@ SweepPlan ShardOf(const SweepPlan& plan, int shard, int shards) {
   return part;
 }
 
+std::vector<FlightRow> LeftRows(const fs::path& folder) {
+  std::vector<FlightRow> left;
+  if (!fs::exists(folder / "rows")) return left;
+  for (const auto& entry : fs::directory_iterator(folder / "rows")) {
+    if (auto row = RowIn(entry.path())) left.push_back(std::move(*row));
+  }
+  return left;
+}
+
 void TakeInRows(const fs::path& folder, SweepStore& store) {
   const RowFolder rows(folder);
   for (const auto& entry : fs::directory_iterator(rows.rows())) {
-    std::ifstream stream(entry.path(), std::ios::binary);
-    const std::optional<FlightRow> row = RowFromJson({std::istreambuf_iterator<char>(stream), {}});
+    const std::optional<FlightRow> row = RowIn(entry.path());
     if (row) store.Put(*row);
-    RemoveRow(entry.path());  // Else it is what a process left that was ended while it wrote.
+    if (row || IsAbandoned(entry)) RemoveRow(entry.path());
   }
 }
 
@@ -131,7 +138,7 @@ bool RunSweep(const SweepFile& file, const SweepPlan& plan, const fs::path& fold
   const FolderLock lock(folder);
   SweepStore store(folder, SweepStore::Access::kWrite);
   TakeInRows(folder, store);
-  store.SetPlan(file.name, plan, ProgramDigest());
+  store.SetPlan(TermsOf(file), plan, ProgramDigest());
   Agenda agenda(file, plan, store);
   if (progress) progress(agenda.Progress());
 
@@ -146,7 +153,7 @@ bool RunSweep(const SweepFile& file, const SweepPlan& plan, const fs::path& fold
   };
   FlyTasks(
       rows, crew, [&] { return agenda.Next(); }, keep, stop_requested);
-  if (agenda.IsDecided()) store.SetPlan(file.name, FirstOf(plan, agenda.counted()), ProgramDigest());
+  if (agenda.IsDecided()) store.SetPlan(TermsOf(file), FirstOf(plan, agenda.counted()), ProgramDigest());
   return agenda.IsDone();
 }
 

@@ -29,6 +29,9 @@ SweepPlan ShardOf(const SweepPlan& plan, int shard, int shards);
 bool RunSweep(const SweepFile& file, const SweepPlan& plan, const std::filesystem::path& folder, int jobs,
               const StopRequested& stop_requested, const std::function<void(const SweepProgress&)>& progress);
 
+/// The rows that processes left in `folder`, as they lie there.
+std::vector<FlightRow> LeftRows(const std::filesystem::path& folder);
+
 /// Takes the rows that processes left in `folder` into the store, and removes their files.
 void TakeInRows(const std::filesystem::path& folder, SweepStore& store);
 

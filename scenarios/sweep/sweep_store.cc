@@ -103,6 +103,13 @@ struct SweepStore::Impl {
     return query.executeStep() ? query.getColumn(0).getString() : "";
   }
 
+  static std::vector<std::string> ValuesIn(const SQLite::Statement& query, const std::vector<std::string>& keys) {
+    const Json parameters = Json::parse(query.getColumn("parameters").getString());
+    std::vector<std::string> values;
+    for (const std::string& key : keys) values.push_back(parameters.at(key).get<std::string>());
+    return values;
+  }
+
   Metrics MetricsOf(const std::string& id) {
     SQLite::Statement query(*db, "SELECT name, value FROM metrics WHERE id = ?");
     query.bind(1, id);
@@ -133,16 +140,15 @@ SweepStore::SweepStore(const fs::path& folder, Access access) : impl_(std::make_
 
 SweepStore::~SweepStore() = default;
 
-void SweepStore::SetPlan(const std::string& name, const SweepPlan& plan, const std::string& program_digest) {
+void SweepStore::SetPlan(const SweepTerms& terms, const SweepPlan& plan, const std::string& program_digest) {
   impl_->Guarded([&] {
     SQLite::Database& db = *impl_->db;
     SQLite::Transaction transaction(db);
     db.exec("DELETE FROM plan");
     db.exec("DELETE FROM sweep");
     SQLite::Statement put_fact(db, "INSERT INTO sweep VALUES (?, ?)");
-    for (const auto& [key, value] : {std::pair<std::string, std::string>("name", name),
-                                     {"program", program_digest},
-                                     {"keys", Json(plan.keys).dump()}}) {
+    for (const auto& [key, value] :
+         {std::pair<std::string, std::string>("program", program_digest), {"terms", TermsJson(terms)}}) {
       put_fact.bind(1, key);
       put_fact.bind(2, value);
       put_fact.exec();
@@ -209,13 +215,17 @@ bool SweepStore::Has(const std::string& id) const {
   });
 }
 
-std::string SweepStore::name() const {
-  return impl_->Guarded([&] { return impl_->Value("name"); });
+std::string SweepStore::program() const {
+  return impl_->Guarded([&] { return impl_->Value("program"); });
 }
 
-std::vector<std::string> SweepStore::keys() const {
-  const std::string keys = impl_->Guarded([&] { return impl_->Value("keys"); });
-  return keys.empty() ? std::vector<std::string>() : Json::parse(keys).get<std::vector<std::string>>();
+SweepTerms SweepStore::terms() const {
+  const std::string json = impl_->Guarded([&] { return impl_->Value("terms"); });
+  try {
+    return json.empty() ? SweepTerms() : TermsFromJson(json);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", impl_->file.string(), error.what()));
+  }
 }
 
 std::size_t SweepStore::planned() const {
@@ -223,8 +233,23 @@ std::size_t SweepStore::planned() const {
       [&] { return static_cast<std::size_t>(impl_->db->execAndGet("SELECT count(*) FROM plan").getInt64()); });
 }
 
+SweepPlan SweepStore::Plan() const {
+  SweepPlan plan{.keys = terms().keys(), .flights = {}};
+  return impl_->Guarded([&] {
+    SQLite::Statement query(*impl_->db, "SELECT * FROM plan ORDER BY position");
+    while (query.executeStep()) {
+      plan.flights.push_back({.position = query.getColumn("position").getInt64(),
+                              .id = query.getColumn("id").getString(),
+                              .seed = static_cast<std::uint64_t>(query.getColumn("seed").getInt64()),
+                              .variant = query.getColumn("variant").getString(),
+                              .values = Impl::ValuesIn(query, plan.keys)});
+    }
+    return plan;
+  });
+}
+
 std::vector<SweepResult> SweepStore::Results() const {
-  const std::vector<std::string> keys = this->keys();
+  const std::vector<std::string> keys = terms().keys();
   return impl_->Guarded([&] {
     std::vector<SweepResult> results;
     SQLite::Statement query(
@@ -232,9 +257,8 @@ std::vector<SweepResult> SweepStore::Results() const {
     while (query.executeStep()) {
       SweepResult result{.seed = static_cast<std::uint64_t>(query.getColumn("seed").getInt64()),
                          .variant = query.getColumn("variant").getString(),
+                         .values = Impl::ValuesIn(query, keys),
                          .row = RowFrom(query)};
-      const Json parameters = Json::parse(query.getColumn("parameters").getString());
-      for (const std::string& key : keys) result.values.push_back(parameters.at(key).get<std::string>());
       result.row.metrics = impl_->MetricsOf(result.row.id);
       results.push_back(std::move(result));
     }

@@ -9,6 +9,7 @@
 
 #include "scenarios/sweep/flight_row.h"
 #include "scenarios/sweep/sweep_plan.h"
+#include "scenarios/sweep/sweep_terms.h"
 
 namespace touchdown::scenarios {
 
@@ -32,7 +33,7 @@ class SweepStore {
   ~SweepStore();
 
   /// Replaces the plan. Rows of flights that it does not hold stay, and do not count.
-  void SetPlan(const std::string& name, const SweepPlan& plan, const std::string& program_digest);
+  void SetPlan(const SweepTerms& terms, const SweepPlan& plan, const std::string& program_digest);
 
   /// A row of the same id is replaced.
   void Put(const FlightRow& row);
@@ -40,9 +41,13 @@ class SweepStore {
   std::optional<FlightRow> Find(const std::string& id) const;
   bool Has(const std::string& id) const;
 
-  std::string name() const;
-  std::vector<std::string> keys() const;
+  /// Of the plan that was set last.
+  SweepTerms terms() const;
+  /// Digest of the program that planned.
+  std::string program() const;
   std::size_t planned() const;
+  /// Without what is not kept of it: the flights' scenarios, lengths and limits.
+  SweepPlan Plan() const;
   /// What is flown of the plan, in its order.
   std::vector<SweepResult> Results() const;
   /// Rows that another build flew.

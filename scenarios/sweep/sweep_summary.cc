@@ -7,31 +7,18 @@
 namespace touchdown::scenarios {
 namespace {
 
-PassCount CountWhere(const std::vector<SweepResult>& results, const auto& belongs) {
-  PassCount count;
-  for (const SweepResult& result : results) {
-    if (!belongs(result)) continue;
-    ++count.flown;
-    count.passed += result.row.passed() ? 1 : 0;
-  }
-  return count;
-}
-
-std::vector<PassCountOf> CountsByValue(const SweepFile& file, const std::vector<SweepResult>& results) {
+std::vector<PassCountOf> CountsByValue(const SweepTerms& terms, const std::vector<SweepResult>& results) {
   std::vector<PassCountOf> counts;
   const auto add = [&](const std::string& key, const std::string& value, const auto& belongs) {
     const PassCount count = CountWhere(results, belongs);
     if (count.flown > 0) counts.push_back({key, value, count});
   };
-  for (const SweepVariant& variant : file.variants) {
-    if (variant.name.empty()) continue;
-    add("variant", variant.name, [&](const SweepResult& result) { return result.variant == variant.name; });
+  for (const std::string& variant : terms.variants) {
+    add("variant", variant, [&](const SweepResult& result) { return result.variant == variant; });
   }
-  for (std::size_t i = 0; i < file.parameters.size(); ++i) {
-    const auto* listed = std::get_if<ListedValues>(&file.parameters[i].values);
-    if (listed == nullptr) continue;
-    for (const std::string& value : listed->yaml) {
-      add(file.parameters[i].key, value, [&](const SweepResult& result) { return result.values[i] == value; });
+  for (std::size_t i = 0; i < terms.axes.size(); ++i) {
+    for (const std::string& value : terms.axes[i].listed) {
+      add(terms.axes[i].key, value, [&](const SweepResult& result) { return result.values[i] == value; });
     }
   }
   return counts;
@@ -41,7 +28,7 @@ Check Judged(const SweepCriterion& criterion, const std::vector<SweepResult>& re
   Check check{.name = criterion.metric, .limit = LimitText({criterion.metric, criterion.min, criterion.max})};
   if (criterion.quantile) {
     check.name += fmt::format(" at {:g}", *criterion.quantile);
-    check.unit = FindMetric(criterion.metric)->unit;
+    if (const MetricInfo* const info = FindMetric(criterion.metric)) check.unit = info->unit;
     const std::vector<double> values = MetricValues(results, criterion.metric);
     if (!values.empty()) check.value = Quantile(values, *criterion.quantile);
   } else if (all.flown > 0) {
@@ -67,13 +54,16 @@ std::vector<double> MetricValues(const std::vector<SweepResult>& results, const 
   return values;
 }
 
-SweepSummary Summarize(const SweepFile& file, const std::vector<SweepResult>& results, std::size_t planned) {
-  SweepSummary summary{.planned = static_cast<int>(planned),
-                       .all = CountWhere(results, [](const SweepResult&) { return true; }),
-                       .by_value = CountsByValue(file, results),
+SweepOutcome ReadOutcome(const SweepStore& store) {
+  return {.terms = store.terms(), .results = store.Results(), .planned = store.planned(), .stale = store.stale()};
+}
+
+SweepSummary Summarize(const SweepOutcome& sweep) {
+  SweepSummary summary{.all = CountWhere(sweep.results, [](const SweepResult&) { return true; }),
+                       .by_value = CountsByValue(sweep.terms, sweep.results),
                        .criteria = {}};
-  for (const SweepCriterion& criterion : file.criteria) {
-    summary.criteria.push_back(Judged(criterion, results, summary.all));
+  for (const SweepCriterion& criterion : sweep.terms.criteria) {
+    summary.criteria.push_back(Judged(criterion, sweep.results, summary.all));
   }
   return summary;
 }

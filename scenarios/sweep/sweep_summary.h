@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "scenarios/study/statistics.h"
-#include "scenarios/sweep/sweep_file.h"
 #include "scenarios/sweep/sweep_store.h"
 
 namespace touchdown::scenarios {
@@ -24,8 +23,18 @@ struct PassCountOf {
   PassCount count = {};
 };
 
+/// All that is known of a sweep.
+struct SweepOutcome {
+  SweepTerms terms = {};
+  std::vector<SweepResult> results = {};  ///< What is flown of the plan.
+  std::size_t planned = 0;
+  std::size_t stale = 0;  ///< Flights of another build.
+};
+
+/// Throws as SweepStore does.
+SweepOutcome ReadOutcome(const SweepStore& store);
+
 struct SweepSummary {
-  int planned = 0;
   PassCount all = {};
   std::vector<PassCountOf> by_value = {};  ///< Of keys with a few values each: those that are listed, not drawn.
   std::vector<Check> criteria = {};
@@ -33,8 +42,20 @@ struct SweepSummary {
   bool keeps_criteria() const;
 };
 
-/// `results` are what is flown of `planned` flights. A criterion on a metric that no flight has is not kept.
-SweepSummary Summarize(const SweepFile& file, const std::vector<SweepResult>& results, std::size_t planned);
+/// A criterion on a metric that no flight has is not kept.
+SweepSummary Summarize(const SweepOutcome& sweep);
+
+/// Of the flights to which `belongs` applies.
+template <typename Belongs>
+PassCount CountWhere(const std::vector<SweepResult>& results, const Belongs& belongs) {
+  PassCount count;
+  for (const SweepResult& result : results) {
+    if (!belongs(result)) continue;
+    ++count.flown;
+    count.passed += result.row.passed() ? 1 : 0;
+  }
+  return count;
+}
 
 /// Of the flights that have it.
 std::vector<double> MetricValues(const std::vector<SweepResult>& results, const std::string& metric);

@@ -1,5 +1,6 @@
-# cmake -D TEMPLATE=file -D PAPER_TEMPLATE=file -D STYLE=file -D SCRIPT=file -D LICENCE=file -D OUT=file.cc -P embed.cmake: the files as the
-# functions that scenarios/report/page_assets.h declares. LICENCE is uPlot's, which must go where uPlot goes.
+# cmake -D TEMPLATE=file -D PAPER_TEMPLATE=file -D SWEEP_TEMPLATE=file -D SECTION_TEMPLATE=file -D STYLE=file
+# -D SCRIPT=file -D LICENCE=file -D OUT=file.cc -P embed.cmake: the files as the functions that
+# scenarios/report/page_assets.h declares. LICENCE is uPlot's, which must go where uPlot goes.
 function(define name bytes)
   string(REGEX REPLACE "(..)" "'\\\\x\\1'," bytes "${bytes}")
   set(code "${code}\nstd::string_view ${name}() {\n  static constexpr char kBytes[] = {${bytes}};\n  return {kBytes, sizeof(kBytes)};\n}\n" PARENT_SCOPE)
@@ -7,6 +8,8 @@ endfunction()
 
 file(READ ${TEMPLATE} template HEX)
 file(READ ${PAPER_TEMPLATE} paper_template HEX)
+file(READ ${SWEEP_TEMPLATE} sweep_template HEX)
+file(READ ${SECTION_TEMPLATE} section_template HEX)
 file(READ ${STYLE} style HEX)
 file(READ ${SCRIPT} script HEX)
 file(READ ${LICENCE} licence)
@@ -15,6 +18,8 @@ string(HEX "/* With uPlot:\n${licence}*/\n" licence)
 set(code "")
 define(PageTemplate ${template})
 define(PaperPageTemplate ${paper_template})
+define(SweepPageTemplate ${sweep_template})
+define(SectionTemplate ${section_template})
 define(PageStyle ${style})
 define(PageScript ${licence}${script})
 file(WRITE ${OUT} "#include \"scenarios/report/page_assets.h\"

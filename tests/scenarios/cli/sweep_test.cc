@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 
 #include <chrono>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -12,7 +13,9 @@
 #include <string>
 #include <vector>
 
+#include "scenarios/sweep/sweep_store.h"
 #include "tests/support/program_fixture.h"
+#include "tests/support/short_sweep.h"
 #include "tests/support/small_mount.h"
 
 namespace touchdown::scenarios {
@@ -28,14 +31,7 @@ using tests::SmallMount;
 
 class SweepCommand : public tests::ProgramFixture {
  protected:
-  /// A sweep of flights that are over soon.
-  void PutSweep(int seeds, const std::string& more = "") {
-    folder_.Put("short.yaml", R"(start: {airborne: true, position_m: [0, 0, 0.4]}
-script: [{do: hover, position_m: [0, 0, 0.4], duration_s: 0.1}]
-camera: {model: {width_px: 320, height_px: 240, fx_px: 160, fy_px: 160, cx_px: 159.5, cy_px: 119.5}}
-)");
-    folder_.Put("sweep.yaml", "base: short.yaml\nseeds: {count: " + std::to_string(seeds) + "}\n" + more);
-  }
+  void PutSweep(int seeds, const std::string& more = "") { tests::PutShortSweep(folder_, seeds, more); }
   ProgramRun Sweep(const std::vector<std::string>& more = {}, const tests::Interruption& interruption = {}) {
     std::vector<std::string> arguments{"sweep", "sweep.yaml", "--out", "out"};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -45,6 +41,14 @@ camera: {model: {width_px: 320, height_px: 240, fx_px: 160, fy_px: 160, cx_px: 1
   std::string Csv(const std::string& folder) {
     EXPECT_EQ(Run({"sweep", "sweep.yaml", "--out", folder, "--csv", folder + ".csv", "--quiet"}).status, 0);
     return folder_.Content(folder + ".csv");
+  }
+  /// By the wall clock, of each row: a flight that is flown again takes another time.
+  std::string WallTimes(const std::string& folder) const {
+    std::string walls;
+    for (const SweepResult& result : SweepStore(folder_ / folder, SweepStore::Access::kRead).Results()) {
+      walls += std::to_string(result.row.wall_s) + "\n";
+    }
+    return walls;
   }
   /// Sends a signal to one of the processes that fly for the sweep in `out`, when there is one.
   bool Signal(int signal) const {
@@ -71,9 +75,9 @@ TEST_F(SweepCommand, FliesEachFlightOnceHoweverManyAtATime) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 7);
   EXPECT_EQ(csv, folder_.Content("one.csv"));
 
-  const steady_clock::time_point begin = steady_clock::now();
-  EXPECT_EQ(Csv("out"), csv) << "flies nothing again";
-  EXPECT_LT(steady_clock::now() - begin, std::chrono::seconds(2));
+  const std::string walls = WallTimes("out");
+  EXPECT_EQ(Csv("out"), csv);
+  EXPECT_EQ(WallTimes("out"), walls) << "nothing was flown again";
   PutSweep(4, "parameters: {camera.noise_sigma: [0, 3]}\n");
   const std::string longer = Csv("out");
   EXPECT_EQ(std::count(longer.begin(), longer.end(), '\n'), 9) << "two more";
@@ -107,6 +111,22 @@ TEST_F(SweepCommand, FailsWhenItsCriteriaAreNotKept) {
   EXPECT_THAT(run.out, AllOf(HasSubstr("pass  pass_rate"), HasSubstr("FAIL  flight.sim_time_s at 0.5")));
 }
 
+TEST_F(SweepCommand, LeavesAReportThatIsRebuiltFromItsRowsAlone) {
+  PutSweep(2, "criteria: [{metric: flight.sim_time_s, quantile: 0.5, max: 0.01}]\n");
+  ASSERT_EQ(Sweep().status, 1);
+  const std::string page = folder_.Content("out/report.html");
+  EXPECT_THAT(page, AllOf(HasSubstr("Criteria not kept"), HasSubstr("flight.sim_time_s at 0.5")));
+  for (const char* name : {"sweep.yaml", "short.yaml", "out/report.html"}) fs::remove(folder_ / name);
+  EXPECT_EQ(Run({"report", "out"}).status, 0);
+  EXPECT_EQ(folder_.Content("out/report.html"), page);
+
+  folder_.Put("out/report.html", "mine");
+  EXPECT_THAT(ErrorOf({"report", "out"}), HasSubstr("out/report.html: is there already, and something else"));
+  PutSweep(3);
+  EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--out", "out"}), HasSubstr("out/report.html"));
+  EXPECT_EQ(folder_.Content("out/report.html"), "mine");
+}
+
 TEST_F(SweepCommand, StopsWhenEnoughIsFlownWithTheSameRowsHoweverMany) {
   PutSweep(30, "stop_when: {good_pass_rate: 0.9, bad_pass_rate: 0.5, good_refused: 0.1, bad_accepted: 0.1}\n");
   // Each pass weighs ln(0.5/0.9); ln(0.1/0.9) takes four of them.
@@ -115,13 +135,38 @@ TEST_F(SweepCommand, StopsWhenEnoughIsFlownWithTheSameRowsHoweverMany) {
   EXPECT_EQ(folder_.Content("two.csv"), folder_.Content("one.csv"));
 }
 
+TEST_F(SweepCommand, SeeksTheValueAtWhichFlightsBeginToFail) {
+  // A flight takes 0.115 s more than its hover: beyond a hover of 0.15 s it takes too long.
+  PutSweep(1,
+           "set: {criteria: [{metric: flight.sim_time_s, max: 0.265}]}\n"
+           "parameters: {script.0.duration_s: {range: {from: 0.05, to: 0.25, count: 2}}}\n");
+  const std::vector<std::string> seek{"sweep",     "sweep.yaml", "--boundary", "script.0.duration_s",
+                                      "--flights", "24",         "--out",      "edge"};
+  const ProgramRun run = Run(seek);
+  EXPECT_EQ(run.status, 0) << run.err;
+  double edge = 0.0, low = 0.0, high = 0.0;
+  const std::size_t at = run.out.find("script.0.duration_s = ");
+  ASSERT_NE(at, std::string::npos) << run.out;
+  ASSERT_EQ(std::sscanf(run.out.c_str() + at, "script.0.duration_s = %lf (95 %%: %lf to %lf)", &edge, &low, &high), 3);
+  EXPECT_NEAR(edge, 0.15, 0.01);
+  EXPECT_LE(low, 0.15);
+  EXPECT_GE(high, 0.15);
+  const std::string walls = WallTimes("edge");
+  EXPECT_EQ(Run(seek).out, run.out);
+  EXPECT_EQ(WallTimes("edge"), walls) << "nothing was flown again";
+  EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--boundary", "camera.noise_sigma", "--out", "edge"}),
+              HasSubstr("--boundary camera.noise_sigma: the sweep lists no values of it"));
+}
+
 TEST_F(SweepCommand, LandsWhatFliesAndGoesOnLaterWhenInterrupted) {
   PutSweep(8);
   const ProgramRun run = Sweep({"--jobs", "2"}, {SIGINT, [&] { return Signal(0); }});
   EXPECT_EQ(run.status, 130) << run.err;
   EXPECT_THAT(run.err, HasSubstr("the same command goes on from there"));
   EXPECT_THAT(run.out, Not(HasSubstr("8 of 8")));
+  EXPECT_THAT(folder_.Content("out/report.html"), HasSubstr("of 8 flights are yet to be flown"));
   EXPECT_THAT(Sweep().out, HasSubstr("8 of 8 flights"));
+  EXPECT_THAT(folder_.Content("out/report.html"), Not(HasSubstr("yet to be flown")));
 }
 
 TEST_F(SweepCommand, HasTheSameRowsAfterTwentyKills) {

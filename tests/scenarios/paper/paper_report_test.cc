@@ -18,8 +18,8 @@ std::string Jpeg() {
   return {bytes.begin(), bytes.end()};
 }
 
-std::vector<ReportSection> Sections() {
-  ReportSection section{.id = "yaw", .title = "Yaw <of> the letter"};
+std::vector<PaperSection> Sections() {
+  PaperSection section{{.id = "yaw", .title = "Yaw <of> the letter"}};
   section.paragraphs = {"With <b>words</b>."};
   section.figures.push_back({.name = "errors",
                              .title = "Errors",

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <set>
 
@@ -153,6 +154,19 @@ TEST_F(SweepPlanTest, NamesFileLineAndKeyOfAParameterThatIsNoScenarios) {
       EXPECT_THAT(said.what(), HasSubstr(error));
     }
   }
+}
+
+TEST(ShippedSweeps, CanAllBeFlown) {
+  int sweeps = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(TOUCHDOWN_SOURCE_DIR) / "scenarios" / "sweeps")) {
+    SweepFile file = LoadSweepFile(entry.path());
+    file.seeds.count = 1;
+    EXPECT_FALSE(PlanSweep(file, "program").flights.empty()) << entry.path();
+    EXPECT_FALSE(file.description.empty()) << entry.path();
+    ++sweeps;
+  }
+  EXPECT_GE(sweeps, 8);
 }
 
 }  // namespace

@@ -15,12 +15,21 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 SweepPlan PlanOf(const std::vector<std::string>& ids) {
-  SweepPlan plan{.keys = {"camera.noise_sigma"}, .flights = {}};
+  SweepPlan plan{.keys = {"camera.noise_sigma", "start.yaw_deg"}, .flights = {}};
   for (const std::string& id : ids) {
     plan.flights.push_back(
-        {.position = static_cast<std::int64_t>(plan.flights.size()), .id = id, .seed = 7, .values = {"3"}});
+        {.position = static_cast<std::int64_t>(plan.flights.size()), .id = id, .seed = 7, .values = {"3", "1.5"}});
   }
   return plan;
+}
+
+SweepTerms Terms() {
+  return {.name = "sweep",
+          .description = "For people: \"so\".",
+          .axes = {{"camera.noise_sigma", {"3", "4.5"}}, {"start.yaw_deg", {}}},
+          .variants = {"a", "b"},
+          .criteria = {{.metric = "pass_rate", .min = 0.9, .max = 1.0},
+                       {.metric = "flight.sim_time_s", .quantile = 0.25, .max = 0.1 + 0.2}}};
 }
 
 FlightRow Row(const std::string& id, const std::string& verdict = "pass", const std::string& program = "this") {
@@ -56,11 +65,10 @@ class SweepStoreTest : public testing::Test {
 TEST_F(SweepStoreTest, GivesBackWhatItWasGiven) {
   {
     SweepStore store = Open();
-    store.SetPlan("sweep", PlanOf({"a", "b"}), "this");
+    store.SetPlan(Terms(), PlanOf({"a", "b"}), "this");
     store.Put(Row("a", "fail"));
   }
   const SweepStore store = Open(SweepStore::Access::kRead);
-  EXPECT_EQ(store.name(), "sweep");
   EXPECT_EQ(store.planned(), 2u);
   EXPECT_TRUE(store.Has("a"));
   EXPECT_FALSE(store.Has("b"));
@@ -69,13 +77,50 @@ TEST_F(SweepStoreTest, GivesBackWhatItWasGiven) {
   const std::vector<SweepResult> results = store.Results();
   ASSERT_EQ(results.size(), 1u);
   EXPECT_EQ(results[0].seed, 7u);
-  EXPECT_THAT(results[0].values, ElementsAre("3"));
+  EXPECT_THAT(results[0].values, ElementsAre("3", "1.5"));
   EXPECT_EQ(results[0].row.metrics.at("flight.sim_time_s"), 0.1 + 0.2) << "to the last bit";
+}
+
+TEST_F(SweepStoreTest, KeepsWhatTheResultsAreJudgedBy) {
+  EXPECT_THAT(Open().terms().keys(), testing::IsEmpty()) << "no plan yet";
+  Open().SetPlan(Terms(), PlanOf({"a"}), "this");
+  const SweepTerms terms = Open(SweepStore::Access::kRead).terms();
+  EXPECT_EQ(terms.name, "sweep");
+  EXPECT_EQ(terms.description, "For people: \"so\".");
+  EXPECT_THAT(terms.keys(), ElementsAre("camera.noise_sigma", "start.yaw_deg"));
+  EXPECT_THAT(terms.axes[0].listed, ElementsAre("3", "4.5"));
+  EXPECT_THAT(terms.axes[1].listed, testing::IsEmpty());
+  EXPECT_THAT(terms.variants, ElementsAre("a", "b"));
+  ASSERT_EQ(terms.criteria.size(), 2u);
+  EXPECT_EQ(terms.criteria[0].quantile, std::nullopt);
+  EXPECT_EQ(terms.criteria[0].min, 0.9);
+  EXPECT_EQ(terms.criteria[0].max, 1.0);
+  EXPECT_EQ(terms.criteria[1].metric, "flight.sim_time_s");
+  EXPECT_EQ(terms.criteria[1].quantile, 0.25);
+  EXPECT_EQ(terms.criteria[1].min, std::nullopt);
+  EXPECT_EQ(terms.criteria[1].max, 0.1 + 0.2) << "to the last bit";
+}
+
+TEST(SweepTerms, AreOfASweepsFile) {
+  const SweepFile file{
+      .name = "n",
+      .description = "d",
+      .parameters = {{.key = "a", .values = ListedValues{{"1", "2"}}}, {.key = "b", .values = UniformValues{}}},
+      .variants = {{.name = "v"}, {.name = "w"}},
+      .criteria = {{.metric = "pass_rate", .min = 0.5}}};
+  const SweepTerms terms = TermsOf(file);
+  EXPECT_THAT(terms.axes[0].listed, ElementsAre("1", "2"));
+  EXPECT_THAT(terms.axes[1].listed, testing::IsEmpty());
+  EXPECT_THAT(terms.variants, ElementsAre("v", "w"));
+  EXPECT_THAT(TermsOf({.variants = std::vector<SweepVariant>(1)}).variants, testing::IsEmpty());
+  EXPECT_EQ(TermsJson(TermsFromJson(TermsJson(terms))), TermsJson(terms));
+  EXPECT_THROW(TermsFromJson("{}"), InputError);
+  EXPECT_THROW(TermsFromJson("no json"), InputError);
 }
 
 TEST_F(SweepStoreTest, CountsAFlightThatWasFlownTwiceOnce) {
   SweepStore store = Open();
-  store.SetPlan("sweep", PlanOf({"a"}), "this");
+  store.SetPlan(Terms(), PlanOf({"a"}), "this");
   store.Put(Row("a"));
   store.Put(Row("a"));
   EXPECT_EQ(store.Results().size(), 1u);
@@ -83,9 +128,9 @@ TEST_F(SweepStoreTest, CountsAFlightThatWasFlownTwiceOnce) {
 
 TEST_F(SweepStoreTest, KeepsAndDoesNotCountWhatIsNotOfThePlanOrOfAnotherBuild) {
   SweepStore store = Open();
-  store.SetPlan("sweep", PlanOf({"a", "b"}), "old");
+  store.SetPlan(Terms(), PlanOf({"a", "b"}), "old");
   store.Put(Row("a", "pass", "old"));
-  store.SetPlan("sweep", PlanOf({"c"}), "this");
+  store.SetPlan(Terms(), PlanOf({"c"}), "this");
   store.Put(Row("c"));
   EXPECT_EQ(store.Results().size(), 1u);
   EXPECT_EQ(store.stale(), 1u);
@@ -102,7 +147,7 @@ TEST_F(SweepStoreTest, RefusesWhatIsNoSweeps) {
 TEST_F(SweepStoreTest, RefusesAnotherVersionAndADamagedFile) {
   {
     SweepStore store = Open();
-    store.SetPlan("sweep", PlanOf({"a"}), "this");
+    store.SetPlan(Terms(), PlanOf({"a"}), "this");
     for (int i = 0; i < 200; ++i) store.Put(Row("row " + std::to_string(i)));
   }
   const std::string whole = folder_.Content("sweep.db");
@@ -127,6 +172,23 @@ TEST(RowsCsv, IsSortedByIdAndQuotesWhatMustBe) {
   EXPECT_LT(first, second);
   EXPECT_THAT(csv, testing::EndsWith(",abc\n"));
   EXPECT_THAT(csv, testing::Not(HasSubstr(",h,"))) << "no host";
+}
+
+TEST_F(SweepStoreTest, GivesBackItsPlan) {
+  SweepStore store = Open();
+  SweepPlan plan = PlanOf({"a", "b"});
+  plan.flights[1].position = 5;
+  plan.flights[1].variant = "windy";
+  store.SetPlan(Terms(), plan, "this");
+  const SweepPlan kept = store.Plan();
+  EXPECT_EQ(store.program(), "this");
+  EXPECT_EQ(kept.keys, plan.keys);
+  ASSERT_EQ(kept.flights.size(), 2u);
+  EXPECT_EQ(kept.flights[1].position, 5);
+  EXPECT_EQ(kept.flights[1].id, "b");
+  EXPECT_EQ(kept.flights[1].seed, 7u);
+  EXPECT_EQ(kept.flights[1].variant, "windy");
+  EXPECT_THAT(kept.flights[1].values, ElementsAre("3", "1.5"));
 }
 
 }  // namespace

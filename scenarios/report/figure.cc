@@ -1,4 +1,4 @@
-#include "scenarios/paper/figure.h"
+#include "scenarios/report/figure.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

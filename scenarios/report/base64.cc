@@ -1,4 +1,4 @@
-#include "scenarios/paper/base64.h"
+#include "scenarios/report/base64.h"
 
 #include <openssl/evp.h>
 

@@ -1,4 +1,4 @@
-#include "scenarios/paper/figure.h"
+#include "scenarios/report/figure.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

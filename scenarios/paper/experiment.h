@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "scenarios/paper/figure.h"
 #include "scenarios/paper/measurement.h"
+#include "scenarios/report/section.h"
 
 namespace touchdown::scenarios {
 
@@ -22,37 +22,15 @@ struct ComparedQuantity {
   bool IsKept() const { return !published || (ours && *ours <= *published); }
 };
 
-struct ReportTable {
-  std::string name = {};  ///< Of its CSV file.
-  std::string caption = {};
-  std::vector<std::string> head = {};
-  std::vector<std::vector<std::string>> rows = {};
-};
-
-/// A picture, as it is, beside the drawn figures.
-struct ReportPicture {
-  std::string name = {};  ///< Of its file, without ending.
-  std::string title = {};
-  std::string caption = {};
-  std::string jpeg = {};
-  std::string csv = {};  ///< What is drawn into it, as numbers.
-};
-
-/// One experiment of the paper in the report.
-struct ReportSection {
-  std::string id = {};
-  std::string title = {};                    ///< "Hand-held (Sec. VI-B.1, Fig. 6)".
-  std::vector<std::string> paragraphs = {};  ///< HTML.
-  std::vector<Figure> figures = {};
-  std::vector<ReportPicture> pictures = {};
-  std::vector<ReportTable> tables = {};
+/// One experiment of the paper in the report. Its title is as "Hand-held (Sec. VI-B.1, Fig. 6)".
+struct PaperSection : ReportSection {
   std::vector<ComparedQuantity> compared = {};
 };
 
 /// What is to be measured, and how it is told.
 struct Experiment {
   std::vector<Measurement> measurements = {};
-  std::function<ReportSection(const Measured&)> report = {};
+  std::function<PaperSection(const Measured&)> report = {};
 };
 
 }  // namespace touchdown::scenarios

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "scenarios/cli/command.h"
+
+namespace touchdown::scenarios {
+
+/// `touchdown collect`: the rows of a sweep that flew elsewhere.
+void AddCollect(CLI::App& app, Run& run);
+
+}  // namespace touchdown::scenarios

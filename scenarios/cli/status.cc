@@ -1,0 +1,68 @@
+#include "scenarios/cli/status.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "scenarios/sweep/sweep_status.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+struct Options {
+  std::string folder;
+  bool json = false;
+};
+
+nlohmann::ordered_json StatusJson(const SweepStatus& status) {
+  nlohmann::ordered_json json{{"sweep", status.name},
+                              {"planned", status.planned},
+                              {"flown", status.flown},
+                              {"passed", status.passed},
+                              {"failed", status.flown - status.passed},
+                              {"stale", status.stale}};
+  if (status.slurm_job) json["slurm_job"] = *status.slurm_job;
+  if (status.slurm_tasks) json["slurm_tasks"] = *status.slurm_tasks;
+  return json;
+}
+
+std::string SlurmWords(const SweepStatus& status) {
+  if (!status.slurm_tasks) return "squeue does not tell";
+  if (status.slurm_tasks->empty()) return "is over";
+  std::string words;
+  for (const auto& [state, tasks] : *status.slurm_tasks) {
+    words += fmt::format("{}{} {}", words.empty() ? "tasks: " : ", ", tasks, state);
+  }
+  return words;
+}
+
+void PrintStatus(const SweepStatus& status) {
+  fmt::print("{}: {} of {} flights\n", status.name, status.flown, status.planned);
+  fmt::print("  passed {}\n  failed {}\n", status.passed, status.flown - status.passed);
+  if (status.stale > 0) fmt::print("  stale  {} (flown by another build)\n", status.stale);
+  if (status.slurm_job) fmt::print("Slurm job {}: {}\n", *status.slurm_job, SlurmWords(status));
+}
+
+int Status(const Options& options) {
+  const SweepStatus status = StatusOf(options.folder);
+  if (options.json) {
+    fmt::print("{}\n", StatusJson(status).dump(2));
+  } else {
+    PrintStatus(status);
+  }
+  return kPassed;
+}
+
+}  // namespace
+
+void AddStatus(CLI::App& app, Run& run) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("status", "Tell how far a sweep is, wherever it flies");
+  command.add_option("DIR", options->folder, "The sweep's folder")->required();
+  command.add_flag("--json", options->json, "Print it as JSON");
+  command.callback([options, &run] { run = [options] { return Status(*options); }; });
+}
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "scenarios/cli/command.h"
+
+namespace touchdown::scenarios {
+
+/// `touchdown status`: how far a sweep is.
+void AddStatus(CLI::App& app, Run& run);
+
+}  // namespace touchdown::scenarios

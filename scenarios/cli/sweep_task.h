@@ -1,0 +1,10 @@
+#pragma once
+
+#include "scenarios/cli/command.h"
+
+namespace touchdown::scenarios {
+
+/// `touchdown sweep-task`: what the tasks of a sweep on Slurm run.
+void AddSweepTask(CLI::App& app, Run& run);
+
+}  // namespace touchdown::scenarios

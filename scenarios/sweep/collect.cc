@@ -1,0 +1,95 @@
+#include "scenarios/sweep/collect.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <string>
+#include <system_error>
+
+#include "models/error.h"
+#include "scenarios/sweep/folder_lock.h"
+#include "scenarios/sweep/run_sweep.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A sweep, or some of its flights, as a folder has it.
+struct Part {
+  fs::path folder;
+  SweepTerms terms;
+  std::string program;
+  SweepPlan plan;
+};
+
+Part ReadPart(const fs::path& folder) {
+  const SweepStore store(folder, SweepStore::Access::kRead);
+  return {folder, store.terms(), store.program(), store.Plan()};
+}
+
+/// All parts' flights, by position.
+SweepPlan Join(const std::vector<Part>& parts) {
+  const Part& first = parts.front();
+  std::map<std::int64_t, PlannedFlight> flights;
+  for (const Part& part : parts) {
+    const auto refuse = [&](const std::string& why) { throw InputError(part.folder.string() + ": " + why); };
+    if (part.terms.name != first.terms.name) {
+      refuse(
+          fmt::format("is of sweep {}, and {} of sweep {}", part.terms.name, first.folder.string(), first.terms.name));
+    }
+    if (part.program != first.program) refuse(fmt::format("is of another build than {}", first.folder.string()));
+    for (const PlannedFlight& flight : part.plan.flights) {
+      if (part.plan.keys != first.plan.keys || flights.emplace(flight.position, flight).first->second.id != flight.id) {
+        refuse(fmt::format("plans other flights than {}, under the same name", first.folder.string()));
+      }
+    }
+  }
+  SweepPlan whole{.keys = first.plan.keys, .flights = {}};
+  for (const auto& [position, flight] : flights) whole.flights.push_back(flight);
+  return whole;
+}
+
+void TakeRows(const Part& part, SweepStore& store) {
+  std::vector<FlightRow> rows = LeftRows(part.folder);
+  for (SweepResult& result : SweepStore(part.folder, SweepStore::Access::kRead).Results()) {
+    rows.push_back(std::move(result.row));
+  }
+  for (const FlightRow& row : rows) {
+    if (row.program == part.program && !store.Has(row.id)) store.Put(row);
+  }
+}
+
+void CopyPictures(const fs::path& from, const fs::path& to) {
+  if (!fs::exists(from / "pictures")) return;
+  std::error_code error;
+  fs::create_directories(to / "pictures", error);
+  if (!error) {
+    fs::copy(from / "pictures", to / "pictures", fs::copy_options::recursive | fs::copy_options::overwrite_existing,
+             error);
+  }
+  if (error) throw InputError(fmt::format("output folder {}: {}", to.string(), error.message()));
+}
+
+}  // namespace
+
+void Collect(const fs::path& folder, const std::vector<fs::path>& from) {
+  std::vector<Part> parts;
+  if (from.empty() || fs::exists(folder / "sweep.db")) parts.push_back(ReadPart(folder));
+  for (const fs::path& each : from) parts.push_back(ReadPart(each));
+  const SweepPlan whole = Join(parts);
+
+  ClaimFolder(folder);
+  const FolderLock lock(folder);
+  SweepStore store(folder, SweepStore::Access::kWrite);
+  TakeInRows(folder, store);
+  if (from.empty()) return;
+  store.SetPlan(parts.front().terms, whole, parts.front().program);
+  for (const Part& part : parts) {
+    if (fs::equivalent(part.folder, folder)) continue;
+    TakeRows(part, store);
+    CopyPictures(part.folder, folder);
+  }
+}
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,168 @@
+#include "scenarios/sweep/pass_rate_figures.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "scenarios/report/text.h"
+#include "scenarios/sweep/figure_text.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+/// The listed values of an axis, the smallest first.
+std::vector<std::string> Sorted(const SweepAxis& axis) {
+  std::vector<std::string> values = axis.listed;
+  std::sort(values.begin(), values.end(),
+            [](const std::string& a, const std::string& b) { return AsNumber(a) < AsNumber(b); });
+  return values;
+}
+
+/// Names the cells of a heat map; of many, every so many.
+std::string TicsCommand(const char* tics, const std::vector<std::string>& values) {
+  constexpr std::size_t kMost = 14;
+  const std::size_t step = (values.size() + kMost - 1) / kMost;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < values.size(); i += step) names.push_back(fmt::format("{} {}", Quoted(values[i]), i));
+  return fmt::format("set {} ({})\n", tics, fmt::join(names, ", "));
+}
+
+/// A flight's value of a drawn parameter, and what became of it.
+struct DrawnPoint {
+  double value = 0.0;
+  bool passed = false;
+};
+
+std::vector<DrawnPoint> DrawnPoints(const SweepOutcome& sweep, std::size_t axis) {
+  std::vector<DrawnPoint> points;
+  for (const SweepResult& result : sweep.results) {
+    if (const auto value = AsNumber(result.values[axis])) points.push_back({*value, result.row.passed()});
+  }
+  std::stable_sort(points.begin(), points.end(),
+                   [](const DrawnPoint& a, const DrawnPoint& b) { return a.value < b.value; });
+  return points;
+}
+
+/// Each group's rate in a line, at its mean value. `points` are sorted.
+std::string GroupLines(const std::vector<DrawnPoint>& points) {
+  constexpr std::size_t kGroups = 5, kFewest = 5 * kGroups;
+  if (points.size() < kFewest) return "";
+  std::string csv;
+  for (std::size_t group = 0; group < kGroups; ++group) {
+    const std::size_t from = group * points.size() / kGroups, to = (group + 1) * points.size() / kGroups;
+    PassCount count;
+    double sum = 0.0;
+    for (std::size_t i = from; i < to; ++i) {
+      ++count.flown;
+      count.passed += points[i].passed ? 1 : 0;
+      sum += points[i].value;
+    }
+    const Interval rate = count.rate();
+    csv += CsvLine({Number(sum / count.flown), "", "", Fixed(kPercent * rate.value, 2), Fixed(kPercent * rate.low, 2),
+                    Fixed(kPercent * rate.high, 2)});
+  }
+  return csv;
+}
+
+}  // namespace
+
+std::optional<double> AsNumber(const std::string& yaml) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(yaml.data(), yaml.data() + yaml.size(), value);
+  const bool is_number = error == std::errc() && end == yaml.data() + yaml.size() && std::isfinite(value);
+  return is_number ? std::optional(value) : std::nullopt;
+}
+
+Figure PassRateFigure(const std::string& key, const std::vector<PassCountOf>& counts) {
+  std::vector<std::vector<double>> rows;
+  for (const PassCountOf& each : counts) {
+    const Interval rate = each.count.rate();
+    rows.push_back({*AsNumber(each.value), kPercent * rate.value, kPercent * rate.low, kPercent * rate.high});
+  }
+  std::sort(rows.begin(), rows.end());
+  Figure figure{.name = NameOf("pass_rate", key),
+                .title = key,
+                .caption = "Share of flights that passed, with its 95 % interval (Wilson).",
+                .csv = "value,percent,low,high\n"};
+  for (const auto& row : rows)
+    figure.csv += CsvLine({Number(row[0]), Fixed(row[1], 2), Fixed(row[2], 2), Fixed(row[3], 2)});
+  figure.plot = RangeAround("xrange", rows.front()[0], rows.back()[0]) +
+                fmt::format(
+                    "set xlabel {} noenhanced\nset ylabel 'passed, %'\nset yrange [-3:103]\nunset key\n"
+                    "plot data using 'value':'percent':'low':'high' with yerrorlines pt 7 ps 0.5 lw 1.4 lc rgb "
+                    "ESTIMATE\n",
+                    Quoted(key));
+  figure.width_cm = 12.0;
+  figure.height_cm = 6.0;
+  return figure;
+}
+
+Figure HeatMapFigure(const SweepOutcome& sweep, std::size_t axis_x, std::size_t axis_y) {
+  const SweepAxis &x = sweep.terms.axes[axis_x], &y = sweep.terms.axes[axis_y];
+  const std::vector<std::string> columns = Sorted(x), rows = Sorted(y);
+  Figure figure{.name = NameOf("heat_map_" + x.key, y.key),
+                .title = fmt::format("{} and {}", x.key, y.key),
+                .caption = "Share of flights that passed; in each cell how many of how many.",
+                .csv = "x,y,passed,flown,percent\n"};
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    for (std::size_t column = 0; column < columns.size(); ++column) {
+      const PassCount count = CountWhere(sweep.results, [&](const SweepResult& result) {
+        return result.values[axis_x] == columns[column] && result.values[axis_y] == rows[row];
+      });
+      if (count.flown == 0) continue;
+      figure.csv += fmt::format("{},{},{},{},{}\n", column, row, count.passed, count.flown,
+                                Fixed(kPercent * count.rate().value, 2));
+    }
+  }
+  // Pale, so that the same dark figures can be read in every cell of both themes.
+  figure.plot =
+      TicsCommand("xtics", columns) + TicsCommand("ytics", rows) +
+      fmt::format("set xlabel {} noenhanced\nset ylabel {} noenhanced\nset xrange [-0.5:{}]\nset yrange [-0.5:{}]\n",
+                  Quoted(x.key), Quoted(y.key), static_cast<double>(columns.size()) - 0.5,
+                  static_cast<double>(rows.size()) - 0.5) +
+      "unset key\nunset grid\nset cbrange [0:100]\nset cblabel 'passed, %' textcolor rgb INK\n"
+      "set palette defined (0 '#f0a878', 50 '#f4f1ec', 100 '#86bfe8')\nset style fill solid 1.0\n"
+      "plot data using 'x':'y':(column('x')-0.49):(column('x')+0.49):(column('y')-0.49):(column('y')+0.49):'percent' "
+      "with boxxyerror lc palette";
+  constexpr std::size_t kMostWithText = 14;
+  if (columns.size() <= kMostWithText) {
+    figure.plot +=
+        ", '' using 'x':'y':(sprintf('%d/%d', column('passed'), column('flown'))) with labels tc rgb '#111111'";
+  }
+  figure.plot += "\n";
+  figure.width_cm = 12.0;
+  figure.height_cm = std::clamp(3.0 + 0.9 * static_cast<double>(rows.size()), 5.0, 14.0);
+  return figure;
+}
+
+Figure DrawnValuesFigure(const SweepOutcome& sweep, std::size_t axis) {
+  const std::string& key = sweep.terms.axes[axis].key;
+  const std::vector<DrawnPoint> points = DrawnPoints(sweep, axis);
+  const std::string groups = GroupLines(points);
+  Figure figure{.name = NameOf("drawn", key),
+                .title = key,
+                .caption = "Each flight that passed above, each that did not below, spread in height to be seen.",
+                .csv = "value,passed,failed,percent,low,high\n"};
+  if (!groups.empty()) figure.caption += " The line: share that passed in five groups of as many, with 95 % intervals.";
+  constexpr double kGoldenRatio = 0.6180339887498949, kSpread = 12.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double spread = kSpread * std::fmod(kGoldenRatio * static_cast<double>(i), 1.0);
+    figure.csv += CsvLine({Number(points[i].value), points[i].passed ? Fixed(104.0 + spread, 2) : "",
+                           points[i].passed ? "" : Fixed(-4.0 - spread, 2), "", "", ""});
+  }
+  figure.csv += groups;
+  figure.plot =
+      (points.empty() ? "set xrange [0:1]\n" : RangeAround("xrange", points.front().value, points.back().value)) +
+      fmt::format(
+          "set xlabel {} noenhanced\nset ylabel 'passed, %'\nset yrange [-20:120]\nset ytics 0,25,100\n"
+          "set key outside top center horizontal\nplot data using 'value':'passed' with {} title 'passed', '' using "
+          "'value':'failed' with {} title 'not passed'",
+          Quoted(key), kPassedPoints, kFailedPoints);
+  if (!groups.empty())
+    figure.plot += ", '' using 'value':'percent':'low':'high' with yerrorlines pt 7 ps 0.4 lc rgb INK title 'share'";
+  figure.plot += "\n";
+  figure.width_cm = 12.0;
+  return figure;
+}
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,139 @@
+#include "scenarios/sweep/slurm_sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "models/error.h"
+#include "scenarios/flight/output_file.h"
+#include "scenarios/flight/program_digest.h"
+#include "scenarios/sweep/flight_chunk.h"
+#include "scenarios/sweep/folder_lock.h"
+#include "scenarios/sweep/run_sweep.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kScriptMark = "sweep-task";
+constexpr const char* kJobMark = "slurm_job: ";
+
+/// The planned flights without a row in `folder`, each once.
+std::vector<const PlannedFlight*> MissingFlights(const SweepPlan& plan, const fs::path& folder) {
+  std::set<std::string> known;
+  std::optional<SweepStore> store;
+  if (fs::exists(folder / "sweep.db")) store.emplace(folder, SweepStore::Access::kRead);
+  for (const FlightRow& row : LeftRows(folder)) known.insert(row.id);
+  std::vector<const PlannedFlight*> missing;
+  for (const PlannedFlight& flight : plan.flights) {
+    if (known.insert(flight.id).second && !(store && store->Has(flight.id))) missing.push_back(&flight);
+  }
+  return missing;
+}
+
+/// Flights in a task. Those of a sweep fly in about real time.
+std::size_t ChunkSize(const std::vector<const PlannedFlight*>& flights, const SlurmOptions& options, int most_tasks) {
+  constexpr double kTask_s = 300.0;
+  double flown_s = 0.0;
+  for (const PlannedFlight* flight : flights) flown_s += flight->expected_s;
+  const double tasks = std::max(1.0, std::floor(flown_s / kTask_s));
+  const auto in_tasks = [&](double count) { return std::ceil(static_cast<double>(flights.size()) / count); };
+  const double wanted = options.chunk ? static_cast<double>(*options.chunk) : in_tasks(tasks);
+  return static_cast<std::size_t>(std::max(wanted, in_tasks(most_tasks)));
+}
+
+std::vector<FlightChunk> Chunks(const SweepFile& file, const std::vector<const PlannedFlight*>& flights,
+                                std::size_t size) {
+  std::vector<FlightChunk> chunks;
+  for (const PlannedFlight* flight : flights) {
+    if (chunks.empty() || chunks.back().flights.size() == size) {
+      chunks.push_back({.program = ProgramDigest(), .flights = {}});
+    }
+    chunks.back().flights.push_back({flight->id, flight->scenario_yaml, flight->limit_s, file.limits.memory_mb});
+  }
+  return chunks;
+}
+
+std::string ShellQuoted(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string Script(std::size_t tasks) {
+  return fmt::format(R"(#!/bin/sh
+#SBATCH --job-name=touchdown
+#SBATCH --array=0-{}
+#SBATCH --requeue
+#SBATCH --open-mode=append
+#SBATCH --output=slurm/%a.log
+exec {} sweep-task . "$SLURM_ARRAY_TASK_ID"
+)",
+                     tasks - 1, ShellQuoted(fs::read_symlink("/proc/self/exe").string()));
+}
+
+fs::path JobFile(const fs::path& folder) { return folder / "slurm" / "job.yaml"; }
+
+void RefuseWhileQueued(const fs::path& folder) {
+  const std::optional<std::string> job = SlurmJobOf(folder);
+  if (!job) return;
+  const auto tasks = TasksInQueue(*job);
+  if (!tasks || tasks->empty()) return;
+  throw InputError(
+      fmt::format("output folder {}: its Slurm job {} is not over; touchdown status tells of it, and "
+                  "scancel {} ends it",
+                  folder.string(), *job, *job));
+}
+
+/// Writes what the tasks read, in place of an earlier job's.
+void WriteTasks(const fs::path& folder, const std::vector<FlightChunk>& chunks) {
+  std::error_code error;
+  fs::remove_all(folder / "tasks", error);
+  fs::create_directories(folder / "slurm", error);
+  for (std::size_t i = 0; i < chunks.size(); ++i) WriteChunk(ChunkFile(folder, static_cast<int>(i)), chunks[i]);
+}
+
+}  // namespace
+
+SlurmSweep PlanTasks(const SweepFile& file, const SweepPlan& plan, const fs::path& folder,
+                     const SlurmOptions& options) {
+  const int most = MostSlurmTasks();
+  RefuseWhileQueued(folder);
+  const std::vector<const PlannedFlight*> missing = MissingFlights(plan, folder);
+  return {.tasks = Chunks(file, missing, ChunkSize(missing, options, most)).size(), .flights = missing.size()};
+}
+
+SlurmSweep SubmitSweep(const SweepFile& file, const SweepPlan& plan, const fs::path& folder,
+                       const SlurmOptions& options) {
+  const int most = MostSlurmTasks();
+  ClaimFolder(folder);
+  const FolderLock lock(folder);
+  RefuseWhileQueued(folder);
+  SweepStore store(folder, SweepStore::Access::kWrite);
+  TakeInRows(folder, store);
+  store.SetPlan(TermsOf(file), plan, ProgramDigest());
+  const std::vector<const PlannedFlight*> missing = MissingFlights(plan, folder);
+  if (missing.empty()) return {};
+  const std::vector<FlightChunk> chunks = Chunks(file, missing, ChunkSize(missing, options, most));
+  WriteTasks(folder, chunks);
+  WriteOutputFile(folder / "slurm.sh", Script(chunks.size()), kScriptMark);
+  const std::string job = SubmitScript(folder / "slurm.sh", fs::absolute(folder), options.site);
+  WriteOutputFile(JobFile(folder), kJobMark + job + "\n", kJobMark);
+  return {.job = job, .tasks = chunks.size(), .flights = missing.size()};
+}
+
+std::optional<std::string> SlurmJobOf(const fs::path& folder) {
+  std::ifstream stream(JobFile(folder));
+  std::string key, job;
+  if (!(stream >> key >> job)) return std::nullopt;
+  return job;
+}
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,153 @@
+#include "scenarios/sweep/sweep_report.h"
+
+#include <kainjow/mustache.hpp>
+#include <stdexcept>
+
+#include "scenarios/report/page_assets.h"
+#include "scenarios/report/section_page.h"
+#include "scenarios/report/text.h"
+#include "scenarios/sweep/pass_rate_figures.h"
+#include "scenarios/sweep/sweep_sections.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+namespace fs = std::filesystem;
+using kainjow::mustache::data;
+
+constexpr int kMostPictures = 50;
+
+data Flag(bool on) { return on ? data::type::bool_true : data::type::bool_false; }
+
+/// A word of a shell's command.
+std::string ShellWord(const std::string& text) {
+  const bool is_plain =
+      !text.empty() &&
+      text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-") == std::string::npos;
+  if (is_plain) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+data Glance(const SweepOutcome& sweep, const SweepSummary& summary) {
+  data items{data::type::list};
+  const auto put = [&items](const char* label, const std::string& value, const char* unit) {
+    data item;
+    item.set("label", label);
+    item.set("value", value);
+    item.set("unit", unit);
+    items << item;
+  };
+  if (summary.all.flown > 0) {
+    put("Passed", RateText(summary.all), "%");
+    put("95 % interval (Wilson)", RateInterval(summary.all), "%");
+  }
+  put("Flights that passed", std::to_string(summary.all.passed), "");
+  put("Flights that did not", std::to_string(summary.all.flown - summary.all.passed), "");
+  put("Flown", std::to_string(summary.all.flown), "");
+  put("Planned", std::to_string(sweep.planned), "");
+  if (sweep.stale > 0) put("Flown by another build, not counted", std::to_string(sweep.stale), "");
+  return items;
+}
+
+data Texts(const std::vector<std::string>& texts) {
+  data items{data::type::list};
+  for (const std::string& text : texts) items << data{"text", text};
+  return items;
+}
+
+/// Seed, variant and parameters: those columns that the sweep has.
+std::vector<std::string> FailureHead(const SweepTerms& terms) {
+  std::vector<std::string> head{"Seed"};
+  if (!terms.variants.empty()) head.push_back("Variant");
+  for (const SweepAxis& axis : terms.axes) head.push_back(axis.key);
+  return head;
+}
+
+std::vector<std::string> FailureCells(const SweepTerms& terms, const SweepResult& result) {
+  std::vector<std::string> cells{std::to_string(result.seed)};
+  if (!terms.variants.empty()) cells.push_back(result.variant);
+  for (std::size_t i = 0; i < terms.axes.size(); ++i) {
+    const auto drawn = terms.axes[i].listed.empty() ? AsNumber(result.values[i]) : std::nullopt;
+    cells.push_back(drawn ? fmt::format("{:.4g}", *drawn) : result.values[i]);
+  }
+  return cells;
+}
+
+data FailureData(const SweepTerms& terms, const SweepResult& result, const fs::path& folder) {
+  const FlightRow& row = result.row;
+  data failure;
+  failure.set("id", row.id);
+  failure.set("command", fmt::format("touchdown fly --from {} {}", ShellWord(folder.string()), row.id));
+  failure.set("cause", CauseOf(row));
+  failure.set("reason", row.reason);
+  failure.set("complaint", row.complaint);
+  failure.set("has_complaint", Flag(!row.complaint.empty()));
+  failure.set("cells", Texts(FailureCells(terms, result)));
+  const std::string picture = "pictures/" + row.id + ".png";
+  std::error_code error;
+  failure.set("picture", picture);
+  failure.set("has_picture", Flag(fs::exists(folder / picture, error)));
+  return failure;
+}
+
+void PutFailures(const SweepOutcome& sweep, const fs::path& folder, data& page) {
+  data failures{data::type::list};
+  int count = 0;
+  for (const SweepResult& result : sweep.results) {
+    if (result.row.passed()) continue;
+    data failure = FailureData(sweep.terms, result, folder);
+    failure.set("shown", Flag(count < kMostPictures));
+    failures << failure;
+    ++count;
+  }
+  page.set("head", Texts(FailureHead(sweep.terms)));
+  page.set("failures", failures);
+  page.set("has_failures", Flag(count > 0));
+  page.set("cut", Flag(count > kMostPictures));
+  page.set("most_pictures", std::to_string(kMostPictures));
+}
+
+void PutSections(const std::vector<ReportSection>& sections, data& page) {
+  data contents{data::type::list};
+  std::string html;
+  const auto enter = [&contents](const std::string& id, const std::string& title) {
+    data entry;
+    entry.set("id", id);
+    entry.set("title", title);
+    contents << entry;
+  };
+  for (const ReportSection& section : sections) {
+    enter(section.id, section.title);
+    html += SectionHtml(section);
+  }
+  enter("failures", "Failures");
+  page.set("contents", contents);
+  page.set("sections", html);
+}
+
+}  // namespace
+
+std::string SweepPage(const SweepOutcome& sweep, const fs::path& folder) {
+  const SweepSummary summary = Summarize(sweep);
+  data page;
+  page.set("mark", kSweepPageMark);
+  page.set("style", std::string(PageStyle()));
+  page.set("name", sweep.terms.name);
+  page.set("description", sweep.terms.description);
+  page.set("has_criteria", Flag(!summary.criteria.empty()));
+  page.set("kept", Flag(summary.keeps_criteria()));
+  const std::size_t left = sweep.planned - std::min(sweep.planned, sweep.results.size());
+  page.set("left", std::to_string(left));
+  page.set("is_partial", Flag(left > 0));
+  page.set("planned", std::to_string(sweep.planned));
+  page.set("glance", Glance(sweep, summary));
+  PutSections(SweepSections(sweep, summary), page);
+  PutFailures(sweep, folder, page);
+  kainjow::mustache::mustache page_template{std::string(SweepPageTemplate())};
+  if (!page_template.is_valid()) throw std::logic_error("the sweep page's template: " + page_template.error_message());
+  return page_template.render(page);
+}
+
+}  // namespace touchdown::scenarios

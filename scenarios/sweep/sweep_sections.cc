@@ -1,0 +1,179 @@
+#include "scenarios/sweep/sweep_sections.h"
+
+#include <algorithm>
+#include <map>
+
+#include "models/error.h"
+#include "scenarios/report/text.h"
+#include "scenarios/sweep/metric_figures.h"
+#include "scenarios/sweep/pass_rate_figures.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+constexpr double kPercent = 100.0;
+constexpr const char* kTouchdownError = "flight.touchdown_xy_error_m";
+
+std::string Short(double value) { return fmt::format("{:.4g}", value); }
+
+/// With at least two values, all of them numbers.
+bool IsNumeric(const SweepAxis& axis) {
+  return axis.listed.size() >= 2 &&
+         std::all_of(axis.listed.begin(), axis.listed.end(), [](const std::string& v) { return AsNumber(v); });
+}
+
+bool HasMetric(const SweepOutcome& sweep, const std::string& metric) {
+  return std::any_of(sweep.results.begin(), sweep.results.end(),
+                     [&](const SweepResult& result) { return result.row.metrics.contains(metric); });
+}
+
+ReportSection CriteriaSection(const SweepSummary& summary) {
+  ReportTable table{.name = "criteria",
+                    .caption = "What the sweep as a whole was asked for.",
+                    .head = {"Criterion", "Value", "Unit", "Limit", "Kept"}};
+  for (const Check& check : summary.criteria) {
+    table.rows.push_back({check.name, check.value ? Short(*check.value) : "none", check.unit, WithSigns(check.limit),
+                          check.pass ? "✓ yes" : "✗ no"});
+  }
+  ReportSection section{.id = "criteria", .title = "Criteria"};
+  section.tables.push_back(std::move(table));
+  return section;
+}
+
+ReportTable PassRateTable(const SweepSummary& summary) {
+  ReportTable table{.name = "pass_rates",
+                    .caption = "Of the flights that share a value. Intervals hold the true rate with 95 % confidence.",
+                    .head = {"Parameter", "Value", "Passed, %", "Interval, %", "Passed", "Flown"}};
+  const auto add = [&table](const std::string& key, const std::string& value, const PassCount& count) {
+    table.rows.push_back(
+        {key, value, RateText(count), RateInterval(count), std::to_string(count.passed), std::to_string(count.flown)});
+  };
+  add("all", "", summary.all);
+  for (const PassCountOf& each : summary.by_value) add(each.key, each.value, each.count);
+  return table;
+}
+
+/// The pass rate over each listed parameter whose values are numbers, and over the first with the next two of them.
+void AddListedFigures(const SweepOutcome& sweep, const SweepSummary& summary, ReportSection& section) {
+  std::vector<std::size_t> numeric;
+  for (std::size_t axis = 0; axis < sweep.terms.axes.size(); ++axis) {
+    if (!IsNumeric(sweep.terms.axes[axis])) continue;
+    std::vector<PassCountOf> counts;
+    std::copy_if(summary.by_value.begin(), summary.by_value.end(), std::back_inserter(counts),
+                 [&](const PassCountOf& each) { return each.key == sweep.terms.axes[axis].key; });
+    if (counts.empty()) continue;
+    section.figures.push_back(PassRateFigure(sweep.terms.axes[axis].key, counts));
+    numeric.push_back(axis);
+  }
+  constexpr std::size_t kMostPairs = 2;
+  for (std::size_t i = 1; i < std::min(numeric.size(), 1 + kMostPairs); ++i) {
+    section.figures.push_back(HeatMapFigure(sweep, numeric[0], numeric[i]));
+  }
+}
+
+void AddDrawnFigures(const SweepOutcome& sweep, ReportSection& section) {
+  constexpr int kMost = 4;
+  int count = 0;
+  for (std::size_t axis = 0; axis < sweep.terms.axes.size() && count < kMost; ++axis) {
+    if (!sweep.terms.axes[axis].listed.empty()) continue;
+    section.figures.push_back(DrawnValuesFigure(sweep, axis));
+    ++count;
+  }
+}
+
+ReportSection PassRateSection(const SweepOutcome& sweep, const SweepSummary& summary) {
+  ReportSection section{.id = "pass-rate", .title = "Pass rate"};
+  AddListedFigures(sweep, summary, section);
+  AddDrawnFigures(sweep, section);
+  section.tables.push_back(PassRateTable(summary));
+  return section;
+}
+
+/// Of the first flight's scenario; nullopt for one that this program does not read.
+std::optional<double> PadRadius_m(const SweepOutcome& sweep) {
+  try {
+    return ParseScenario(sweep.results.front().row.scenario_yaml, "scenario", {}).pad.outer_radius_m;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+ReportTable MetricsTable(const SweepOutcome& sweep) {
+  ReportTable table{.name = "metrics",
+                    .caption = "Quantiles over the flights that have the metric.",
+                    .head = {"Metric", "Unit", "Flights", "5 %", "25 %", "Median", "75 %", "95 %"}};
+  for (const MetricInfo& metric : AllMetrics()) {
+    const std::vector<double> values = MetricValues(sweep.results, std::string(metric.name));
+    if (values.empty()) continue;
+    std::vector<std::string> row{std::string(metric.name), std::string(metric.unit), std::to_string(values.size())};
+    for (const double q : {0.05, 0.25, 0.5, 0.75, 0.95}) row.push_back(Short(Quantile(values, q)));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+/// Of the metrics that the criteria name, and the one that a landing is first judged by.
+ReportSection MetricsSection(const SweepOutcome& sweep) {
+  ReportSection section{.id = "metrics", .title = "Metrics"};
+  std::vector<std::string> shown{kTouchdownError};
+  for (const SweepCriterion& criterion : sweep.terms.criteria) {
+    if (std::find(shown.begin(), shown.end(), criterion.metric) == shown.end()) shown.push_back(criterion.metric);
+  }
+  for (const std::string& metric : shown) {
+    if (HasMetric(sweep, metric)) section.figures.push_back(HistogramFigure(sweep, metric));
+  }
+  section.tables.push_back(MetricsTable(sweep));
+  return section;
+}
+
+ReportSection CausesSection(const SweepOutcome& sweep) {
+  std::map<std::string, int> counts;
+  for (const SweepResult& result : sweep.results) {
+    if (!result.row.passed()) ++counts[CauseOf(result.row)];
+  }
+  std::vector<std::pair<std::string, int>> sorted(counts.begin(), counts.end());
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  ReportTable table{.name = "causes",
+                    .caption = "The first criterion that a flight did not keep, and the phase in which it was lost.",
+                    .head = {"Cause", "Flights", "Of all, %"}};
+  for (const auto& [cause, count] : sorted) {
+    const double share = kPercent * count / static_cast<double>(sweep.results.size());
+    table.rows.push_back({cause, std::to_string(count), Fixed(share, 1)});
+  }
+  ReportSection section{.id = "causes", .title = "Causes of failure"};
+  section.tables.push_back(std::move(table));
+  return section;
+}
+
+}  // namespace
+
+std::string CauseOf(const FlightRow& row) {
+  if (row.end != RowEnd::kFlown) return Words(std::string(Name(row.end)));
+  if (row.failed_check.empty()) return row.verdict;
+  return row.failed_phase.empty() ? row.failed_check
+                                  : fmt::format("{} in {}", row.failed_check, Words(row.failed_phase));
+}
+
+std::string RateText(const PassCount& count) { return Fixed(kPercent * count.rate().value, 1); }
+
+std::string RateInterval(const PassCount& count) {
+  const Interval rate = count.rate();
+  return fmt::format("{}–{}", Fixed(kPercent * rate.low, 1), Fixed(kPercent * rate.high, 1));
+}
+
+std::vector<ReportSection> SweepSections(const SweepOutcome& sweep, const SweepSummary& summary) {
+  std::vector<ReportSection> sections;
+  if (!summary.criteria.empty()) sections.push_back(CriteriaSection(summary));
+  if (sweep.results.empty()) return sections;
+  sections.push_back(PassRateSection(sweep, summary));
+  if (HasMetric(sweep, "flight.touchdown_x_m")) {
+    if (const auto radius = PadRadius_m(sweep)) {
+      sections.push_back({.id = "touchdown", .title = "Touchdown", .figures = {TouchdownFigure(sweep, *radius)}});
+    }
+  }
+  sections.push_back(MetricsSection(sweep));
+  if (summary.all.passed < summary.all.flown) sections.push_back(CausesSection(sweep));
+  return sections;
+}
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,78 @@
+#include "scenarios/sweep/sweep_terms.h"
+
+#include <nlohmann/json.hpp>
+
+#include "models/error.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void PutIfThere(Json& json, const char* key, const std::optional<double>& value) {
+  if (value) json[key] = *value;
+}
+
+std::optional<double> NumberIfThere(const Json& json, const char* key) {
+  return json.contains(key) ? std::optional(json.at(key).get<double>()) : std::nullopt;
+}
+
+SweepTerms TermsFrom(const Json& json) {
+  SweepTerms terms{.name = json.at("name"), .description = json.at("description"), .variants = json.at("variants")};
+  for (const Json& axis : json.at("parameters")) terms.axes.push_back({axis.at("key"), axis.at("listed")});
+  for (const Json& criterion : json.at("criteria")) {
+    terms.criteria.push_back({.metric = criterion.at("metric"),
+                              .quantile = NumberIfThere(criterion, "quantile"),
+                              .min = NumberIfThere(criterion, "min"),
+                              .max = NumberIfThere(criterion, "max")});
+  }
+  return terms;
+}
+
+}  // namespace
+
+std::vector<std::string> SweepTerms::keys() const {
+  std::vector<std::string> keys;
+  for (const SweepAxis& axis : axes) keys.push_back(axis.key);
+  return keys;
+}
+
+SweepTerms TermsOf(const SweepFile& file) {
+  SweepTerms terms{.name = file.name, .description = file.description, .criteria = file.criteria};
+  for (const SweepParameter& parameter : file.parameters) {
+    const auto* listed = std::get_if<ListedValues>(&parameter.values);
+    terms.axes.push_back({parameter.key, listed == nullptr ? std::vector<std::string>() : listed->yaml});
+  }
+  for (const SweepVariant& variant : file.variants) {
+    if (!variant.name.empty()) terms.variants.push_back(variant.name);
+  }
+  return terms;
+}
+
+std::string TermsJson(const SweepTerms& terms) {
+  Json json{{"name", terms.name},
+            {"description", terms.description},
+            {"parameters", Json::array()},
+            {"variants", terms.variants},
+            {"criteria", Json::array()}};
+  for (const SweepAxis& axis : terms.axes) json["parameters"].push_back({{"key", axis.key}, {"listed", axis.listed}});
+  for (const SweepCriterion& criterion : terms.criteria) {
+    Json each{{"metric", criterion.metric}};
+    PutIfThere(each, "quantile", criterion.quantile);
+    PutIfThere(each, "min", criterion.min);
+    PutIfThere(each, "max", criterion.max);
+    json["criteria"].push_back(each);
+  }
+  // A description may be no UTF-8.
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+SweepTerms TermsFromJson(const std::string& text) {
+  try {
+    return TermsFrom(Json::parse(text));
+  } catch (const Json::exception&) {
+    throw InputError("tells of no sweep's terms");
+  }
+}
+
+}  // namespace touchdown::scenarios

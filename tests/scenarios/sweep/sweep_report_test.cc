@@ -1,0 +1,201 @@
+#include "scenarios/sweep/sweep_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "scenarios/sweep/metric_figures.h"
+#include "scenarios/sweep/pass_rate_figures.h"
+#include "scenarios/sweep/sweep_sections.h"
+#include "tests/support/temporary_folder.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+/// 20 flights: five seeds of two noises and two exposures; with the larger noise and exposure all but one fail.
+/// Flight n touched down n mm along X and 1 mm along -Y.
+SweepOutcome MadeUp() {
+  SweepOutcome sweep{.terms = {.name = "night <1>",
+                               .description = "Of & for people.",
+                               .axes = {{"camera.noise_sigma", {"10", "2"}},
+                                        {"camera.exposure_ms", {"4", "8"}},
+                                        {"start.yaw_deg", {}}},
+                               .criteria = {{.metric = "pass_rate", .min = 0.9},
+                                            {.metric = "flight.touchdown_xy_error_m", .quantile = 0.5, .max = 0.05}}},
+                     .planned = 23,
+                     .stale = 7};
+  for (int seed = 1; seed <= 5; ++seed) {
+    for (const char* noise : {"10", "2"}) {
+      for (const char* exposure : {"4", "8"}) {
+        const auto n = static_cast<double>(sweep.results.size() + 1);
+        const bool failed = noise == std::string("10") && exposure == std::string("8") && seed > 1;
+        sweep.results.push_back({.seed = static_cast<std::uint64_t>(seed),
+                                 .values = {noise, exposure, std::to_string(seed) + ".5"},
+                                 .row = {.id = "id" + std::to_string(sweep.results.size() + 1),
+                                         .end = RowEnd::kFlown,
+                                         .verdict = failed ? "fail" : "pass",
+                                         .outcome = failed ? "gave_up" : "landed",
+                                         .reason = failed ? "the pad was <lost>" : "",
+                                         .failed_check = failed ? "outcome" : "",
+                                         .failed_phase = failed ? "blind_descent" : "",
+                                         .metrics = {{"flight.touchdown_xy_error_m", n / 1000.0},
+                                                     {"flight.touchdown_x_m", n / 1000.0},
+                                                     {"flight.touchdown_y_m", -0.001}},
+                                         .scenario_yaml = "pad: {outer_radius_m: 0.08, ring_width_m: 0.01}\n"
+                                                          "script: [{do: land}]\nstart: {airborne: true}\n"}});
+      }
+    }
+  }
+  FlightRow& crashed = sweep.results.back().row;
+  crashed.end = RowEnd::kOutOfMemory;
+  crashed.verdict = crashed.outcome = "error";
+  crashed.reason = "needs more memory than its limit";
+  crashed.complaint = "std::bad_alloc </pre>";
+  crashed.metrics.clear();
+  return sweep;
+}
+
+const ReportSection& Section(const std::vector<ReportSection>& sections, const std::string& id) {
+  return *std::find_if(sections.begin(), sections.end(), [&](const ReportSection& each) { return each.id == id; });
+}
+
+std::vector<std::string> RowOf(const ReportTable& table, const std::string& first, const std::string& second = "") {
+  for (const auto& row : table.rows) {
+    if (row[0] == first && (second.empty() || row[1] == second)) return row;
+  }
+  return {};
+}
+
+class SweepReportTest : public testing::Test {
+ protected:
+  std::string Page() const { return SweepPage(sweep_, folder_.path()); }
+  std::vector<ReportSection> Sections() const { return SweepSections(sweep_, Summarize(sweep_)); }
+  ReportTable Table(const std::string& section) const { return Section(Sections(), section).tables.at(0); }
+
+  const tests::TemporaryFolder folder_;
+  SweepOutcome sweep_ = MadeUp();
+};
+
+TEST_F(SweepReportTest, TellsRatesWithTheirIntervals) {
+  // Wilson's interval of 15 in 20: 0.5313 to 0.8881 (Newcombe 1998, method 3).
+  EXPECT_THAT(RowOf(Table("pass-rate"), "all"), ElementsAre("all", "", "75.0", "53.1–88.8", "15", "20"));
+  EXPECT_THAT(RowOf(Table("pass-rate"), "camera.noise_sigma", "10"),
+              ElementsAre("camera.noise_sigma", "10", "60.0", "31.3–83.2", "6", "10"));
+  EXPECT_THAT(RowOf(Table("pass-rate"), "start.yaw_deg"), testing::IsEmpty()) << "drawn";
+}
+
+TEST_F(SweepReportTest, TellsTheQuantilesOfWhatThereIs) {
+  // Of 1, 2 ... 19 mm: the twentieth flight has none.
+  EXPECT_THAT(RowOf(Table("metrics"), "flight.touchdown_xy_error_m"),
+              ElementsAre("flight.touchdown_xy_error_m", "m", "19", "0.0019", "0.0055", "0.01", "0.0145", "0.0181"));
+  EXPECT_THAT(RowOf(Table("metrics"), "flight.sim_time_s"), testing::IsEmpty());
+}
+
+TEST_F(SweepReportTest, JudgesTheCriteria) {
+  const ReportTable table = Table("criteria");
+  EXPECT_THAT(table.rows[0], ElementsAre("pass_rate", "0.75", "", "≥ 0.9", "✗ no"));
+  EXPECT_THAT(table.rows[1], ElementsAre("flight.touchdown_xy_error_m at 0.5", "0.01", "m", "≤ 0.05", "✓ yes"));
+}
+
+TEST_F(SweepReportTest, CountsTheCausesTheMostFrequentFirst) {
+  const ReportTable table = Table("causes");
+  EXPECT_THAT(table.rows[0], ElementsAre("outcome in blind descent", "4", "20.0"));
+  EXPECT_THAT(table.rows[1], ElementsAre("out of memory", "1", "5.0"));
+}
+
+TEST_F(SweepReportTest, CountsEachCellOfTheHeatMap) {
+  // Sorted as numbers: column 0 is the noise 2, column 1 the noise 10.
+  EXPECT_EQ(HeatMapFigure(sweep_, 0, 1).csv,
+            "x,y,passed,flown,percent\n0,0,5,5,100.00\n1,0,5,5,100.00\n0,1,4,5,80.00\n1,1,1,5,20.00\n");
+}
+
+TEST_F(SweepReportTest, SortsTheRatesOfAParameterByNumber) {
+  const ReportSection section = Section(Sections(), "pass-rate");
+  EXPECT_EQ(section.figures[0].csv, "value,percent,low,high\n2,90.00,59.58,98.21\n10,60.00,31.27,83.18\n");
+}
+
+TEST_F(SweepReportTest, CountsEveryFlightOfAHistogramOnce) {
+  // 19 values in 5 bins of 3.6 mm from 1 mm: 1-4, 5-8, 9-11, 12-15 and 16-19; flights 6, 10, 14 and 18 failed.
+  const std::string csv = HistogramFigure(sweep_, "flight.touchdown_xy_error_m").csv;
+  EXPECT_EQ(csv,
+            "from,to,passed,all\n0.001,0.0046,4,4\n0.0046,0.0082,3,4\n0.0082,0.0118,2,3\n0.0118,0.0154,3,4\n"
+            "0.0154,0.019,3,4\n");
+}
+
+TEST_F(SweepReportTest, PutsTheTouchdownsAroundTheirPad) {
+  const Figure figure = Section(Sections(), "touchdown").figures.at(0);
+  EXPECT_THAT(figure.csv, StartsWith("x_mm,passed_y_mm,failed_y_mm\n1.000,-1.000,\n2.000,-1.000,\n"));
+  EXPECT_THAT(figure.csv, HasSubstr("\n6.000,,-1.000\n"));
+  EXPECT_THAT(figure.plot, HasSubstr("using (80*cos(t)):(80*sin(t))"));
+  EXPECT_THAT(figure.caption, HasSubstr("of the 19 flights"));
+}
+
+TEST_F(SweepReportTest, TellsEachFailureWithItsCommandAndPicture) {
+  folder_.Put("pictures/id6.png", "a picture");
+  const std::string page = Page();
+  const std::string command = "touchdown fly --from " + folder_.path().string() + " ";
+  for (const char* id : {"id6", "id10", "id14", "id18", "id20"}) EXPECT_THAT(page, HasSubstr(command + id + "<"));
+  EXPECT_THAT(page, Not(HasSubstr(command + "id2<"))) << "passed";
+  EXPECT_THAT(page, HasSubstr("src=\"pictures/id6.png\""));
+  EXPECT_THAT(page, Not(HasSubstr("pictures/id10.png"))) << "there is none";
+  EXPECT_THAT(page, HasSubstr("<b>outcome in blind descent</b><br>the pad was &lt;lost&gt;"));
+  EXPECT_THAT(page, HasSubstr("std::bad_alloc &lt;/pre&gt;"));
+}
+
+TEST_F(SweepReportTest, ShowsTheFirstFiftyPicturesAndLinksTheOthers) {
+  for (SweepResult& result : sweep_.results) result.row.verdict = "fail";
+  const std::vector<SweepResult> twenty = sweep_.results;
+  for (int i = 1; i < 3; ++i) sweep_.results.insert(sweep_.results.end(), twenty.begin(), twenty.end());
+  for (int i = 1; i <= 20; ++i) folder_.Put("pictures/id" + std::to_string(i) + ".png", "a picture");
+  const std::string page = Page();
+  const auto count = [&page](const std::string& text) {
+    int found = 0;
+    for (std::size_t at = 0; (at = page.find(text, at)) != std::string::npos; ++at) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("<img loading=\"lazy\""), 50);
+  EXPECT_EQ(count("<a href=\"pictures/"), 60);
+}
+
+TEST_F(SweepReportTest, IsOneSafePage) {
+  const std::string page = Page();
+  EXPECT_THAT(page, StartsWith("<!doctype html>"));
+  EXPECT_THAT(page, AllOf(HasSubstr(kSweepPageMark), HasSubstr("night &lt;1&gt;"), HasSubstr("Of &amp; for people.")));
+  EXPECT_THAT(page, Not(HasSubstr("night <1>")));
+  EXPECT_THAT(page, HasSubstr("Criteria not kept"));
+  EXPECT_THAT(page, HasSubstr("Not done: 3 of 23 flights are yet to be flown."));
+  EXPECT_THAT(page, AllOf(Not(HasSubstr("{{")), Not(HasSubstr("href=\"figures/")), Not(HasSubstr("src=\"http"))));
+}
+
+TEST_F(SweepReportTest, TellsOfASweepInWhichNothingWasFlownOrFailed) {
+  sweep_.results.resize(4);
+  sweep_.terms.criteria.clear();
+  EXPECT_THAT(Page(), AllOf(HasSubstr("No flight failed."), Not(HasSubstr("Criteria"))));
+  sweep_.results.clear();
+  EXPECT_THAT(Page(), AllOf(HasSubstr("23 of 23 flights are yet to be flown"), Not(HasSubstr("Pass rate"))));
+}
+
+TEST(SweepFigures, TakeForNumbersWhatIsOne) {
+  EXPECT_EQ(AsNumber("-2.5e1"), -25.0);
+  for (const char* text : {"", "[1, 2]", "3 m", "true", "nan"}) EXPECT_EQ(AsNumber(text), std::nullopt) << text;
+}
+
+TEST(SweepFigures, GroupManyDrawnValues) {
+  SweepOutcome sweep{.terms = {.axes = {{"start.yaw_deg", {}}}}};
+  for (int i = 0; i < 50; ++i) {
+    sweep.results.push_back({.values = {std::to_string(i)}, .row = {.verdict = i < 10 ? "fail" : "pass"}});
+  }
+  const std::string csv = DrawnValuesFigure(sweep, 0).csv;
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 50 + 5);
+  EXPECT_THAT(csv, AllOf(HasSubstr("\n4.5,,,0.00,"), HasSubstr("\n14.5,,,100.00,"), HasSubstr("\n44.5,,,100.00,")));
+}
+
+}  // namespace
+}  // namespace touchdown::scenarios
