@@ -109,12 +109,13 @@ PaperSection Report(const PaperPlan& plan, const Measured& measured) {
            "{} landings; the ring of the pad is 90 mm in radius, the paper's mean deviations are the dashed box.",
            many.count()),
        .csv = PlacesCsv(places),
-       .plot = fmt::format("set size ratio -1\nset xlabel 'x, mm'\nset ylabel 'y, mm'\nset xrange [-100:100]\n"
-                           "set yrange [-100:100]\nunset key\n"
-                           "set object 1 circle at first 0,0 size first 90 fs empty border rgb MUTED lw 1.2\n"
-                           "set object 2 rect from -{0},-{1} to {0},{1} fs empty border rgb SET_POINT dt 2 lw 1.2\n"
-                           "plot data using 'x_mm':'y_mm' with points pt 7 ps 0.35 lc rgb ESTIMATE\n",
-                           kPublishedX_mm, kPublishedY_mm),
+       .plot =
+           fmt::format("set size ratio -1\nset xlabel 'x, mm'\nset ylabel 'y, mm'\nset xrange [-100:100]\n"
+                       "set yrange [-100:100]\nunset key\n"
+                       "set object 1 rect from -{0},-{1} to {0},{1} fs empty border rgb SET_POINT dt 2 lw 1.2\n"
+                       "plot sample [t=0:2.1*pi] '+' using (90*cos(t)):(90*sin(t)) with lines lc rgb MUTED lw 1.4, \\\n"
+                       "     data using 'x_mm':'y_mm' with points pt 7 ps 0.35 lc rgb ESTIMATE\n",
+                       kPublishedX_mm, kPublishedY_mm),
        .width_cm = 11.0,
        .height_cm = 10.0});
   return section;

@@ -74,14 +74,6 @@ std::string TextOf(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Of the figure's PDF, always the same date.
-std::vector<std::string> EnvironmentWithoutDate() {
-  std::vector<std::string> environment;
-  for (char** each = environ; *each != nullptr; ++each) environment.emplace_back(*each);
-  environment.emplace_back("SOURCE_DATE_EPOCH=0");
-  return environment;
-}
-
 std::vector<char*> Pointers(std::vector<std::string>& texts) {
   std::vector<char*> pointers;
   for (std::string& text : texts) pointers.push_back(text.data());
@@ -91,13 +83,11 @@ std::vector<char*> Pointers(std::vector<std::string>& texts) {
 
 void RunGnuplot(const fs::path& script, const fs::path& words) {
   std::vector<std::string> arguments{"gnuplot", script.string()};
-  std::vector<std::string> environment = EnvironmentWithoutDate();
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, words.c_str(), O_WRONLY | O_CREAT, 0600);
   pid_t child = 0;
-  const int error =
-      posix_spawnp(&child, "gnuplot", &actions, nullptr, Pointers(arguments).data(), Pointers(environment).data());
+  const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, Pointers(arguments).data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) {
     throw InputError("gnuplot, which draws the figures, cannot be run; on Debian: apt-get install gnuplot-nox");
@@ -177,6 +167,14 @@ std::string ForThePage(const std::string& svg, const std::string& name) {
   return Replaced(part, id, [&](const std::smatch& m) { return fmt::format("{}{}_{}", m[1].str(), name, m[2].str()); });
 }
 
+/// Without the moment at which it was drawn, so that the same figure is the same file.
+std::string Undated(std::string pdf) {
+  static const std::string date = "/CreationDate (D:", never = "20000101000000";
+  const std::size_t at = pdf.find(date);
+  if (at != std::string::npos) pdf.replace(at + date.size(), never.size(), never);
+  return pdf;
+}
+
 }  // namespace
 
 DrawnFigure Draw(const Figure& figure) {
@@ -184,8 +182,9 @@ DrawnFigure Draw(const Figure& figure) {
   std::ofstream(folder.path() / "data.csv") << figure.csv;
   std::ofstream(folder.path() / "figure.gp") << Script(figure, folder.path());
   RunGnuplot(folder.path() / "figure.gp", folder.path() / "words");
-  DrawnFigure drawn{
-      .svg = TextOf(folder.path() / "figure.svg"), .page_svg = {}, .pdf = TextOf(folder.path() / "figure.pdf")};
+  DrawnFigure drawn{.svg = TextOf(folder.path() / "figure.svg"),
+                    .page_svg = {},
+                    .pdf = Undated(TextOf(folder.path() / "figure.pdf"))};
   if (drawn.svg.empty() || drawn.pdf.empty()) throw std::runtime_error("gnuplot drew nothing of " + figure.name);
   drawn.page_svg = ForThePage(drawn.svg, figure.name);
   return drawn;

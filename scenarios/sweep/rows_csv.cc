@@ -7,25 +7,13 @@
 #include <iterator>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 #include "models/error.h"
+#include "scenarios/report/text.h"
 
 namespace touchdown::scenarios {
 namespace {
-
-/// A cell, quoted where it must be (RFC 4180).
-std::string Cell(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
-std::string Line(const std::vector<std::string>& cells) {
-  std::vector<std::string> quoted;
-  for (const std::string& cell : cells) quoted.push_back(Cell(cell));
-  return fmt::format("{}\n", fmt::join(quoted, ","));
-}
 
 /// The cells of the line that begins at `at`, which is moved behind it; quoted ones may hold line ends.
 std::vector<std::string> TakeLine(const std::string& csv, std::size_t& at) {
@@ -90,7 +78,7 @@ std::string RowsCsv(const std::vector<std::string>& keys, std::vector<SweepResul
   for (const char* name : {"seed", "verdict", "outcome"}) head.push_back(name);
   for (const MetricInfo& metric : AllMetrics()) head.emplace_back(metric.name);
   head.push_back("log_sha256");
-  std::string csv = Line(head);
+  std::string csv = QuotedCsvLine(head);
   for (const SweepResult& result : results) {
     std::vector<std::string> cells{result.row.id, result.variant};
     cells.insert(cells.end(), result.values.begin(), result.values.end());
@@ -102,7 +90,7 @@ std::string RowsCsv(const std::vector<std::string>& keys, std::vector<SweepResul
       cells.push_back(found == result.row.metrics.end() ? "" : fmt::format("{}", found->second));
     }
     cells.push_back(result.row.log_sha256);
-    csv += Line(cells);
+    csv += QuotedCsvLine(std::move(cells));
   }
   return csv;
 }
