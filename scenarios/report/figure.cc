@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -20,6 +19,7 @@
 #include <vector>
 
 #include "models/error.h"
+#include "scenarios/flight/scratch_folder.h"
 #include "scenarios/report/page_assets.h"
 
 namespace touchdown::scenarios {
@@ -47,27 +47,6 @@ const Colours& PageColours() {
   }();
   return colours;
 }
-
-/// A folder of its own that goes when it goes.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string pattern = (fs::temp_directory_path() / "touchdown.XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw InputError("no temporary folder can be made");
-    path_ = pattern;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 std::string TextOf(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
