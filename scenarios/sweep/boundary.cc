@@ -95,15 +95,4 @@ Boundary FindBoundary(const SweepFile& file, const BoundarySearch& search, const
   return boundary;
 }
 
-Interval EdgeOverGrid(const SweepFile& file, const std::string& key, double pass_rate,
-                      const std::vector<SweepResult>& results) {
-  const std::size_t parameter = IndexOf(file, key);
-  const auto [min, max] = RangeOf(file.parameters[parameter]);
-  PassEdge posterior(min, max, pass_rate);
-  for (const SweepResult& result : results) {
-    posterior.Take({NumberFrom(file.parameters[parameter], result.values.at(parameter)), result.row.passed()});
-  }
-  return posterior.edge();
-}
-
 }  // namespace touchdown::scenarios

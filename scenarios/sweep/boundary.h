@@ -33,8 +33,4 @@ Boundary FindBoundary(const SweepFile& file, const BoundarySearch& search, const
                       int jobs, const StopRequested& stop_requested,
                       const std::function<void(const Boundary&)>& progress);
 
-/// The same from flights that there are: the edge over a listed parameter's numbers, as a grid found it.
-Interval EdgeOverGrid(const SweepFile& file, const std::string& key, double pass_rate,
-                      const std::vector<SweepResult>& results);
-
 }  // namespace touchdown::scenarios
