@@ -13,11 +13,11 @@ constexpr double kIntervalOnTerminal_s = 0.2;
 constexpr double kInterval_s = 5.0;
 constexpr const char* kClearLine = "\r\033[K";
 
-/// "1 min 20 s to go", by what has been done so far; empty as long as that says little.
-std::string TimeToGo(double share, double elapsed_s) {
+/// "1 min 20 s to go", by the share of the work that was done in that time; empty as long as that says little.
+std::string TimeToGo(double done, double left, double elapsed_s) {
   constexpr double kLeastShare = 0.01, kLeastElapsed_s = 1.0;
-  if (share < kLeastShare || elapsed_s < kLeastElapsed_s) return "";
-  const int left_s = static_cast<int>(elapsed_s * (1.0 - share) / share + 0.5);
+  if (done < kLeastShare || elapsed_s < kLeastElapsed_s) return "";
+  const int left_s = static_cast<int>(elapsed_s * left / done + 0.5);
   constexpr int kMinute_s = 60;
   if (left_s < 2 * kMinute_s) return fmt::format(", {} s to go", left_s);
   return fmt::format(", {} min {} s to go", left_s / kMinute_s, left_s % kMinute_s);
@@ -40,8 +40,8 @@ bool Progress::IsDue() const {
 void Progress::Tell(double share, const std::string& text) {
   if (quiet_) return;
   constexpr double kPercent = 100.0;
-  const std::string line =
-      fmt::format("{:3.0f} %  {}{}", kPercent * share, text, TimeToGo(share, since_start_.seconds()));
+  const std::string line = fmt::format("{:3.0f} %  {}{}", kPercent * share, text,
+                                       TimeToGo(share - before_, 1.0 - share, since_start_.seconds()));
   if (on_terminal_) {
     std::fprintf(stderr, "%s%s", kClearLine, line.c_str());
     std::fflush(stderr);

@@ -21,6 +21,9 @@ class Progress {
   /// seconds. Telling sooner does no harm.
   bool IsDue() const;
 
+  /// `share` of the work was done before: it does not tell how fast the rest goes.
+  void GoOnFrom(double share) { before_ = share; }
+
   /// `share` of the work is done, in [0, 1].
   void Tell(double share, const std::string& text);
 
@@ -28,6 +31,7 @@ class Progress {
   bool quiet_;
   bool on_terminal_;
   bool shown_ = false;
+  double before_ = 0.0;
   Stopwatch since_start_;
   Stopwatch since_shown_;
 };

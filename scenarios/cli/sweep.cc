@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <thread>
@@ -14,14 +14,13 @@
 #include "models/error.h"
 #include "scenarios/cli/interrupt.h"
 #include "scenarios/cli/progress.h"
+#include "scenarios/cli/sweep_outcome.h"
+#include "scenarios/cli/sweep_text.h"
 #include "scenarios/cli/talk.h"
-#include "scenarios/flight/output_file.h"
 #include "scenarios/flight/program_digest.h"
 #include "scenarios/sweep/boundary.h"
-#include "scenarios/sweep/rows_csv.h"
 #include "scenarios/sweep/run_sweep.h"
 #include "scenarios/sweep/slurm_sweep.h"
-#include "scenarios/sweep/sweep_report.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -53,71 +52,39 @@ SweepPlan TakeShard(const SweepFile& file, const SweepPlan& plan, const std::str
   return ShardOf(plan, number - 1, shards);
 }
 
-/// Simulated time of what is planned, and about how long it takes: a flight keeps a core, in about real time.
-void PrintPlan(const SweepPlan& plan, int jobs) {
-  for (const PlannedFlight& flight : plan.flights) {
-    std::string line = fmt::format("{}  seed {}", flight.id, flight.seed);
-    if (!flight.variant.empty()) line += "  " + flight.variant;
-    for (std::size_t i = 0; i < plan.keys.size(); ++i) line += fmt::format("  {}={}", plan.keys[i], flight.values[i]);
-    fmt::print("{}\n", line);
-  }
-  const double flown_s =
-      std::accumulate(plan.flights.begin(), plan.flights.end(), 0.0,
-                      [](double sum, const PlannedFlight& flight) { return sum + flight.expected_s; });
-  fmt::print("{} flights, {:.0f} s in the air; at real time on {} cores {:.1f} min\n", plan.flights.size(), flown_s,
-             jobs, flown_s / 60.0 / jobs);
-}
-
-std::string Percent(const PassCount& count) {
-  constexpr double kPercent = 100.0;
-  const Interval rate = count.rate();
-  return fmt::format("{:5.1f} %  ({} of {}; 95 %: {:.1f} to {:.1f})", kPercent * rate.value, count.passed, count.flown,
-                     kPercent * rate.low, kPercent * rate.high);
-}
-
-void PrintSummary(const SweepOutcome& sweep, const SweepSummary& summary, const std::string& out) {
-  fmt::print("{}: {} of {} flights\n", sweep.terms.name, summary.all.flown, sweep.planned);
-  if (summary.all.flown > 0) fmt::print("  passed  {}\n", Percent(summary.all));
-  for (const PassCountOf& each : summary.by_value) {
-    fmt::print("  {:<40} {}\n", fmt::format("{}={}", each.key, each.value), Percent(each.count));
-  }
-  for (const Check& check : summary.criteria) {
-    fmt::print("  {}  {:<40} {:>10} {:<4} {}\n", check.pass ? "pass" : "FAIL", check.name,
-               check.value ? fmt::format("{:.4g}", *check.value) : "none", check.unit, check.limit);
-  }
-  fmt::print("rows in {0}/sweep.db, report in {0}/report.html\n", out);
+int TellPlan(const SweepPlan& plan, const Options& options) {
+  std::optional<SweepStore> rows;
+  if (options.out && fs::exists(fs::path(*options.out) / "sweep.db"))
+    rows.emplace(*options.out, SweepStore::Access::kRead);
+  const DryRun dry_run = MakeDryRun(plan, options.jobs, rows ? &*rows : nullptr);
+  if (!options.talk.quiet) fmt::print("{}", options.talk.json ? DryRunJson(dry_run) : DryRunText(dry_run));
+  return kPassed;
 }
 
 bool FlyAll(const SweepFile& file, const SweepPlan& plan, const Options& options) {
   Progress progress(!options.talk.ForPeople());
-  return RunSweep(file, plan, *options.out, options.jobs, InterruptRequested, [&](const SweepProgress& done) {
-    if (!progress.IsDue()) return;
-    progress.Tell(done.share, fmt::format("{} of {} flights, {} passed", done.done, done.planned, done.passed));
-  });
+  bool has_begun = false;
+  return RunSweep(file, plan, *options.out, {.jobs = options.jobs, .retry = options.on_slurm.retry}, InterruptRequested,
+                  [&](const SweepProgress& done) {
+                    if (!has_begun) progress.GoOnFrom(done.share);
+                    has_begun = true;
+                    if (!progress.IsDue()) return;
+                    progress.Tell(done.share, fmt::format("{} of {} flights, {} passed, {} flying", done.done,
+                                                          done.planned, done.passed, done.flying));
+                  });
 }
 
-int SeekBoundary(const SweepFile& file, const Options& options) {
-  if (!options.out) throw InputError("--out: name a folder for the rows");
+bool SeekBoundary(const SweepFile& file, const Options& options) {
   Progress progress(!options.talk.ForPeople());
   const BoundarySearch search{.key = *options.boundary, .pass_rate = options.level, .flights = options.flights};
-  const auto text = [](const Boundary& b) {
-    return fmt::format("{:.4g} (95 %: {:.4g} to {:.4g})", b.edge.value, b.edge.low, b.edge.high);
-  };
   const Boundary found =
       FindBoundary(file, search, *options.out, options.jobs, InterruptRequested, [&](const Boundary& so_far) {
-        if (progress.IsDue()) progress.Tell(static_cast<double>(so_far.flights) / options.flights, text(so_far));
+        if (!progress.IsDue()) return;
+        progress.Tell(
+            static_cast<double>(so_far.flights) / options.flights,
+            fmt::format("{:.4g} (95 %: {:.4g} to {:.4g})", so_far.edge.value, so_far.edge.low, so_far.edge.high));
       });
-  if (!found.is_done) {
-    spdlog::warn("interrupted: what was flown is kept in {}, and the same command goes on from there", *options.out);
-    return kInterrupted;
-  }
-  if (options.talk.ForPeople()) {
-    fmt::print("{}: the pass rate goes through {} at {} = {}, after {} flights\n", file.name, options.level,
-               *options.boundary, text(found), found.flights);
-    if (found.edge.low == found.min || found.edge.high == found.max)
-      fmt::print("it may lie beyond the listed values\n");
-  }
-  return kPassed;
+  return found.is_done;
 }
 
 std::string TaskWords(const SlurmSweep& sweep) {
@@ -148,7 +115,7 @@ void AddSlurmOptions(CLI::App& command, Options& options) {
   CLI::Option* const slurm =
       command.add_flag("--slurm", options.slurm, "Submit the flights instead of flying them here");
   slurm->group(kGroup);
-  for (const char* here : {"--jobs", "--csv", "--json"}) slurm->excludes(command.get_option(here));
+  for (const char* here : {"--jobs", "--csv", "--json", "--boundary"}) slurm->excludes(command.get_option(here));
   const auto add = [&](const char* name, auto& value, const char* type, const char* text) {
     return command.add_option(name, value, text)->type_name(type)->group(kGroup)->needs(slurm);
   };
@@ -159,42 +126,28 @@ void AddSlurmOptions(CLI::App& command, Options& options) {
   add("--time", options.on_slurm.site.time, "T", "A task's time limit, as of sbatch");
 }
 
-/// A page that cannot be drawn does not make a sweep of hours fail.
-void WriteReport(const SweepOutcome& sweep, const fs::path& folder) {
-  std::string page;
-  try {
-    page = SweepPage(sweep, folder);
-  } catch (const InputError& error) {
-    spdlog::warn("no report: {}", error.what());
-    return;
-  }
-  WriteOutputFile(folder / "report.html", page, kSweepPageMark);
-}
-
-int Sweep(const Options& options) {
-  const SweepFile file = LoadSweepFile(options.sweep);
-  if (options.boundary) return SeekBoundary(file, options);
-  SweepPlan plan = PlanSweep(file, ProgramDigest());
-  if (options.shard) plan = TakeShard(file, plan, *options.shard);
-  if (options.slurm) return SweepOnSlurm(file, plan, options);
-  if (options.dry_run) {
-    PrintPlan(plan, options.jobs);
-    return kPassed;
-  }
+/// Flies the plan, or seeks the boundary, and tells of it.
+int FlyAndTell(const Options& options, const std::function<bool()>& fly) {
   if (!options.out) throw InputError("--out: name a folder for the rows");
-  if (options.csv) CheckOutputFile(*options.csv, kRowsCsvMark);
-  CheckOutputFile(fs::path(*options.out) / "report.html", kSweepPageMark);
-  const bool is_done = FlyAll(file, plan, options);
-  const SweepOutcome sweep = ReadOutcome({*options.out, SweepStore::Access::kRead});
-  if (options.csv) WriteOutputFile(*options.csv, RowsCsv(sweep.terms.keys(), sweep.results), kRowsCsvMark);
-  WriteReport(sweep, *options.out);
-  const SweepSummary summary = Summarize(sweep);
-  if (options.talk.ForPeople()) PrintSummary(sweep, summary, *options.out);
+  const SweepFiles files{.folder = *options.out, .csv = options.csv};
+  CheckSweepFiles(files);
+  const bool is_done = fly();
+  const bool keeps_criteria = TellOutcome(files, options.talk);
   if (!is_done) {
     spdlog::warn("interrupted: what was flown is kept in {}, and the same command goes on from there", *options.out);
     return kInterrupted;
   }
-  return summary.keeps_criteria() ? kPassed : kFailed;
+  return keeps_criteria ? kPassed : kFailed;
+}
+
+int Sweep(const Options& options) {
+  const SweepFile file = LoadSweepFile(options.sweep);
+  if (options.boundary) return FlyAndTell(options, [&] { return SeekBoundary(file, options); });
+  SweepPlan plan = PlanSweep(file, ProgramDigest());
+  if (options.shard) plan = TakeShard(file, plan, *options.shard);
+  if (options.slurm) return SweepOnSlurm(file, plan, options);
+  if (options.dry_run) return TellPlan(plan, options);
+  return FlyAndTell(options, [&] { return FlyAll(file, plan, options); });
 }
 
 }  // namespace
@@ -215,15 +168,20 @@ void AddSweep(CLI::App& app, Run& run) {
                   "In place of the grid: find the value of this parameter at which the pass rate goes through a level, "
                   "between its least and its largest listed value")
       ->type_name("KEY")
-      ->excludes("--shard")
-      ->excludes("--csv");
+      ->excludes("--shard");
   command.add_option("--level", options->level, "The pass rate at the boundary (default: 0.5)")
       ->type_name("SHARE")
       ->check(CLI::Range(0.01, 0.99));
   command.add_option("--flights", options->flights, "How many flights a boundary may take (default: 60)")
       ->type_name("N")
       ->check(CLI::Range(6, 100000));
-  command.add_flag("--dry-run", options->dry_run, "List the flights, and fly none");
+  CLI::Option* const dry_run = command.add_flag(
+      "--dry-run", options->dry_run, "List the flights and how long they take, and fly none; with --out those to go");
+  dry_run->excludes("--boundary");
+  command
+      .add_flag("--retry", options->on_slurm.retry, "Fly those again whose process crashed, hung or ran out of memory")
+      ->excludes(dry_run)
+      ->excludes("--boundary");
   AddTalk(command, options->talk);
   AddSlurmOptions(command, *options);
   command.callback([options, &run] { run = [options] { return Sweep(*options); }; });

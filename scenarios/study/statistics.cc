@@ -1,9 +1,11 @@
 #include "scenarios/study/statistics.h"
 
 #include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -44,6 +46,23 @@ double Quantile(std::vector<double> values, double q) {
   const auto below = static_cast<std::size_t>(place);
   const std::size_t above = std::min(below + 1, values.size() - 1);
   return std::lerp(values[below], values[above], place - static_cast<double>(below));
+}
+
+Interval QuantileInterval(std::vector<double> values, double q) {
+  Interval interval{Quantile(values, q), -std::numeric_limits<double>::infinity(),
+                    std::numeric_limits<double>::infinity()};
+  std::sort(values.begin(), values.end());
+  // How many of the values lie below the true quantile.
+  const boost::math::binomial below(static_cast<double>(values.size()), std::clamp(q, 0.0, 1.0));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double at_most_i = boost::math::cdf(below, static_cast<double>(i));
+    if (at_most_i <= 1.0 - kUpper) interval.low = values[i];
+    if (at_most_i >= kUpper) {
+      interval.high = values[i];
+      break;
+    }
+  }
+  return interval;
 }
 
 double NormalQuantile(double chance) { return boost::math::quantile(boost::math::normal(), chance); }

@@ -21,6 +21,10 @@ double StandardDeviation(std::span<const double> values);
 /// The value below which a share `q` of them lies, interpolated between order statistics; of at least one value.
 double Quantile(std::vector<double> values, double q);
 
+/// The same, with the order statistics between which the true quantile lies whatever the distribution (David and
+/// Nagaraja 2003, section 7.1): an end that so few values do not tell is infinite.
+Interval QuantileInterval(std::vector<double> values, double q);
+
 /// The value below which a standard normal variable stays with that chance; of Student's t on so many degrees of
 /// freedom.
 double NormalQuantile(double chance);

@@ -69,7 +69,9 @@ Boundary FindBoundary(const SweepFile& file, const BoundarySearch& search, const
   SweepPlan plan;
   SweepFile whole = file;
   whole.stop_when.reset();
+  whole.criteria.clear();  // They are not meant of flights that gather where half of them fail.
   whole.parameters[parameter].values = UniformValues{min, max};  // On its page: not listed, but met here and there.
+  whole.sought = {search.key, min, max, search.pass_rate};
   while (boundary.flights < search.flights) {
     const int round = std::min(kRound, search.flights - boundary.flights);
     for (int i = 0; i < round; ++i) {
@@ -80,7 +82,7 @@ Boundary FindBoundary(const SweepFile& file, const BoundarySearch& search, const
       one.flights.front().position = boundary.flights + i;
       plan.flights.push_back(std::move(one.flights.front()));
     }
-    if (!RunSweep(whole, plan, folder, jobs, stop_requested, nullptr)) return boundary;
+    if (!RunSweep(whole, plan, folder, {.jobs = jobs}, stop_requested, nullptr)) return boundary;
     const std::vector<SweepResult> results = SweepStore(folder, SweepStore::Access::kRead).Results();
     for (int i = 0; i < round; ++i) {
       const SweepResult& result = results.at(static_cast<std::size_t>(boundary.flights + i));

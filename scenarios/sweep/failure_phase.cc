@@ -39,6 +39,14 @@ Phase WorstPhaseOfVision(const std::string& metric, const FlightLog& log) {
   return worst;
 }
 
+/// The last in which the controller flew: having given up is no phase of a flight. Empty without one.
+std::string LastPhaseFlown(const FlightLog& log) {
+  const auto last = std::find_if(log.ticks.rbegin(), log.ticks.rend(), [](const TickRecord& tick) {
+    return tick.control.phase != Phase::kGaveUp;
+  });
+  return last == log.ticks.rend() ? "" : std::string(Name(last->control.phase));
+}
+
 }  // namespace
 
 std::string FailurePhase(const Check& check, const FlightLog& log) {
@@ -46,7 +54,7 @@ std::string FailurePhase(const Check& check, const FlightLog& log) {
     return std::string(Name(WorstPhaseOfVision(check.name, log)));
   }
   if (check.name.starts_with("flight.touchdown_")) return std::string(Name(Phase::kTouchdown));
-  return log.ticks.empty() ? "" : std::string(Name(log.ticks.back().control.phase));
+  return LastPhaseFlown(log);
 }
 
 }  // namespace touchdown::scenarios

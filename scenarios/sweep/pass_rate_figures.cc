@@ -1,7 +1,6 @@
 #include "scenarios/sweep/pass_rate_figures.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "scenarios/report/text.h"
@@ -64,16 +63,28 @@ std::string GroupLines(const std::vector<DrawnPoint>& points) {
   return csv;
 }
 
-}  // namespace
-
-std::optional<double> AsNumber(const std::string& yaml) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(yaml.data(), yaml.data() + yaml.size(), value);
-  const bool is_number = error == std::errc() && end == yaml.data() + yaml.size() && std::isfinite(value);
-  return is_number ? std::optional(value) : std::nullopt;
+/// A dashed line at each edge, and its interval shaded.
+std::string EdgeCommands(const std::vector<PassEdgeOf>& edges) {
+  std::string commands;
+  for (const PassEdgeOf& each : edges) {
+    commands += fmt::format(
+        "set object rectangle from {},graph 0 to {},graph 1 behind fillcolor rgb SET_POINT fillstyle transparent solid "
+        "0.18 noborder\nset arrow from {},graph 0 to {},graph 1 nohead dashtype 2 linecolor rgb INK\n",
+        Number(each.edge.low), Number(each.edge.high), Number(each.edge.value), Number(each.edge.value));
+  }
+  return commands;
 }
 
-Figure PassRateFigure(const std::string& key, const std::vector<PassCountOf>& counts) {
+std::string EdgeCaption(const std::vector<PassEdgeOf>& edges) {
+  return edges.empty() ? ""
+                       : fmt::format(" Dashed: where the rate goes through {:.4g} %, its 95 % interval shaded.",
+                                     kPercent * edges.front().pass_rate);
+}
+
+}  // namespace
+
+Figure PassRateFigure(const std::string& key, const std::vector<PassCountOf>& counts,
+                      const std::vector<PassEdgeOf>& edges) {
   std::vector<std::vector<double>> rows;
   for (const PassCountOf& each : counts) {
     const Interval rate = each.count.rate();
@@ -82,11 +93,11 @@ Figure PassRateFigure(const std::string& key, const std::vector<PassCountOf>& co
   std::sort(rows.begin(), rows.end());
   Figure figure{.name = NameOf("pass_rate", key),
                 .title = key,
-                .caption = "Share of flights that passed, with its 95 % interval (Wilson).",
+                .caption = "Share of flights that passed, with its 95 % interval (Wilson)." + EdgeCaption(edges),
                 .csv = "value,percent,low,high\n"};
   for (const auto& row : rows)
     figure.csv += CsvLine({Number(row[0]), Fixed(row[1], 2), Fixed(row[2], 2), Fixed(row[3], 2)});
-  figure.plot = RangeAround("xrange", rows.front()[0], rows.back()[0]) +
+  figure.plot = RangeAround("xrange", rows.front()[0], rows.back()[0]) + EdgeCommands(edges) +
                 fmt::format(
                     "set xlabel {} noenhanced\nset ylabel 'passed, %'\nset yrange [-3:103]\nunset key\n"
                     "plot data using 'value':'percent':'low':'high' with yerrorlines pt 7 ps 0.5 lw 1.4 lc rgb "
@@ -135,7 +146,7 @@ Figure HeatMapFigure(const SweepOutcome& sweep, std::size_t axis_x, std::size_t 
   return figure;
 }
 
-Figure DrawnValuesFigure(const SweepOutcome& sweep, std::size_t axis) {
+Figure DrawnValuesFigure(const SweepOutcome& sweep, std::size_t axis, const std::vector<PassEdgeOf>& edges) {
   const std::string& key = sweep.terms.axes[axis].key;
   const std::vector<DrawnPoint> points = DrawnPoints(sweep, axis);
   const std::string groups = GroupLines(points);
@@ -144,6 +155,7 @@ Figure DrawnValuesFigure(const SweepOutcome& sweep, std::size_t axis) {
                 .caption = "Each flight that passed above, each that did not below, spread in height to be seen.",
                 .csv = "value,passed,failed,percent,low,high\n"};
   if (!groups.empty()) figure.caption += " The line: share that passed in five groups of as many, with 95 % intervals.";
+  figure.caption += EdgeCaption(edges);
   constexpr double kGoldenRatio = 0.6180339887498949, kSpread = 12.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double spread = kSpread * std::fmod(kGoldenRatio * static_cast<double>(i), 1.0);
@@ -153,6 +165,7 @@ Figure DrawnValuesFigure(const SweepOutcome& sweep, std::size_t axis) {
   figure.csv += groups;
   figure.plot =
       (points.empty() ? "set xrange [0:1]\n" : RangeAround("xrange", points.front().value, points.back().value)) +
+      EdgeCommands(edges) +
       fmt::format(
           "set xlabel {} noenhanced\nset ylabel 'passed, %'\nset yrange [-20:120]\nset ytics 0,25,100\n"
           "set key outside top center horizontal\nplot data using 'value':'passed' with {} title 'passed', '' using "

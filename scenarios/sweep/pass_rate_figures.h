@@ -9,17 +9,15 @@
 
 namespace touchdown::scenarios {
 
-/// The number that a value is; nullopt for one that is none.
-std::optional<double> AsNumber(const std::string& yaml);
-
-/// The pass rate over the values of a parameter, all of them numbers.
-Figure PassRateFigure(const std::string& key, const std::vector<PassCountOf>& counts);
+/// The pass rate over the values of a parameter, all of them numbers, and the edges over it.
+Figure PassRateFigure(const std::string& key, const std::vector<PassCountOf>& counts,
+                      const std::vector<PassEdgeOf>& edges);
 
 /// The pass rate over two parameters of the sweep's axes whose listed values are numbers.
 Figure HeatMapFigure(const SweepOutcome& sweep, std::size_t axis_x, std::size_t axis_y);
 
 /// Which flights passed over a parameter of the sweep's axes whose values are drawn; with many flights also the rate
-/// within five groups of as many each.
-Figure DrawnValuesFigure(const SweepOutcome& sweep, std::size_t axis);
+/// within five groups of as many each; and the edges over it.
+Figure DrawnValuesFigure(const SweepOutcome& sweep, std::size_t axis, const std::vector<PassEdgeOf>& edges);
 
 }  // namespace touchdown::scenarios

@@ -33,9 +33,14 @@ class Agenda {
     Decide();
   }
 
-  const FlightTask* Next() { return IsDecided() || next_ == tasks_.size() ? nullptr : &tasks_[next_++]; }
+  const FlightTask* Next() {
+    if (IsDecided() || next_ == tasks_.size()) return nullptr;
+    ++flying_;
+    return &tasks_[next_++];
+  }
 
   void Take(const FlightRow& row) {
+    --flying_;
     passed_[row.id] = row.passed();
     Decide();
   }
@@ -46,7 +51,7 @@ class Agenda {
   bool IsDone() const { return IsDecided() || Progress().done == Progress().planned; }
 
   SweepProgress Progress() const {
-    SweepProgress progress{.planned = static_cast<int>(plan_.flights.size())};
+    SweepProgress progress{.planned = static_cast<int>(plan_.flights.size()), .flying = flying_};
     double done_s = 0.0;
     for (const PlannedFlight& flight : plan_.flights) {
       const auto found = passed_.find(flight.id);
@@ -76,6 +81,7 @@ class Agenda {
   std::set<std::string> wanted_;
   std::vector<FlightTask> tasks_;
   std::size_t next_ = 0, decided_ = 0;
+  int flying_ = 0;
   double whole_s_ = 0.0;
 };
 
@@ -132,27 +138,32 @@ void TakeInRows(const fs::path& folder, SweepStore& store) {
   }
 }
 
-bool RunSweep(const SweepFile& file, const SweepPlan& plan, const fs::path& folder, int jobs,
+bool RunSweep(const SweepFile& file, const SweepPlan& plan, const fs::path& folder, const SweepOptions& options,
               const StopRequested& stop_requested, const std::function<void(const SweepProgress&)>& progress) {
   ClaimFolder(folder);
   const FolderLock lock(folder);
   SweepStore store(folder, SweepStore::Access::kWrite);
   TakeInRows(folder, store);
+  if (options.retry) store.ForgetUnflown(ProgramDigest());
   store.SetPlan(TermsOf(file), plan, ProgramDigest());
   Agenda agenda(file, plan, store);
   if (progress) progress(agenda.Progress());
 
   const RowFolder rows(folder);
-  const CrewOptions crew{.jobs = jobs,
+  const CrewOptions crew{.jobs = options.jobs,
                          .fly = [&rows](const FlightTask& task) { FlyRow(task.scenario_yaml, task.id, rows); }};
+  const auto next = [&] {
+    const FlightTask* const task = agenda.Next();
+    if (task != nullptr && progress) progress(agenda.Progress());
+    return task;
+  };
   const auto keep = [&](const FlightRow& row) {
     store.Put(row);
     RemoveRow(rows.RowOf(row.id));
     agenda.Take(row);
     if (progress) progress(agenda.Progress());
   };
-  FlyTasks(
-      rows, crew, [&] { return agenda.Next(); }, keep, stop_requested);
+  FlyTasks(rows, crew, next, keep, stop_requested);
   if (agenda.IsDecided()) store.SetPlan(TermsOf(file), FirstOf(plan, agenda.counted()), ProgramDigest());
   return agenda.IsDone();
 }

@@ -16,7 +16,13 @@ struct SweepProgress {
   int planned = 0;
   int done = 0;  ///< Of the planned ones, those that were there already among them.
   int passed = 0;
+  int flying = 0;
   double share = 0.0;  ///< Of the whole work, by the flights' expected lengths.
+};
+
+struct SweepOptions {
+  int jobs = 1;
+  bool retry = false;  ///< Flies those again whose process crashed, hung or ran out of memory.
 };
 
 /// Of every `shards` planned flights the one of number `shard`, from 0.
@@ -26,8 +32,9 @@ SweepPlan ShardOf(const SweepPlan& plan, int shard, int shards);
 /// ended program left are taken in first. `stop` ends it sooner, decided by the flights in the plan's order, whatever
 /// the order in which they are done. Returns false when a stop was requested before all was flown. Throws InputError
 /// when the folder is another's, or cannot be written.
-bool RunSweep(const SweepFile& file, const SweepPlan& plan, const std::filesystem::path& folder, int jobs,
-              const StopRequested& stop_requested, const std::function<void(const SweepProgress&)>& progress);
+bool RunSweep(const SweepFile& file, const SweepPlan& plan, const std::filesystem::path& folder,
+              const SweepOptions& options, const StopRequested& stop_requested,
+              const std::function<void(const SweepProgress&)>& progress);
 
 /// The rows that processes left in `folder`, as they lie there.
 std::vector<FlightRow> LeftRows(const std::filesystem::path& folder);

@@ -118,6 +118,7 @@ SlurmSweep SubmitSweep(const SweepFile& file, const SweepPlan& plan, const fs::p
   RefuseWhileQueued(folder);
   SweepStore store(folder, SweepStore::Access::kWrite);
   TakeInRows(folder, store);
+  if (options.retry) store.ForgetUnflown(ProgramDigest());
   store.SetPlan(TermsOf(file), plan, ProgramDigest());
   const std::vector<const PlannedFlight*> missing = MissingFlights(plan, folder);
   if (missing.empty()) return {};

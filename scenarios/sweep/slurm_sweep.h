@@ -14,6 +14,7 @@ struct SlurmOptions {
   /// Flights in a task; default: as many as take some minutes. There are more where an array would be too long.
   std::optional<int> chunk = {};
   SlurmSite site = {};
+  bool retry = false;  ///< As SweepOptions has it.
 };
 
 /// A sweep as Slurm sees it.

@@ -29,6 +29,8 @@ void Describe(ConfigVisitor& v, SweepCriterion& criterion) {
                    kFraction);
   v.OptionalNumber({"min", "Smallest value that passes."}, criterion.min, kNoUnit, kAny);
   v.OptionalNumber({"max", "Largest value that passes."}, criterion.max, kNoUnit, kAny);
+  v.Choice({"by", "What must be within: the measured value, or its whole 95 % interval."}, criterion.by,
+           kJudgedByNames);
   v.Check("", [&criterion] {
     const bool is_rate = criterion.metric == kPassRate;
     if (!is_rate && FindMetric(criterion.metric) == nullptr) {

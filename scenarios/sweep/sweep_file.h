@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -51,12 +53,20 @@ struct SweepVariant {
   std::vector<Override> set = {};
 };
 
+/// What of a sweep's figure must be within a criterion's limits.
+enum class JudgedBy {
+  kValue,     ///< What was measured.
+  kInterval,  ///< The whole 95 % interval, so that the flights prove it.
+};
+inline constexpr std::array<std::string_view, 2> kJudgedByNames = {"value", "interval"};
+
 /// A demand on the sweep as a whole.
 struct SweepCriterion {
   std::string metric = {};              ///< "pass_rate", or a flight's.
   std::optional<double> quantile = {};  ///< Of a flight's metric, over the flights that have it.
   std::optional<double> min = {};
   std::optional<double> max = {};
+  JudgedBy by = JudgedBy::kValue;
 };
 
 /// When enough has been flown: Wald's sequential probability ratio test of two pass rates.
@@ -78,6 +88,13 @@ struct FlightLimits {
   int memory_mb = 4096;
 };
 
+/// The value of a parameter at which the pass rate goes through a level.
+struct SoughtEdge {
+  std::string key = {};
+  double min = 0.0, max = 1.0;  ///< Between which it is sought.
+  double pass_rate = 0.5;
+};
+
 /// What is to be flown, as a file of scenarios/sweeps tells it.
 struct SweepFile {
   std::string name = {};
@@ -90,6 +107,7 @@ struct SweepFile {
   std::vector<SweepVariant> variants = {};  ///< One of no name that sets nothing when the file has none.
   std::vector<SweepCriterion> criteria = {};
   std::optional<StopWhen> stop_when = {};
+  std::optional<SoughtEdge> sought = {};  ///< Of no file: see FindBoundary.
 };
 
 /// Throws InputError, naming file, line and key, for anything that is not as docs/sweeps.md has it. That the keys of

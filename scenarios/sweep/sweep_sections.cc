@@ -1,6 +1,7 @@
 #include "scenarios/sweep/sweep_sections.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "models/error.h"
@@ -16,23 +17,24 @@ constexpr const char* kTouchdownError = "flight.touchdown_xy_error_m";
 
 std::string Short(double value) { return fmt::format("{:.4g}", value); }
 
-/// With at least two values, all of them numbers.
-bool IsNumeric(const SweepAxis& axis) {
-  return axis.listed.size() >= 2 &&
-         std::all_of(axis.listed.begin(), axis.listed.end(), [](const std::string& v) { return AsNumber(v); });
-}
-
 bool HasMetric(const SweepOutcome& sweep, const std::string& metric) {
   return std::any_of(sweep.results.begin(), sweep.results.end(),
                      [&](const SweepResult& result) { return result.row.metrics.contains(metric); });
 }
 
+/// An end that is not known is a question mark.
+std::string IntervalText(const Interval& interval) {
+  const auto end = [](double value) { return std::isfinite(value) ? Short(value) : std::string("?"); };
+  return fmt::format("{}–{}", end(interval.low), end(interval.high));
+}
+
 ReportSection CriteriaSection(const SweepSummary& summary) {
   ReportTable table{.name = "criteria",
                     .caption = "What the sweep as a whole was asked for.",
-                    .head = {"Criterion", "Value", "Unit", "Limit", "Kept"}};
-  for (const Check& check : summary.criteria) {
-    table.rows.push_back({check.name, check.value ? Short(*check.value) : "none", check.unit, WithSigns(check.limit),
+                    .head = {"Criterion", "Value", "95 % interval", "Unit", "Limit", "Kept"}};
+  for (const auto& [check, interval] : summary.criteria) {
+    table.rows.push_back({check.name, check.value ? Short(*check.value) : "none",
+                          interval ? IntervalText(*interval) : "", check.unit, WithSigns(check.limit),
                           check.pass ? "✓ yes" : "✗ no"});
   }
   ReportSection section{.id = "criteria", .title = "Criteria"};
@@ -53,6 +55,26 @@ ReportTable PassRateTable(const SweepSummary& summary) {
   return table;
 }
 
+std::vector<PassEdgeOf> EdgesOver(std::size_t axis, const SweepOutcome& sweep, const SweepSummary& summary) {
+  std::vector<PassEdgeOf> edges;
+  std::copy_if(summary.edges.begin(), summary.edges.end(), std::back_inserter(edges),
+               [&](const PassEdgeOf& edge) { return edge.key == sweep.terms.axes[axis].key; });
+  return edges;
+}
+
+ReportTable EdgesTable(const SweepSummary& summary) {
+  ReportTable table{.name = "edges",
+                    .caption =
+                        "Where the pass rate goes through a level: median and 95 % of the posterior over a "
+                        "logistic curve.",
+                    .head = {"Parameter", "Variant", "Pass rate, %", "Edge", "Interval"}};
+  for (const PassEdgeOf& each : summary.edges) {
+    table.rows.push_back({each.key, each.variant, Short(kPercent * each.pass_rate), Short(each.edge.value),
+                          IntervalText(each.edge) + (each.may_lie_beyond ? ", or beyond" : "")});
+  }
+  return table;
+}
+
 /// The pass rate over each listed parameter whose values are numbers, and over the first with the next two of them.
 void AddListedFigures(const SweepOutcome& sweep, const SweepSummary& summary, ReportSection& section) {
   std::vector<std::size_t> numeric;
@@ -62,7 +84,7 @@ void AddListedFigures(const SweepOutcome& sweep, const SweepSummary& summary, Re
     std::copy_if(summary.by_value.begin(), summary.by_value.end(), std::back_inserter(counts),
                  [&](const PassCountOf& each) { return each.key == sweep.terms.axes[axis].key; });
     if (counts.empty()) continue;
-    section.figures.push_back(PassRateFigure(sweep.terms.axes[axis].key, counts));
+    section.figures.push_back(PassRateFigure(sweep.terms.axes[axis].key, counts, EdgesOver(axis, sweep, summary)));
     numeric.push_back(axis);
   }
   constexpr std::size_t kMostPairs = 2;
@@ -71,12 +93,12 @@ void AddListedFigures(const SweepOutcome& sweep, const SweepSummary& summary, Re
   }
 }
 
-void AddDrawnFigures(const SweepOutcome& sweep, ReportSection& section) {
+void AddDrawnFigures(const SweepOutcome& sweep, const SweepSummary& summary, ReportSection& section) {
   constexpr int kMost = 4;
   int count = 0;
   for (std::size_t axis = 0; axis < sweep.terms.axes.size() && count < kMost; ++axis) {
     if (!sweep.terms.axes[axis].listed.empty()) continue;
-    section.figures.push_back(DrawnValuesFigure(sweep, axis));
+    section.figures.push_back(DrawnValuesFigure(sweep, axis, EdgesOver(axis, sweep, summary)));
     ++count;
   }
 }
@@ -84,7 +106,8 @@ void AddDrawnFigures(const SweepOutcome& sweep, ReportSection& section) {
 ReportSection PassRateSection(const SweepOutcome& sweep, const SweepSummary& summary) {
   ReportSection section{.id = "pass-rate", .title = "Pass rate"};
   AddListedFigures(sweep, summary, section);
-  AddDrawnFigures(sweep, section);
+  AddDrawnFigures(sweep, summary, section);
+  if (!summary.edges.empty()) section.tables.push_back(EdgesTable(summary));
   section.tables.push_back(PassRateTable(summary));
   return section;
 }

@@ -196,6 +196,15 @@ void SweepStore::Put(const FlightRow& row) {
   });
 }
 
+void SweepStore::ForgetUnflown(const std::string& program_digest) {
+  impl_->Guarded([&] {
+    SQLite::Statement forget(*impl_->db, "DELETE FROM flights WHERE process != ? AND program = ?");
+    forget.bind(1, std::string(Name(RowEnd::kFlown)));
+    forget.bind(2, program_digest);
+    forget.exec();
+  });
+}
+
 std::optional<FlightRow> SweepStore::Find(const std::string& id) const {
   return impl_->Guarded([&]() -> std::optional<FlightRow> {
     SQLite::Statement query(*impl_->db, "SELECT * FROM flights WHERE id = ?");

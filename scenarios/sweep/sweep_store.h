@@ -38,6 +38,9 @@ class SweepStore {
   /// A row of the same id is replaced.
   void Put(const FlightRow& row);
 
+  /// Forgets this program's rows of flights whose process crashed, hung or ran out of memory.
+  void ForgetUnflown(const std::string& program_digest);
+
   std::optional<FlightRow> Find(const std::string& id) const;
   bool Has(const std::string& id) const;
 

@@ -3,9 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <map>
 
 namespace touchdown::scenarios {
 namespace {
+
+constexpr double kGridEdgePassRate = 0.5;
 
 std::vector<PassCountOf> CountsByValue(const SweepTerms& terms, const std::vector<SweepResult>& results) {
   std::vector<PassCountOf> counts;
@@ -24,25 +30,110 @@ std::vector<PassCountOf> CountsByValue(const SweepTerms& terms, const std::vecto
   return counts;
 }
 
-Check Judged(const SweepCriterion& criterion, const std::vector<SweepResult>& results, const PassCount& all) {
+/// nullopt when no flight has it.
+std::optional<Interval> FigureOf(const SweepCriterion& criterion, const std::vector<SweepResult>& results,
+                                 const PassCount& all) {
+  if (!criterion.quantile) return all.flown > 0 ? std::optional(all.rate()) : std::nullopt;
+  const std::vector<double> values = MetricValues(results, criterion.metric);
+  return values.empty() ? std::nullopt : std::optional(QuantileInterval(values, *criterion.quantile));
+}
+
+SweepCheck Judged(const SweepCriterion& criterion, const std::vector<SweepResult>& results, const PassCount& all) {
   Check check{.name = criterion.metric, .limit = LimitText({criterion.metric, criterion.min, criterion.max})};
   if (criterion.quantile) {
     check.name += fmt::format(" at {:g}", *criterion.quantile);
     if (const MetricInfo* const info = FindMetric(criterion.metric)) check.unit = info->unit;
-    const std::vector<double> values = MetricValues(results, criterion.metric);
-    if (!values.empty()) check.value = Quantile(values, *criterion.quantile);
-  } else if (all.flown > 0) {
-    check.value = all.rate().value;
   }
-  check.pass = check.value && (!criterion.min || *check.value >= *criterion.min) &&
-               (!criterion.max || *check.value <= *criterion.max);
-  return check;
+  const bool by_interval = criterion.by == JudgedBy::kInterval;
+  if (by_interval) check.limit += ", by its interval";
+  const std::optional<Interval> figure = FigureOf(criterion, results, all);
+  if (figure) {
+    check.value = figure->value;
+    check.pass = (!criterion.min || (by_interval ? figure->low : figure->value) >= *criterion.min) &&
+                 (!criterion.max || (by_interval ? figure->high : figure->value) <= *criterion.max);
+  }
+  return {check, figure};
 }
+
+std::vector<PassTrial> TrialsOver(std::size_t axis, const std::vector<SweepResult>& results,
+                                  const std::string& variant) {
+  std::vector<PassTrial> trials;
+  for (const SweepResult& result : results) {
+    if (result.variant == variant) trials.push_back({*AsNumber(result.values[axis]), result.row.passed()});
+  }
+  return trials;
+}
+
+PassEdgeOf EdgeOfSought(const SoughtEdge& sought, std::size_t axis, const std::vector<SweepResult>& results) {
+  PassEdge posterior(sought.min, sought.max, sought.pass_rate);
+  for (const PassTrial& trial : TrialsOver(axis, results, "")) posterior.Take(trial);
+  const Interval edge = posterior.edge();
+  return {.key = sought.key,
+          .pass_rate = sought.pass_rate,
+          .edge = edge,
+          .may_lie_beyond = edge.low == sought.min || edge.high == sought.max};
+}
+
+std::vector<PassEdgeOf> EdgesOf(const SweepTerms& terms, const std::vector<SweepResult>& results) {
+  std::vector<PassEdgeOf> edges;
+  for (std::size_t axis = 0; axis < terms.axes.size(); ++axis) {
+    const std::string& key = terms.axes[axis].key;
+    if (terms.sought && terms.sought->key == key) edges.push_back(EdgeOfSought(*terms.sought, axis, results));
+    if (terms.sought || !IsNumeric(terms.axes[axis])) continue;
+    for (const std::string& variant : terms.variants.empty() ? std::vector<std::string>{""} : terms.variants) {
+      const auto edge = EdgeOver(TrialsOver(axis, results, variant));
+      if (edge) edges.push_back({.variant = variant, .key = key, .pass_rate = kGridEdgePassRate, .edge = *edge});
+    }
+  }
+  return edges;
+}
+
+/// The least and the largest of some values.
+struct ValueRange {
+  double least = std::numeric_limits<double>::infinity();
+  double largest = -std::numeric_limits<double>::infinity();
+
+  void Take(double value) {
+    least = std::min(least, value);
+    largest = std::max(largest, value);
+  }
+};
 
 }  // namespace
 
 bool SweepSummary::keeps_criteria() const {
-  return std::all_of(criteria.begin(), criteria.end(), [](const Check& check) { return check.pass; });
+  return std::all_of(criteria.begin(), criteria.end(), [](const SweepCheck& each) { return each.check.pass; });
+}
+
+std::optional<Interval> EdgeOver(const std::vector<PassTrial>& trials) {
+  std::map<double, PassCount> counts;
+  for (const PassTrial& trial : trials) {
+    PassCount& count = counts[trial.value];
+    ++count.flown;
+    count.passed += trial.passed ? 1 : 0;
+  }
+  ValueRange passing, failing;
+  for (const auto& [value, count] : counts) {
+    if (count.rate().low > kGridEdgePassRate) passing.Take(value);
+    if (count.rate().high < kGridEdgePassRate) failing.Take(value);
+  }
+  const bool are_both = passing.least <= passing.largest && failing.least <= failing.largest;
+  if (!are_both || (passing.largest > failing.least && failing.largest > passing.least)) return std::nullopt;
+  PassEdge posterior(counts.begin()->first, counts.rbegin()->first, kGridEdgePassRate);
+  for (const PassTrial& trial : trials) posterior.Take(trial);
+  return posterior.edge();
+}
+
+bool IsNumeric(const SweepAxis& axis) {
+  return axis.listed.size() >= 2 &&
+         std::all_of(axis.listed.begin(), axis.listed.end(), [](const std::string& v) { return AsNumber(v); });
+}
+
+std::optional<double> AsNumber(const std::string& yaml) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(yaml.data(), yaml.data() + yaml.size(), value);
+  const bool is_number = error == std::errc() && end == yaml.data() + yaml.size() && std::isfinite(value);
+  return is_number ? std::optional(value) : std::nullopt;
 }
 
 std::vector<double> MetricValues(const std::vector<SweepResult>& results, const std::string& metric) {
@@ -61,6 +152,7 @@ SweepOutcome ReadOutcome(const SweepStore& store) {
 SweepSummary Summarize(const SweepOutcome& sweep) {
   SweepSummary summary{.all = CountWhere(sweep.results, [](const SweepResult&) { return true; }),
                        .by_value = CountsByValue(sweep.terms, sweep.results),
+                       .edges = EdgesOf(sweep.terms, sweep.results),
                        .criteria = {}};
   for (const SweepCriterion& criterion : sweep.terms.criteria) {
     summary.criteria.push_back(Judged(criterion, sweep.results, summary.all));

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "scenarios/study/statistics.h"
+#include "scenarios/sweep/pass_edge.h"
 #include "scenarios/sweep/sweep_store.h"
 
 namespace touchdown::scenarios {
@@ -34,16 +36,43 @@ struct SweepOutcome {
 /// Throws as SweepStore does.
 SweepOutcome ReadOutcome(const SweepStore& store);
 
+/// What became of a criterion on the sweep.
+struct SweepCheck {
+  Check check = {};
+  std::optional<Interval> interval = {};  ///< Of the value; an end that so few flights do not tell is infinite.
+};
+
+/// Where the pass rate goes through a level over a parameter.
+struct PassEdgeOf {
+  std::string variant = {};  ///< Empty without variants.
+  std::string key = {};
+  double pass_rate = 0.5;
+  Interval edge = {};
+  bool may_lie_beyond = false;  ///< The flown values.
+};
+
 struct SweepSummary {
   PassCount all = {};
   std::vector<PassCountOf> by_value = {};  ///< Of keys with a few values each: those that are listed, not drawn.
-  std::vector<Check> criteria = {};
+  std::vector<PassEdgeOf> edges = {};      ///< Of the key that was sought, or of those that list numbers (EdgeOver).
+  std::vector<SweepCheck> criteria = {};
 
   bool keeps_criteria() const;
 };
 
+/// The edge between values that flights pass at and values that they fail at, of a grid: nullopt unless the rates of
+/// some values lie above a half with their whole intervals and those of others below, and each of the ones lies on the
+/// same side of all of the others.
+std::optional<Interval> EdgeOver(const std::vector<PassTrial>& trials);
+
 /// A criterion on a metric that no flight has is not kept.
 SweepSummary Summarize(const SweepOutcome& sweep);
+
+/// The number that a value is; nullopt for one that is none.
+std::optional<double> AsNumber(const std::string& yaml);
+
+/// With at least two listed values, all of them numbers.
+bool IsNumeric(const SweepAxis& axis);
 
 /// Of the flights to which `belongs` applies.
 template <typename Belongs>

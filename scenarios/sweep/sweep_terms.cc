@@ -24,7 +24,13 @@ SweepTerms TermsFrom(const Json& json) {
     terms.criteria.push_back({.metric = criterion.at("metric"),
                               .quantile = NumberIfThere(criterion, "quantile"),
                               .min = NumberIfThere(criterion, "min"),
-                              .max = NumberIfThere(criterion, "max")});
+                              .max = NumberIfThere(criterion, "max"),
+                              .by = criterion.contains("by") ? JudgedBy::kInterval : JudgedBy::kValue});
+  }
+  if (json.contains("sought")) {
+    const Json& sought = json.at("sought");
+    terms.sought = {
+        .key = sought.at("key"), .min = sought.at("min"), .max = sought.at("max"), .pass_rate = sought.at("pass_rate")};
   }
   return terms;
 }
@@ -38,7 +44,8 @@ std::vector<std::string> SweepTerms::keys() const {
 }
 
 SweepTerms TermsOf(const SweepFile& file) {
-  SweepTerms terms{.name = file.name, .description = file.description, .criteria = file.criteria};
+  SweepTerms terms{
+      .name = file.name, .description = file.description, .criteria = file.criteria, .sought = file.sought};
   for (const SweepParameter& parameter : file.parameters) {
     const auto* listed = std::get_if<ListedValues>(&parameter.values);
     terms.axes.push_back({parameter.key, listed == nullptr ? std::vector<std::string>() : listed->yaml});
@@ -61,7 +68,14 @@ std::string TermsJson(const SweepTerms& terms) {
     PutIfThere(each, "quantile", criterion.quantile);
     PutIfThere(each, "min", criterion.min);
     PutIfThere(each, "max", criterion.max);
+    if (criterion.by == JudgedBy::kInterval) each["by"] = kJudgedByNames[1];
     json["criteria"].push_back(each);
+  }
+  if (terms.sought) {
+    json["sought"] = {{"key", terms.sought->key},
+                      {"min", terms.sought->min},
+                      {"max", terms.sought->max},
+                      {"pass_rate", terms.sought->pass_rate}};
   }
   // A description may be no UTF-8.
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);

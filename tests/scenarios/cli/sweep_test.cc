@@ -87,8 +87,21 @@ TEST_F(SweepCommand, ListsTheFlightsWithoutFlying) {
   PutSweep(2, "parameters: {camera.noise_sigma: [0, 3]}\n");
   const ProgramRun run = Run({"sweep", "sweep.yaml", "--dry-run"});
   EXPECT_EQ(run.status, 0) << run.err;
-  EXPECT_THAT(run.out, AllOf(HasSubstr("seed 2  camera.noise_sigma=3\n"), HasSubstr("4 flights, ")));
+  EXPECT_THAT(run.out, AllOf(HasSubstr("seed 2  camera.noise_sigma=3\n"), HasSubstr("4 flights; ")));
   EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
+TEST_F(SweepCommand, TellsWhatIsYetToBeFlownByTheTimeThatTheFlownOnesTook) {
+  PutSweep(1);
+  ASSERT_EQ(Sweep({"--quiet"}).status, 0);
+  PutSweep(3);
+  EXPECT_THAT(Sweep({"--dry-run"}).out,
+              AllOf(HasSubstr("3 flights, 1 of them flown; "), HasSubstr("as fast as these")));
+  const auto json = nlohmann::json::parse(Sweep({"--dry-run", "--jobs", "1", "--json"}).out);
+  EXPECT_EQ(json.at("planned"), 3);
+  EXPECT_EQ(json.at("flown"), 1);
+  EXPECT_EQ(json.at("flights").at(2).at("seed"), 3);
+  EXPECT_NEAR(json.at("expected_s").get<double>(), 2.0 * std::stod(WallTimes("out")), 1e-4);
 }
 
 TEST_F(SweepCommand, FliesARowAgainToTheSameLog) {
@@ -109,6 +122,14 @@ TEST_F(SweepCommand, FailsWhenItsCriteriaAreNotKept) {
   const ProgramRun run = Sweep();
   EXPECT_EQ(run.status, 1) << run.err;
   EXPECT_THAT(run.out, AllOf(HasSubstr("pass  pass_rate"), HasSubstr("FAIL  flight.sim_time_s at 0.5")));
+
+  const auto json = nlohmann::json::parse(Sweep({"--json"}).out);
+  EXPECT_EQ(json.at("passed"), 2);
+  EXPECT_NEAR(json.at("pass_rate").at("low").get<double>(), 0.3424, 1e-4) << "Wilson's of 2 in 2";
+  EXPECT_EQ(json.at("pass"), false);
+  EXPECT_EQ(json.at("criteria").at(0).at("pass"), true);
+  EXPECT_EQ(json.at("criteria").at(1).at("pass"), false);
+  EXPECT_TRUE(json.at("criteria").at(1).at("high").is_null()) << "two flights bound no median";
 }
 
 TEST_F(SweepCommand, LeavesAReportThatIsRebuiltFromItsRowsAlone) {
@@ -151,6 +172,7 @@ TEST_F(SweepCommand, SeeksTheValueAtWhichFlightsBeginToFail) {
   EXPECT_NEAR(edge, 0.15, 0.01);
   EXPECT_LE(low, 0.15);
   EXPECT_GE(high, 0.15);
+  EXPECT_THAT(folder_.Content("edge/report.html"), HasSubstr("where the rate goes through 50 %"));
   const std::string walls = WallTimes("edge");
   EXPECT_EQ(Run(seek).out, run.out);
   EXPECT_EQ(WallTimes("edge"), walls) << "nothing was flown again";
@@ -203,6 +225,9 @@ TEST_F(SweepCommand, TellsOfFlightsWhoseProcessCrashedOrHung) {
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("3 of 3 flights"));
   EXPECT_THAT(folder_.Content("rows.csv"), HasSubstr(",error,error,"));
+  EXPECT_THAT(Sweep().out, HasSubstr("2 of 3;")) << "it is flown, and that is what became of it";
+  EXPECT_THAT(Sweep({"--retry", "--csv", "rows.csv"}).out, HasSubstr("3 of 3;"));
+  EXPECT_THAT(folder_.Content("rows.csv"), Not(HasSubstr(",error,")));
   ASSERT_EQ(Run({"sweep", "sweep.yaml", "--out", "hung", "--jobs", "1", "--csv", "hung.csv"},
                 {SIGCONT, [&] { return Signal(SIGSTOP); }})
                 .status,

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -54,6 +55,37 @@ TEST(ShareInterval, IsWilsons) {
   EXPECT_NEAR(none.high, 0.0370, 5e-4);
   EXPECT_EQ(ShareInterval(7, 7).high, 1.0);
   EXPECT_THROW(ShareInterval(1, 0), std::invalid_argument);
+}
+
+TEST(QuantileInterval, IsOfTheOrderStatisticsOfTheTables) {
+  // The median of ten lies between the second and the ninth with 97.9 %, and between the third and the eighth with 89
+  // %.
+  const Interval median = QuantileInterval({7, 1, 4, 10, 2, 8, 3, 9, 6, 5}, 0.5);
+  EXPECT_DOUBLE_EQ(median.value, 5.5);
+  EXPECT_DOUBLE_EQ(median.low, 2.0);
+  EXPECT_DOUBLE_EQ(median.high, 9.0);
+}
+
+TEST(QuantileInterval, HasNoUpperEndWhenThereAreTooFewValues) {
+  // 0.95^71 is above 2.5 %, 0.95^72 is not.
+  EXPECT_TRUE(std::isinf(QuantileInterval(std::vector<double>(71, 1.0), 0.95).high));
+  EXPECT_EQ(QuantileInterval(std::vector<double>(72, 1.0), 0.95).high, 1.0);
+  EXPECT_TRUE(std::isinf(QuantileInterval({1.0, 2.0}, 0.5).low));
+}
+
+TEST(QuantileInterval, HoldsTheTrueQuantileIn95OfAHundredCases) {
+  models::RandomStream random(1, "tests.quantile_interval");
+  constexpr int kCases = 4000;
+  int held = 0;
+  for (int i = 0; i < kCases; ++i) {
+    std::vector<double> values;
+    for (int k = 0; k < 120; ++k) values.push_back(random.Normal());
+    const Interval quantile = QuantileInterval(values, 0.8);
+    const double truth = NormalQuantile(0.8);
+    held += quantile.low <= truth && truth <= quantile.high ? 1 : 0;
+  }
+  EXPECT_GE(held / static_cast<double>(kCases), 0.94);
+  EXPECT_LE(held / static_cast<double>(kCases), 0.98);
 }
 
 }  // namespace

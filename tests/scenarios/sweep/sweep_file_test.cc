@@ -48,7 +48,7 @@ variants:
   - {name: plain}
   - {name: whole, set: {estimator.contour_points: integer}}
 criteria:
-  - {metric: pass_rate, min: 0.9}
+  - {metric: pass_rate, min: 0.9, by: interval}
   - {metric: flight.touchdown_speed_m_s, quantile: 0.95, max: 0.5}
 stop_when: {good_pass_rate: 0.9, bad_pass_rate: 0.8}
 )");
@@ -67,7 +67,9 @@ stop_when: {good_pass_rate: 0.9, bad_pass_rate: 0.8}
   EXPECT_EQ(std::get<LatinHypercubeValues>(file.parameters[6].values).max, 10.0);
   ASSERT_EQ(file.variants.size(), 2u);
   EXPECT_EQ(file.variants[1].set.at(0).assignment, "estimator.contour_points=integer");
-  EXPECT_EQ(file.criteria.size(), 2u);
+  ASSERT_EQ(file.criteria.size(), 2u);
+  EXPECT_EQ(file.criteria[0].by, JudgedBy::kInterval);
+  EXPECT_EQ(file.criteria[1].by, JudgedBy::kValue);
   EXPECT_EQ(file.stop_when.value().good_pass_rate, 0.9);
 }
 
@@ -101,6 +103,7 @@ TEST_F(SweepFileTest, NamesFileLineAndKeyOfWhatIsWrong) {
       {"criteria: [{metric: pass_rate}]", "needs min or max"},
       {"criteria: [{metric: pass_rate, min: 1, quantile: 0.5}]", "pass_rate has no quantile"},
       {"criteria: [{metric: flight.sim_time_s, max: 1}]", "a flight's metric needs a quantile"},
+      {"criteria: [{metric: pass_rate, min: 1, by: luck}]", "criteria.0.by: must be one of value, interval"},
       {"stop_when: {good_pass_rate: 0.8, bad_pass_rate: 0.9}", "bad_pass_rate: must be below good_pass_rate"},
       {"base: other.yaml", "s.yaml:2: base: duplicate key"},
   };

@@ -100,8 +100,9 @@ TEST_F(SweepReportTest, TellsTheQuantilesOfWhatThereIs) {
 
 TEST_F(SweepReportTest, JudgesTheCriteria) {
   const ReportTable table = Table("criteria");
-  EXPECT_THAT(table.rows[0], ElementsAre("pass_rate", "0.75", "", "≥ 0.9", "✗ no"));
-  EXPECT_THAT(table.rows[1], ElementsAre("flight.touchdown_xy_error_m at 0.5", "0.01", "m", "≤ 0.05", "✓ yes"));
+  EXPECT_THAT(table.rows[0], ElementsAre("pass_rate", "0.75", "0.5313–0.8881", "", "≥ 0.9", "✗ no"));
+  EXPECT_THAT(table.rows[1],
+              ElementsAre("flight.touchdown_xy_error_m at 0.5", "0.01", "0.005–0.015", "m", "≤ 0.05", "✓ yes"));
 }
 
 TEST_F(SweepReportTest, CountsTheCausesTheMostFrequentFirst) {
@@ -192,7 +193,7 @@ TEST(SweepFigures, GroupManyDrawnValues) {
   for (int i = 0; i < 50; ++i) {
     sweep.results.push_back({.values = {std::to_string(i)}, .row = {.verdict = i < 10 ? "fail" : "pass"}});
   }
-  const std::string csv = DrawnValuesFigure(sweep, 0).csv;
+  const std::string csv = DrawnValuesFigure(sweep, 0, {}).csv;
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 50 + 5);
   EXPECT_THAT(csv, AllOf(HasSubstr("\n4.5,,,0.00,"), HasSubstr("\n14.5,,,100.00,"), HasSubstr("\n44.5,,,100.00,")));
 }

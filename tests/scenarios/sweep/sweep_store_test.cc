@@ -29,7 +29,8 @@ SweepTerms Terms() {
           .axes = {{"camera.noise_sigma", {"3", "4.5"}}, {"start.yaw_deg", {}}},
           .variants = {"a", "b"},
           .criteria = {{.metric = "pass_rate", .min = 0.9, .max = 1.0},
-                       {.metric = "flight.sim_time_s", .quantile = 0.25, .max = 0.1 + 0.2}}};
+                       {.metric = "flight.sim_time_s", .quantile = 0.25, .max = 0.1 + 0.2, .by = JudgedBy::kInterval}},
+          .sought = SoughtEdge{"camera.noise_sigma", 3.0, 4.5, 0.9}};
 }
 
 FlightRow Row(const std::string& id, const std::string& verdict = "pass", const std::string& program = "this") {
@@ -99,6 +100,12 @@ TEST_F(SweepStoreTest, KeepsWhatTheResultsAreJudgedBy) {
   EXPECT_EQ(terms.criteria[1].quantile, 0.25);
   EXPECT_EQ(terms.criteria[1].min, std::nullopt);
   EXPECT_EQ(terms.criteria[1].max, 0.1 + 0.2) << "to the last bit";
+  EXPECT_EQ(terms.criteria[0].by, JudgedBy::kValue);
+  EXPECT_EQ(terms.criteria[1].by, JudgedBy::kInterval);
+  ASSERT_TRUE(terms.sought);
+  EXPECT_EQ(terms.sought->key, "camera.noise_sigma");
+  EXPECT_EQ(terms.sought->max, 4.5);
+  EXPECT_EQ(terms.sought->pass_rate, 0.9);
 }
 
 TEST(SweepTerms, AreOfASweepsFile) {

@@ -1,0 +1,47 @@
+#include "scenarios/cli/sweep_outcome.h"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include "models/error.h"
+#include "scenarios/cli/sweep_text.h"
+#include "scenarios/flight/output_file.h"
+#include "scenarios/sweep/rows_csv.h"
+#include "scenarios/sweep/sweep_report.h"
+
+namespace touchdown::scenarios {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path PageIn(const fs::path& folder) { return folder / "report.html"; }
+
+void WritePage(const SweepOutcome& sweep, const fs::path& folder) {
+  std::string page;
+  try {
+    page = SweepPage(sweep, folder);
+  } catch (const InputError& error) {
+    spdlog::warn("no report: {}", error.what());
+    return;
+  }
+  WriteOutputFile(PageIn(folder), page, kSweepPageMark);
+}
+
+}  // namespace
+
+void CheckSweepFiles(const SweepFiles& files) {
+  if (files.csv) CheckOutputFile(*files.csv, kRowsCsvMark);
+  CheckOutputFile(PageIn(files.folder), kSweepPageMark);
+}
+
+bool TellOutcome(const SweepFiles& files, const Talk& talk) {
+  const SweepOutcome sweep = ReadOutcome({files.folder, SweepStore::Access::kRead});
+  if (files.csv) WriteOutputFile(*files.csv, RowsCsv(sweep.terms.keys(), sweep.results), kRowsCsvMark);
+  WritePage(sweep, files.folder);
+  const SweepSummary summary = Summarize(sweep);
+  if (talk.ForPeople()) fmt::print("{}", SummaryText(sweep, summary, files.folder));
+  if (talk.json) fmt::print("{}", SummaryJson(sweep, summary, files.folder));
+  return summary.keeps_criteria();
+}
+
+}  // namespace touchdown::scenarios

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "scenarios/sweep/sweep_summary.h"
+
+namespace touchdown::scenarios {
+
+/// What is planned, and how much of it is flown already.
+struct DryRun {
+  SweepPlan plan = {};
+  int jobs = 1;
+  int flown = 0;
+  double left_s = 0.0;  ///< Expected time in the air of what is yet to be flown.
+  /// By the clock, of a second in the air on one core: as the flown ones took, or real time without any.
+  double pace = 1.0;
+};
+
+/// `rows`: what is in the sweep's folder already; nullptr without one.
+DryRun MakeDryRun(const SweepPlan& plan, int jobs, const SweepStore* rows);
+
+// For people, and as JSON.
+
+std::string DryRunText(const DryRun& dry_run);
+std::string DryRunJson(const DryRun& dry_run);
+
+/// `out`: the sweep's folder.
+std::string SummaryText(const SweepOutcome& sweep, const SweepSummary& summary, const std::string& out);
+std::string SummaryJson(const SweepOutcome& sweep, const SweepSummary& summary, const std::string& out);
+
+}  // namespace touchdown::scenarios
