@@ -41,9 +41,8 @@ Phase WorstPhaseOfVision(const std::string& metric, const FlightLog& log) {
 
 /// The last in which the controller flew: having given up is no phase of a flight. Empty without one.
 std::string LastPhaseFlown(const FlightLog& log) {
-  const auto last = std::find_if(log.ticks.rbegin(), log.ticks.rend(), [](const TickRecord& tick) {
-    return tick.control.phase != Phase::kGaveUp;
-  });
+  const auto last = std::find_if(log.ticks.rbegin(), log.ticks.rend(),
+                                 [](const TickRecord& tick) { return tick.control.phase != Phase::kGaveUp; });
   return last == log.ticks.rend() ? "" : std::string(Name(last->control.phase));
 }
 

@@ -2,29 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "scenarios/report/text.h"
 #include "scenarios/sweep/figure_text.h"
 
 namespace touchdown::scenarios {
 namespace {
-
-/// The listed values of an axis, the smallest first.
-std::vector<std::string> Sorted(const SweepAxis& axis) {
-  std::vector<std::string> values = axis.listed;
-  std::sort(values.begin(), values.end(),
-            [](const std::string& a, const std::string& b) { return AsNumber(a) < AsNumber(b); });
-  return values;
-}
-
-/// Names the cells of a heat map; of many, every so many.
-std::string TicsCommand(const char* tics, const std::vector<std::string>& values) {
-  constexpr std::size_t kMost = 14;
-  const std::size_t step = (values.size() + kMost - 1) / kMost;
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < values.size(); i += step) names.push_back(fmt::format("{} {}", Quoted(values[i]), i));
-  return fmt::format("set {} ({})\n", tics, fmt::join(names, ", "));
-}
 
 /// A flight's value of a drawn parameter, and what became of it.
 struct DrawnPoint {
@@ -40,6 +24,52 @@ std::vector<DrawnPoint> DrawnPoints(const SweepOutcome& sweep, std::size_t axis)
   std::stable_sort(points.begin(), points.end(),
                    [](const DrawnPoint& a, const DrawnPoint& b) { return a.value < b.value; });
   return points;
+}
+
+/// The rows or columns of a heat map.
+struct HeatAxis {
+  std::vector<std::function<bool(const std::string& value)>> cells = {};
+  std::vector<std::string> tics = {};  ///< What stands where, for gnuplot; the first cell's middle is 0.
+};
+
+/// A cell for each listed value, named; numbers with the smallest first.
+HeatAxis ListedCells(const SweepAxis& axis) {
+  std::vector<std::string> values = axis.listed;
+  if (IsNumeric(axis)) {
+    std::sort(values.begin(), values.end(),
+              [](const std::string& a, const std::string& b) { return AsNumber(a) < AsNumber(b); });
+  }
+  constexpr std::size_t kMostTics = 14;
+  const std::size_t step = (values.size() + kMostTics - 1) / kMostTics;
+  HeatAxis heat;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    heat.cells.push_back([value = values[i]](const std::string& other) { return other == value; });
+    if (i % step == 0) heat.tics.push_back(fmt::format("{} {}", Quoted(values[i]), i));
+  }
+  return heat;
+}
+
+/// Cells of the same width that hold all values that were drawn, with numbers at their edges.
+HeatAxis DrawnCells(const SweepOutcome& sweep, std::size_t axis) {
+  constexpr int kCells = 5;
+  const std::vector<DrawnPoint> points = DrawnPoints(sweep, axis);
+  if (points.empty()) return {};
+  const double least = points.front().value, span = points.back().value - least;
+  const auto cell_of = [=](double value) {
+    return span > 0.0 ? std::min(static_cast<int>(kCells * (value - least) / span), kCells - 1) : 0;
+  };
+  HeatAxis heat;
+  for (int i = 0; i < kCells; ++i) {
+    heat.cells.push_back([=](const std::string& value) { return cell_of(AsNumber(value).value_or(least)) == i; });
+  }
+  for (int i = 0; i <= kCells; ++i) {
+    heat.tics.push_back(fmt::format("'{:.2g}' {}", least + i * span / kCells, i - 0.5));
+  }
+  return heat;
+}
+
+HeatAxis HeatAxisOf(const SweepOutcome& sweep, std::size_t axis) {
+  return sweep.terms.axes[axis].listed.empty() ? DrawnCells(sweep, axis) : ListedCells(sweep.terms.axes[axis]);
 }
 
 /// Each group's rate in a line, at its mean value. `points` are sorted.
@@ -110,7 +140,8 @@ Figure PassRateFigure(const std::string& key, const std::vector<PassCountOf>& co
 
 Figure HeatMapFigure(const SweepOutcome& sweep, std::size_t axis_x, std::size_t axis_y) {
   const SweepAxis &x = sweep.terms.axes[axis_x], &y = sweep.terms.axes[axis_y];
-  const std::vector<std::string> columns = Sorted(x), rows = Sorted(y);
+  const HeatAxis across = HeatAxisOf(sweep, axis_x), up = HeatAxisOf(sweep, axis_y);
+  const auto &columns = across.cells, &rows = up.cells;
   Figure figure{.name = NameOf("heat_map_" + x.key, y.key),
                 .title = fmt::format("{} and {}", x.key, y.key),
                 .caption = "Share of flights that passed; in each cell how many of how many.",
@@ -118,7 +149,7 @@ Figure HeatMapFigure(const SweepOutcome& sweep, std::size_t axis_x, std::size_t 
   for (std::size_t row = 0; row < rows.size(); ++row) {
     for (std::size_t column = 0; column < columns.size(); ++column) {
       const PassCount count = CountWhere(sweep.results, [&](const SweepResult& result) {
-        return result.values[axis_x] == columns[column] && result.values[axis_y] == rows[row];
+        return columns[column](result.values[axis_x]) && rows[row](result.values[axis_y]);
       });
       if (count.flown == 0) continue;
       figure.csv += fmt::format("{},{},{},{},{}\n", column, row, count.passed, count.flown,
@@ -127,10 +158,11 @@ Figure HeatMapFigure(const SweepOutcome& sweep, std::size_t axis_x, std::size_t 
   }
   // Pale, so that the same dark figures can be read in every cell of both themes.
   figure.plot =
-      TicsCommand("xtics", columns) + TicsCommand("ytics", rows) +
-      fmt::format("set xlabel {} noenhanced\nset ylabel {} noenhanced\nset xrange [-0.5:{}]\nset yrange [-0.5:{}]\n",
-                  Quoted(x.key), Quoted(y.key), static_cast<double>(columns.size()) - 0.5,
-                  static_cast<double>(rows.size()) - 0.5) +
+      fmt::format(
+          "set xtics ({})\nset ytics ({})\nset xlabel {} noenhanced\nset ylabel {} noenhanced\nset xrange "
+          "[-0.5:{}]\nset yrange [-0.5:{}]\n",
+          fmt::join(across.tics, ", "), fmt::join(up.tics, ", "), Quoted(x.key), Quoted(y.key),
+          static_cast<double>(columns.size()) - 0.5, static_cast<double>(rows.size()) - 0.5) +
       "unset key\nunset grid\nset cbrange [0:100]\nset cblabel 'passed, %' textcolor rgb INK\n"
       "set palette defined (0 '#f0a878', 50 '#f4f1ec', 100 '#86bfe8')\nset style fill solid 1.0\n"
       "plot data using 'x':'y':(column('x')-0.49):(column('x')+0.49):(column('y')-0.49):(column('y')+0.49):'percent' "

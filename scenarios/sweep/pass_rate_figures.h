@@ -13,7 +13,7 @@ namespace touchdown::scenarios {
 Figure PassRateFigure(const std::string& key, const std::vector<PassCountOf>& counts,
                       const std::vector<PassEdgeOf>& edges);
 
-/// The pass rate over two parameters of the sweep's axes whose listed values are numbers.
+/// The pass rate over two parameters of the sweep's axes: over their listed values, or the ranges that hold the drawn.
 Figure HeatMapFigure(const SweepOutcome& sweep, std::size_t axis_x, std::size_t axis_y);
 
 /// Which flights passed over a parameter of the sweep's axes whose values are drawn; with many flights also the rate

@@ -75,38 +75,34 @@ ReportTable EdgesTable(const SweepSummary& summary) {
   return table;
 }
 
-/// The pass rate over each listed parameter whose values are numbers, and over the first with the next two of them.
-void AddListedFigures(const SweepOutcome& sweep, const SweepSummary& summary, ReportSection& section) {
-  std::vector<std::size_t> numeric;
-  for (std::size_t axis = 0; axis < sweep.terms.axes.size(); ++axis) {
-    if (!IsNumeric(sweep.terms.axes[axis])) continue;
+void AddFigureOver(std::size_t axis, const SweepOutcome& sweep, const SweepSummary& summary, ReportSection& section) {
+  const SweepAxis& over = sweep.terms.axes[axis];
+  const std::vector<PassEdgeOf> edges = EdgesOver(axis, sweep, summary);
+  if (over.listed.empty()) {
+    section.figures.push_back(DrawnValuesFigure(sweep, axis, edges));
+  } else if (IsNumeric(over)) {
     std::vector<PassCountOf> counts;
     std::copy_if(summary.by_value.begin(), summary.by_value.end(), std::back_inserter(counts),
-                 [&](const PassCountOf& each) { return each.key == sweep.terms.axes[axis].key; });
-    if (counts.empty()) continue;
-    section.figures.push_back(PassRateFigure(sweep.terms.axes[axis].key, counts, EdgesOver(axis, sweep, summary)));
-    numeric.push_back(axis);
-  }
-  constexpr std::size_t kMostPairs = 2;
-  for (std::size_t i = 1; i < std::min(numeric.size(), 1 + kMostPairs); ++i) {
-    section.figures.push_back(HeatMapFigure(sweep, numeric[0], numeric[i]));
+                 [&](const PassCountOf& each) { return each.key == over.key; });
+    section.figures.push_back(PassRateFigure(over.key, counts, edges));
   }
 }
 
-void AddDrawnFigures(const SweepOutcome& sweep, const SweepSummary& summary, ReportSection& section) {
-  constexpr int kMost = 4;
-  int count = 0;
-  for (std::size_t axis = 0; axis < sweep.terms.axes.size() && count < kMost; ++axis) {
-    if (!sweep.terms.axes[axis].listed.empty()) continue;
-    section.figures.push_back(DrawnValuesFigure(sweep, axis, EdgesOver(axis, sweep, summary)));
-    ++count;
+/// Over each parameter, and over each two of the first few.
+void AddPassRateFigures(const SweepOutcome& sweep, const SweepSummary& summary, ReportSection& section) {
+  constexpr std::size_t kMostOne = 8, kMostInPairs = 4;
+  const std::size_t axes = sweep.terms.axes.size();
+  for (std::size_t axis = 0; axis < std::min(axes, kMostOne); ++axis) AddFigureOver(axis, sweep, summary, section);
+  for (std::size_t x = 0; x < std::min(axes, kMostInPairs); ++x) {
+    for (std::size_t y = x + 1; y < std::min(axes, kMostInPairs); ++y) {
+      section.figures.push_back(HeatMapFigure(sweep, x, y));
+    }
   }
 }
 
 ReportSection PassRateSection(const SweepOutcome& sweep, const SweepSummary& summary) {
   ReportSection section{.id = "pass-rate", .title = "Pass rate"};
-  AddListedFigures(sweep, summary, section);
-  AddDrawnFigures(sweep, summary, section);
+  AddPassRateFigures(sweep, summary, section);
   if (!summary.edges.empty()) section.tables.push_back(EdgesTable(summary));
   section.tables.push_back(PassRateTable(summary));
   return section;
@@ -173,8 +169,8 @@ ReportSection CausesSection(const SweepOutcome& sweep) {
 std::string CauseOf(const FlightRow& row) {
   if (row.end != RowEnd::kFlown) return Words(std::string(Name(row.end)));
   if (row.failed_check.empty()) return row.verdict;
-  return row.failed_phase.empty() ? row.failed_check
-                                  : fmt::format("{} in {}", row.failed_check, Words(row.failed_phase));
+  const std::string what = row.failed_check == "outcome" ? Words(row.outcome) : row.failed_check;
+  return row.failed_phase.empty() ? what : fmt::format("{} in {}", what, Words(row.failed_phase));
 }
 
 std::string RateText(const PassCount& count) { return Fixed(kPercent * count.rate().value, 1); }

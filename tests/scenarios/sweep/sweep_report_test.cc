@@ -107,7 +107,7 @@ TEST_F(SweepReportTest, JudgesTheCriteria) {
 
 TEST_F(SweepReportTest, CountsTheCausesTheMostFrequentFirst) {
   const ReportTable table = Table("causes");
-  EXPECT_THAT(table.rows[0], ElementsAre("outcome in blind descent", "4", "20.0"));
+  EXPECT_THAT(table.rows[0], ElementsAre("gave up in blind descent", "4", "20.0"));
   EXPECT_THAT(table.rows[1], ElementsAre("out of memory", "1", "5.0"));
 }
 
@@ -146,7 +146,7 @@ TEST_F(SweepReportTest, TellsEachFailureWithItsCommandAndPicture) {
   EXPECT_THAT(page, Not(HasSubstr(command + "id2<"))) << "passed";
   EXPECT_THAT(page, HasSubstr("src=\"pictures/id6.png\""));
   EXPECT_THAT(page, Not(HasSubstr("pictures/id10.png"))) << "there is none";
-  EXPECT_THAT(page, HasSubstr("<b>outcome in blind descent</b><br>the pad was &lt;lost&gt;"));
+  EXPECT_THAT(page, HasSubstr("<b>gave up in blind descent</b><br>the pad was &lt;lost&gt;"));
   EXPECT_THAT(page, HasSubstr("std::bad_alloc &lt;/pre&gt;"));
 }
 
@@ -186,6 +186,19 @@ TEST_F(SweepReportTest, TellsOfASweepInWhichNothingWasFlownOrFailed) {
 TEST(SweepFigures, TakeForNumbersWhatIsOne) {
   EXPECT_EQ(AsNumber("-2.5e1"), -25.0);
   for (const char* text : {"", "[1, 2]", "3 m", "true", "nan"}) EXPECT_EQ(AsNumber(text), std::nullopt) << text;
+}
+
+TEST(SweepFigures, PutDrawnValuesIntoFiveRangesOfAHeatMap) {
+  SweepOutcome sweep{.terms = {.axes = {{"start.yaw_deg", {}}, {"camera.noise_sigma", {"3", "20"}}}}};
+  for (int i = 0; i <= 10; ++i) {
+    sweep.results.push_back({.values = {std::to_string(i), "20"}, .row = {.verdict = i == 10 ? "fail" : "pass"}});
+  }
+  // 0 and 1, 2 and 3 and so on; the last range holds 8, 9 and 10.
+  EXPECT_EQ(
+      HeatMapFigure(sweep, 0, 1).csv,
+      "x,y,passed,flown,percent\n0,1,2,2,100.00\n1,1,2,2,100.00\n2,1,2,2,100.00\n3,1,2,2,100.00\n4,1,2,3,66.67\n");
+  for (SweepResult& result : sweep.results) result.values[0] = "1";
+  EXPECT_THAT(HeatMapFigure(sweep, 0, 1).csv, HasSubstr("\n0,1,10,11,")) << "no range at all";
 }
 
 TEST(SweepFigures, GroupManyDrawnValues) {
