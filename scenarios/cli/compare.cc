@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,9 @@ namespace touchdown::scenarios {
 namespace {
 
 struct Options {
-  std::string a, b;
+  std::string a;
+  std::optional<std::string> b;
+  std::vector<std::string> variants;
   std::vector<std::string> margins;
   Talk talk;
 };
@@ -35,9 +38,26 @@ Margin MarginFrom(const std::string& text) {
   return margin;
 }
 
-void Print(const Comparison& comparison, const Options& options) {
+/// What is compared, and what it is called.
+struct Sides {
+  StoredResults a, b;
+  std::string name_a, name_b;
+};
+
+Sides Load(const Options& options) {
+  if (options.variants.empty()) {
+    if (!options.b) throw InputError("name two sweeps, or one and --variants");
+    return {LoadResults(options.a), LoadResults(*options.b), options.a, *options.b};
+  }
+  if (options.b) throw InputError("--variants: are of one sweep, and two are named");
+  const StoredResults stored = LoadResults(options.a);
+  const std::string &a = options.variants.front(), &b = options.variants.back();
+  return {OfVariant(stored, a), OfVariant(stored, b), a, b};
+}
+
+void Print(const Comparison& comparison, const Sides& sides) {
   fmt::print("{} pairs; {} flights only in {}, {} only in {}\n", comparison.differences.front().pairs,
-             comparison.only_a, options.a, comparison.only_b, options.b);
+             comparison.only_a, sides.name_a, comparison.only_b, sides.name_b);
   fmt::print("  {:<34} {:>10} {:>10} {:>11}  {:<24} {:>10}\n", "", "A", "B", "B - A", "95 %", "resolvable");
   for (const PairedDifference& d : comparison.differences) {
     fmt::print("{} {:<34} {:>10.4g} {:>10.4g} {:>+11.4g}  {:<24} {:>10.3g} {}\n", d.is_worse ? "!" : " ", d.name, d.a,
@@ -77,9 +97,10 @@ std::string ComparisonJson(const Comparison& comparison) {
 int CompareBoth(const Options& options) {
   std::vector<Margin> margins;
   for (const std::string& text : options.margins) margins.push_back(MarginFrom(text));
-  const Comparison comparison = Compare(LoadResults(options.a), LoadResults(options.b), margins);
+  const Sides sides = Load(options);
+  const Comparison comparison = Compare(sides.a, sides.b, margins);
   if (options.talk.json) fmt::print("{}", ComparisonJson(comparison));
-  if (options.talk.ForPeople()) Print(comparison, options);
+  if (options.talk.ForPeople()) Print(comparison, sides);
   return comparison.is_worse() ? kFailed : kPassed;
 }
 
@@ -89,7 +110,11 @@ void AddCompare(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
   CLI::App& command = *app.add_subcommand("compare", "Hold a sweep against an earlier one, flight by flight");
   command.add_option("A", options->a, "The earlier one: a sweep's folder, or its rows as CSV")->required();
-  command.add_option("B", options->b, "The later one")->required();
+  command.add_option("B", options->b, "The later one");
+  command
+      .add_option("--variants", options->variants, "In place of B: the two variants of A to hold against one another")
+      ->type_name("A B")
+      ->expected(2);
   command
       .add_option("--margin", options->margins,
                   "How much worse B may be, as in pass_rate=0.02 or flight.touchdown_xy_error_m=0.005; may be repeated")

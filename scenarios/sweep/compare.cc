@@ -132,6 +132,17 @@ StoredResults LoadResults(const std::string& source) {
   return ReadRowsCsv(source);
 }
 
+StoredResults OfVariant(const StoredResults& stored, const std::string& variant) {
+  StoredResults part{.source = stored.source, .keys = stored.keys, .results = {}};
+  for (const SweepResult& result : stored.results) {
+    if (result.variant != variant) continue;
+    part.results.push_back(result);
+    part.results.back().variant.clear();
+  }
+  if (part.results.empty()) throw InputError(fmt::format("{}: has no flight of a variant {}", stored.source, variant));
+  return part;
+}
+
 Comparison Compare(const StoredResults& a, const StoredResults& b, const std::vector<Margin>& margins) {
   CheckMargins(margins);
   Comparison comparison;

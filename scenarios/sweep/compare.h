@@ -14,6 +14,10 @@ namespace touchdown::scenarios {
 /// when it is neither, or cannot be read.
 StoredResults LoadResults(const std::string& source);
 
+/// The results of one variant, as if they were a sweep without variants, to be held against another's. Throws
+/// InputError when there are none.
+StoredResults OfVariant(const StoredResults& stored, const std::string& variant);
+
 /// How a quantity differs between two sweeps, over the flights that both flew: B less A.
 struct PairedDifference {
   std::string name = {};  ///< "pass_rate", or a metric's.

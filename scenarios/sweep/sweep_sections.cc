@@ -6,6 +6,7 @@
 
 #include "models/error.h"
 #include "scenarios/report/text.h"
+#include "scenarios/sweep/compare.h"
 #include "scenarios/sweep/metric_figures.h"
 #include "scenarios/sweep/pass_rate_figures.h"
 
@@ -145,6 +146,35 @@ ReportSection MetricsSection(const SweepOutcome& sweep) {
   return section;
 }
 
+ReportTable VariantTable(const StoredResults& stored, const std::string& a, const std::string& b) {
+  ReportTable table{.name = "variants",
+                    .caption =
+                        "The second variant less the first, over the flights that share seed and values, with "
+                        "95 % intervals; last the smallest change that so many pairs show with 80 % chance.",
+                    .head = {"Metric", "Unit", "Pairs", a, b, "Difference", "Interval", "Resolvable"}};
+  for (const PairedDifference& each : Compare(OfVariant(stored, a), OfVariant(stored, b), {}).differences) {
+    table.rows.push_back({each.name, each.unit, std::to_string(each.pairs), Short(each.a), Short(each.b),
+                          fmt::format("{:+.4g}", each.difference.value),
+                          fmt::format("{:+.4g} … {:+.4g}", each.difference.low, each.difference.high),
+                          Short(each.resolvable)});
+  }
+  return table;
+}
+
+/// The first variant against each other one.
+ReportSection VariantsSection(const SweepOutcome& sweep) {
+  ReportSection section{.id = "variants", .title = "Variants"};
+  const StoredResults stored{.source = sweep.terms.name, .keys = sweep.terms.keys(), .results = sweep.results};
+  for (std::size_t i = 1; i < sweep.terms.variants.size(); ++i) {
+    try {
+      section.tables.push_back(VariantTable(stored, sweep.terms.variants.front(), sweep.terms.variants[i]));
+    } catch (const InputError&) {
+      continue;  // No pair is flown yet.
+    }
+  }
+  return section;
+}
+
 ReportSection CausesSection(const SweepOutcome& sweep) {
   std::map<std::string, int> counts;
   for (const SweepResult& result : sweep.results) {
@@ -191,6 +221,7 @@ std::vector<ReportSection> SweepSections(const SweepOutcome& sweep, const SweepS
     }
   }
   sections.push_back(MetricsSection(sweep));
+  if (sweep.terms.variants.size() > 1) sections.push_back(VariantsSection(sweep));
   if (summary.all.passed < summary.all.flown) sections.push_back(CausesSection(sweep));
   return sections;
 }

@@ -61,6 +61,8 @@ TEST_F(TestCommand, AStoredBaselineGatesAChangeThatMakesFlightsWorse) {
   EXPECT_THAT(run.out, AllOf(HasSubstr("8 pairs; 0 flights only in baseline.csv"), HasSubstr("worse: pass_rate")));
   EXPECT_EQ(Run({"compare", "baseline.csv", "before", "--margin", "pass_rate=0.1"}).status, 0);
   EXPECT_THAT(Run({"compare", "baseline.csv", "before", "--margin", "pass_rate=0.1"}).out, HasSubstr("fly more seeds"));
+  EXPECT_THAT(ErrorOf({"compare", "baseline.csv"}), HasSubstr("name two sweeps, or one and --variants"));
+  EXPECT_THAT(ErrorOf({"compare", "before", "--variants", "old", "new"}), HasSubstr("has no flight of a variant old"));
   EXPECT_THAT(ErrorOf({"compare", "baseline.csv", "none.csv"}), HasSubstr("none.csv: cannot be read"));
   EXPECT_THAT(ErrorOf({"compare", "baseline.csv", "before", "--margin", "pass_rate"}), HasSubstr("NAME=NUMBER"));
 }

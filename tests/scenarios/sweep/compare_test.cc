@@ -102,6 +102,15 @@ TEST(Compare, PairsFlightsBySeedVariantAndParametersAlone) {
   EXPECT_THROW(Compare(a, a, {{"flight.speed", 1.0}}), InputError);
 }
 
+TEST(Compare, HoldsTheVariantsOfOneSweepAgainstOneAnother) {
+  StoredResults both = Stored({Result(1, true), Result(2, true), Result(1, false), Result(2, true)});
+  for (std::size_t i = 0; i < 4; ++i) both.results[i].variant = i < 2 ? "old" : "new";
+  const Comparison comparison = Compare(OfVariant(both, "old"), OfVariant(both, "new"), {});
+  EXPECT_EQ(Of(comparison, "pass_rate").pairs, 2);
+  EXPECT_DOUBLE_EQ(Of(comparison, "pass_rate").difference.value, -0.5);
+  EXPECT_THROW(OfVariant(both, "newest"), InputError);
+}
+
 TEST(Compare, ReadsTheRowsOfAnEarlierSweepFromItsCsv) {
   const tests::TemporaryFolder folder;
   StoredResults a = Stored({Result(1, true, 0.1 + 0.2), Result(2, false)});

@@ -13,6 +13,7 @@
 namespace touchdown::scenarios {
 namespace {
 
+using testing::_;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -103,6 +104,21 @@ TEST_F(SweepReportTest, JudgesTheCriteria) {
   EXPECT_THAT(table.rows[0], ElementsAre("pass_rate", "0.75", "0.5313–0.8881", "", "≥ 0.9", "✗ no"));
   EXPECT_THAT(table.rows[1],
               ElementsAre("flight.touchdown_xy_error_m at 0.5", "0.01", "0.005–0.015", "m", "≤ 0.05", "✓ yes"));
+}
+
+TEST_F(SweepReportTest, HoldsTheFirstVariantAgainstEachOther) {
+  sweep_.terms.variants = {"old", "new", "none yet"};
+  for (std::size_t i = 0; i < sweep_.results.size(); ++i) {
+    SweepResult& result = sweep_.results[i];
+    result.seed = i / 2;
+    result.values = {"2", "4", "0"};
+    result.variant = i % 2 == 0 ? "old" : "new";
+  }
+  // Flight n touched down n mm off; the new variant's are those of even n, and the last of them has none.
+  const ReportSection variants = Section(Sections(), "variants");
+  ASSERT_EQ(variants.tables.size(), 1u);
+  EXPECT_THAT(RowOf(variants.tables[0], "flight.touchdown_xy_error_m"),
+              ElementsAre("flight.touchdown_xy_error_m", "m", "9", "0.009", "0.01", "+0.001", "+0.001 … +0.001", _));
 }
 
 TEST_F(SweepReportTest, CountsTheCausesTheMostFrequentFirst) {
