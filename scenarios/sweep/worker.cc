@@ -19,6 +19,12 @@ namespace {
 
 constexpr int kFailedStatus = 3;
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool kMemoryCanBeLimited = false;  // The sanitizer's own address space is many times as large.
+#else
+constexpr bool kMemoryCanBeLimited = true;
+#endif
+
 std::string LastOf(int fd) {
   constexpr off_t kMost = 4000;
   const off_t size = lseek(fd, 0, SEEK_END);
@@ -40,7 +46,7 @@ std::string LastOf(int fd) {
   dup2(complaint_fd, STDERR_FILENO);
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
-  if (memory > 0) {
+  if (memory > 0 && kMemoryCanBeLimited) {
     const rlimit limit{memory, memory};
     setrlimit(RLIMIT_AS, &limit);
   }
