@@ -1,5 +1,5 @@
-// The page of a real flight, and that of the paper's experiments, in Chromium, as a reader uses them: the scripts
-// beside this, which ctest runs through it.
+// The page of a real flight, that of the paper's experiments and a sweep's, in Chromium, as a reader uses them: the
+// scripts beside this, which ctest runs through it.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -11,8 +11,10 @@
 #include "scenarios/flight/scenario.h"
 #include "scenarios/report/flight_folder.h"
 #include "scenarios/report/flight_page.h"
+#include "scenarios/sweep/sweep_report.h"
 #include "tests/support/docs_picture.h"
 #include "tests/support/made_flight.h"
+#include "tests/support/made_sweep.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -80,7 +82,13 @@ TEST_F(PageInABrowser, DoesWhatItsReaderAsksAndLooksAsInTheDocs) {
 }
 
 TEST_F(PageInABrowser, ShowsEveryFigureOfThePaperWholeInAnyWindow) {
-  Node("paper_page_in_browser.mjs", {std::string(TOUCHDOWN_SOURCE_DIR) + "/docs/paper/report.html"});
+  Node("section_page_in_browser.mjs", {std::string(TOUCHDOWN_SOURCE_DIR) + "/docs/paper/report.html", "18"});
+}
+
+TEST_F(PageInABrowser, ShowsEveryFigureOfASweepWholeInAnyWindow) {
+  const fs::path page = folder_.Put("report.html", SweepPage(tests::MadeSweep(), folder_.path()));
+  // A pass rate over each of three parameters and each two of them, the touchdowns, and a histogram.
+  Node("section_page_in_browser.mjs", {page.string(), "8"});
 }
 
 }  // namespace

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+
+#include "scenarios/sweep/sweep_summary.h"
+
+namespace touchdown::tests {
+
+/// 20 flights: five seeds of two noises and two exposures; with the larger noise and exposure all but one fail.
+/// Flight n touched down n mm along X and 1 mm along -Y.
+inline scenarios::SweepOutcome MadeSweep() {
+  using namespace scenarios;
+  SweepOutcome sweep{.terms = {.name = "night <1>",
+                               .description = "Of & for people.",
+                               .axes = {{"camera.noise_sigma", {"10", "2"}},
+                                        {"camera.exposure_ms", {"4", "8"}},
+                                        {"start.yaw_deg", {}}},
+                               .criteria = {{.metric = "pass_rate", .min = 0.9},
+                                            {.metric = "flight.touchdown_xy_error_m", .quantile = 0.5, .max = 0.05}}},
+                     .planned = 23,
+                     .stale = 7};
+  for (int seed = 1; seed <= 5; ++seed) {
+    for (const char* noise : {"10", "2"}) {
+      for (const char* exposure : {"4", "8"}) {
+        const auto n = static_cast<double>(sweep.results.size() + 1);
+        const bool failed = noise == std::string("10") && exposure == std::string("8") && seed > 1;
+        sweep.results.push_back({.seed = static_cast<std::uint64_t>(seed),
+                                 .values = {noise, exposure, std::to_string(seed) + ".5"},
+                                 .row = {.id = "id" + std::to_string(sweep.results.size() + 1),
+                                         .end = RowEnd::kFlown,
+                                         .verdict = failed ? "fail" : "pass",
+                                         .outcome = failed ? "gave_up" : "landed",
+                                         .reason = failed ? "the pad was <lost>" : "",
+                                         .failed_check = failed ? "outcome" : "",
+                                         .failed_phase = failed ? "blind_descent" : "",
+                                         .metrics = {{"flight.touchdown_xy_error_m", n / 1000.0},
+                                                     {"flight.touchdown_x_m", n / 1000.0},
+                                                     {"flight.touchdown_y_m", -0.001}},
+                                         .scenario_yaml = "pad: {outer_radius_m: 0.08, ring_width_m: 0.01}\n"
+                                                          "script: [{do: land}]\nstart: {airborne: true}\n"}});
+      }
+    }
+  }
+  FlightRow& crashed = sweep.results.back().row;
+  crashed.end = RowEnd::kOutOfMemory;
+  crashed.verdict = crashed.outcome = "error";
+  crashed.reason = "needs more memory than its limit";
+  crashed.complaint = "std::bad_alloc </pre>";
+  crashed.metrics.clear();
+  return sweep;
+}
+
+}  // namespace touchdown::tests
