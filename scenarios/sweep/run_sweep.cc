@@ -34,10 +34,12 @@ class Agenda {
   }
 
   const FlightTask* Next() {
-    if (IsDecided() || next_ == tasks_.size()) return nullptr;
+    if (!HasNext()) return nullptr;
     ++flying_;
     return &tasks_[next_++];
   }
+
+  bool HasNext() const { return !IsDecided() && next_ < tasks_.size(); }
 
   void Take(const FlightRow& row) {
     --flying_;
@@ -161,7 +163,7 @@ bool RunSweep(const SweepFile& file, const SweepPlan& plan, const fs::path& fold
     store.Put(row);
     RemoveRow(rows.RowOf(row.id));
     agenda.Take(row);
-    if (progress) progress(agenda.Progress());
+    if (progress && !agenda.HasNext()) progress(agenda.Progress());  // Else the next one's start tells of it.
   };
   FlyTasks(rows, crew, next, keep, stop_requested);
   if (agenda.IsDecided()) store.SetPlan(TermsOf(file), FirstOf(plan, agenda.counted()), ProgramDigest());
