@@ -62,7 +62,7 @@ const std::vector<LibraryRule>& LibraryRules() {
       {std::regex("scenarios/report/.*\\.cc"), std::regex("(cairo|kainjow)/.*")},
       {std::regex("scenarios/(paper/paper|sweep/sweep)_report\\.cc"), std::regex("kainjow/.*")},
       {std::regex("scenarios/paper/april_tag\\.cc"), std::regex("apriltag/.*")},
-      {std::regex("scenarios/sweep/sweep_store\\.cc"), std::regex("SQLiteCpp/.*")},
+      {std::regex("scenarios/sweep/sweep_store\\.cc"), std::regex("(SQLiteCpp/.*|sqlite3\\.h)")},
       {std::regex("scenarios/study/statistics\\.cc"), std::regex("boost/math/.*")},
       {std::regex("scenarios/report/video_.*\\.cc"), std::regex("lib(av[a-z]+|swscale)/.*")},
       {std::regex("scenarios/footage/(flight_bag\\.cc|bag_file\\.cc|bag_messages\\.h)"),

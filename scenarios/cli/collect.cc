@@ -1,14 +1,11 @@
 #include "scenarios/cli/collect.h"
 
-#include <fmt/format.h>
-
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "scenarios/cli/sweep_outcome.h"
 #include "scenarios/sweep/collect.h"
-#include "scenarios/sweep/sweep_store.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -19,22 +16,11 @@ struct Options {
   Talk talk;
 };
 
-/// Of parts that were not given: positions between others that nothing is planned at.
-void PrintMissingParts(const SweepPlan& plan) {
-  const std::size_t whole = plan.flights.empty() ? 0 : static_cast<std::size_t>(plan.flights.back().position) + 1;
-  if (whole > plan.flights.size()) {
-    fmt::print("{} more flights are in parts of the sweep that are not here\n", whole - plan.flights.size());
-  }
-}
-
 int CollectRows(const Options& options) {
   CheckSweepFiles(options.files);
   Collect(options.files.folder, {options.from.begin(), options.from.end()});
-  const bool keeps_criteria = TellOutcome(options.files, options.talk);
-  if (options.talk.ForPeople()) {
-    PrintMissingParts(SweepStore(options.files.folder, SweepStore::Access::kRead).Plan());
-  }
-  return keeps_criteria ? kPassed : kFailed;
+  const SweepSummary summary = TellOutcome(options.files, options.talk);
+  return summary.is_whole && summary.keeps_criteria() ? kPassed : kFailed;
 }
 
 }  // namespace

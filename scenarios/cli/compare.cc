@@ -65,7 +65,10 @@ void Print(const Comparison& comparison, const Sides& sides) {
                d.resolvable, d.unit);
   }
   for (const PairedDifference& d : comparison.differences) {
-    if (d.is_worse) fmt::print("worse: {}, by more than {:g} {}\n", d.name, d.margin, d.unit);
+    if (d.is_worse) {
+      fmt::print("worse: {}, surely, and by {:.4g} {}, beyond the margin of {:g}\n", d.name,
+                 std::abs(d.difference.value), d.unit, d.margin);
+    }
     if (d.margin > 0.0 && d.resolvable > d.margin) {
       fmt::print("{}: so many pairs resolve {:.3g}, not the margin of {:g}; fly more seeds\n", d.name, d.resolvable,
                  d.margin);

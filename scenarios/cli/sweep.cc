@@ -37,6 +37,7 @@ struct Options {
   int flights = 60;
   bool slurm = false;
   SlurmOptions on_slurm;
+  bool retry = false;
   Talk talk;
 };
 
@@ -64,7 +65,7 @@ int TellPlan(const SweepPlan& plan, const Options& options) {
 bool FlyAll(const SweepFile& file, const SweepPlan& plan, const Options& options) {
   Progress progress(!options.talk.ForPeople());
   bool has_begun = false;
-  return RunSweep(file, plan, *options.out, {.jobs = options.jobs, .retry = options.on_slurm.retry}, InterruptRequested,
+  return RunSweep(file, plan, *options.out, {.jobs = options.jobs, .retry = options.retry}, InterruptRequested,
                   [&](const SweepProgress& done) {
                     if (!has_begun) progress.GoOnFrom(done.share);
                     has_begun = true;
@@ -100,7 +101,9 @@ int SweepOnSlurm(const SweepFile& file, const SweepPlan& plan, const Options& op
     fmt::print("{}\n", TaskWords(planned));
     return kPassed;
   }
-  const SlurmSweep submitted = SubmitSweep(file, plan, *options.out, options.on_slurm);
+  SlurmOptions on_slurm = options.on_slurm;
+  on_slurm.retry = options.retry;
+  const SlurmSweep submitted = SubmitSweep(file, plan, *options.out, on_slurm);
   if (options.talk.quiet) return kPassed;
   if (submitted.flights == 0) {
     fmt::print("{}: all {} flights are there, nothing was submitted\n", file.name, plan.flights.size());
@@ -132,12 +135,13 @@ int FlyAndTell(const Options& options, const std::function<bool()>& fly) {
   const SweepFiles files{.folder = *options.out, .csv = options.csv};
   CheckSweepFiles(files);
   const bool is_done = fly();
-  const bool keeps_criteria = TellOutcome(files, options.talk);
+  const SweepSummary summary = TellOutcome(files, options.talk);
   if (!is_done) {
     spdlog::warn("interrupted: what was flown is kept in {}, and the same command goes on from there", *options.out);
     return kInterrupted;
   }
-  return keeps_criteria ? kPassed : kFailed;
+  const bool is_part = options.shard.has_value();  // What the whole must show is not asked of a part.
+  return is_part || summary.keeps_criteria() ? kPassed : kFailed;
 }
 
 int Sweep(const Options& options) {
@@ -163,25 +167,28 @@ void AddSweep(CLI::App& app, Run& run) {
       ->check(CLI::Range(1, 1024));
   command.add_option("--csv", options->csv, "File for the rows as CSV, sorted by id")->type_name("FILE");
   command.add_option("--shard", options->shard, "Fly the I-th of N parts, into a folder of its own")->type_name("I/N");
-  command
-      .add_option("--boundary", options->boundary,
-                  "In place of the grid: find the value of this parameter at which the pass rate goes through a level, "
-                  "between its least and its largest listed value")
-      ->type_name("KEY")
-      ->excludes("--shard");
+  CLI::Option* const boundary =
+      command
+          .add_option(
+              "--boundary", options->boundary,
+              "In place of the grid: find the value of this parameter at which the pass rate goes through a level, "
+              "between its least and its largest listed value")
+          ->type_name("KEY")
+          ->excludes("--shard");
   command.add_option("--level", options->level, "The pass rate at the boundary (default: 0.5)")
       ->type_name("SHARE")
-      ->check(CLI::Range(0.01, 0.99));
+      ->check(CLI::Range(0.01, 0.99))
+      ->needs(boundary);
   command.add_option("--flights", options->flights, "How many flights a boundary may take (default: 60)")
       ->type_name("N")
-      ->check(CLI::Range(6, 100000));
+      ->check(CLI::Range(6, 100000))
+      ->needs(boundary);
   CLI::Option* const dry_run = command.add_flag(
       "--dry-run", options->dry_run, "List the flights and how long they take, and fly none; with --out those to go");
-  dry_run->excludes("--boundary");
-  command
-      .add_flag("--retry", options->on_slurm.retry, "Fly those again whose process crashed, hung or ran out of memory")
+  dry_run->excludes(boundary)->excludes("--csv");
+  command.add_flag("--retry", options->retry, "Fly those again whose process crashed, hung or ran out of memory")
       ->excludes(dry_run)
-      ->excludes("--boundary");
+      ->excludes(boundary);
   AddTalk(command, options->talk);
   AddSlurmOptions(command, *options);
   command.callback([options, &run] { run = [options] { return Sweep(*options); }; });

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include "models/error.h"
+#include <cstdio>
+#include <exception>
+
 #include "scenarios/cli/sweep_text.h"
 #include "scenarios/flight/output_file.h"
 #include "scenarios/sweep/rows_csv.h"
@@ -20,7 +22,7 @@ void WritePage(const SweepOutcome& sweep, const fs::path& folder) {
   std::string page;
   try {
     page = SweepPage(sweep, folder);
-  } catch (const InputError& error) {
+  } catch (const std::exception& error) {
     spdlog::warn("no report: {}", error.what());
     return;
   }
@@ -34,14 +36,15 @@ void CheckSweepFiles(const SweepFiles& files) {
   CheckOutputFile(PageIn(files.folder), kSweepPageMark);
 }
 
-bool TellOutcome(const SweepFiles& files, const Talk& talk) {
+SweepSummary TellOutcome(const SweepFiles& files, const Talk& talk) {
   const SweepOutcome sweep = ReadOutcome({files.folder, SweepStore::Access::kRead});
-  if (files.csv) WriteOutputFile(*files.csv, RowsCsv(sweep.terms.keys(), sweep.results), kRowsCsvMark);
-  WritePage(sweep, files.folder);
-  const SweepSummary summary = Summarize(sweep);
+  SweepSummary summary = Summarize(sweep);
   if (talk.ForPeople()) fmt::print("{}", SummaryText(sweep, summary, files.folder));
   if (talk.json) fmt::print("{}", SummaryJson(sweep, summary, files.folder));
-  return summary.keeps_criteria();
+  std::fflush(stdout);
+  if (files.csv) WriteOutputFile(*files.csv, RowsCsv(sweep.terms.keys(), sweep.results), kRowsCsvMark);
+  WritePage(sweep, files.folder);
+  return summary;
 }
 
 }  // namespace touchdown::scenarios

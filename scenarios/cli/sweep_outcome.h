@@ -4,6 +4,7 @@
 #include <string>
 
 #include "scenarios/cli/talk.h"
+#include "scenarios/sweep/sweep_summary.h"
 
 namespace touchdown::scenarios {
 
@@ -16,9 +17,8 @@ struct SweepFiles {
 /// Throws InputError when a file is there already that this program has not made.
 void CheckSweepFiles(const SweepFiles& files);
 
-/// Writes the page and the CSV of what is flown, and prints the summary. Returns whether the criteria are kept. A page
-/// that cannot be drawn is a warning: it does not make a sweep of hours fail. Throws InputError when a file cannot be
-/// written.
-bool TellOutcome(const SweepFiles& files, const Talk& talk);
+/// Prints the summary of what is flown, and writes its CSV and its page. A page that cannot be drawn is a warning: it
+/// does not make a sweep of hours fail. Throws InputError when a file cannot be written.
+SweepSummary TellOutcome(const SweepFiles& files, const Talk& talk);
 
 }  // namespace touchdown::scenarios

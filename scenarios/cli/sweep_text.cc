@@ -95,28 +95,33 @@ std::string DryRunJson(const DryRun& dry_run) {
 
 std::string SummaryText(const SweepOutcome& sweep, const SweepSummary& summary, const std::string& out) {
   std::string text = fmt::format("{}: {} of {} flights\n", sweep.terms.name, summary.all.flown, sweep.planned);
-  if (summary.all.flown > 0) text += fmt::format("  passed  {}\n", Percent(summary.all));
+  if (summary.all.flown > 0) {
+    text += fmt::format("  passed  {}{}\n", Percent(summary.all),
+                        sweep.terms.stop_when ? ", not corrected for the early stop" : "");
+  }
   for (const PassCountOf& each : summary.by_value) {
     text += fmt::format("  {:<40} {}\n", fmt::format("{}={}", each.key, each.value), Percent(each.count));
   }
   for (const PassEdgeOf& each : summary.edges) {
-    text += fmt::format("  {} % pass at {} = {:.4g} (95 %: {:.4g} to {:.4g}{})\n", kPercent * each.pass_rate,
+    text += fmt::format("  {:.4g} % pass at {} = {:.4g} (95 %: {:.4g} to {:.4g}{})\n", kPercent * each.pass_rate,
                         Subject(each), each.edge.value, each.edge.low, each.edge.high,
                         each.may_lie_beyond ? ", or beyond what was flown" : "");
   }
   for (const auto& [check, interval] : summary.criteria) {
-    text += fmt::format("  {}  {:<40} {:>10} {:<4} {}\n", check.pass ? "pass" : "FAIL", check.name,
-                        check.value ? fmt::format("{:.4g}", *check.value) : "none", check.unit, check.limit);
+    text += fmt::format("  {}  {:<40} {:>10} {:<4} {}\n", check.pass ? "pass" : "FAIL", check.name, ValueText(check),
+                        check.unit, check.limit);
+  }
+  if (sweep.whole > sweep.planned) {
+    text += fmt::format("  {} more flights are in parts of the sweep that are not here\n", sweep.whole - sweep.planned);
   }
   return text + fmt::format("rows in {0}/sweep.db, report in {0}/report.html\n", out);
 }
 
 std::string SummaryJson(const SweepOutcome& sweep, const SweepSummary& summary, const std::string& out) {
-  Json json{
-      {"schema", kSchema}, {"version", TOUCHDOWN_VERSION}, {"sweep", sweep.terms.name}, {"planned", sweep.planned}};
+  Json json{{"schema", kSchema}, {"version", TOUCHDOWN_VERSION}, {"sweep", sweep.terms.name}, {"planned", sweep.whole}};
   Put(summary.all, json);
   json["stale"] = sweep.stale;
-  json["pass"] = summary.keeps_criteria() && sweep.results.size() == sweep.planned;
+  json["pass"] = summary.keeps_criteria() && summary.is_whole;
   json["parameters"] = Json::array();
   for (const PassCountOf& each : summary.by_value) {
     Json value{{"key", each.key}, {"value", each.value}};
@@ -134,6 +139,7 @@ std::string SummaryJson(const SweepOutcome& sweep, const SweepSummary& summary, 
   for (const auto& [check, interval] : summary.criteria) {
     Json criterion{{"name", check.name}, {"unit", check.unit}, {"limit", check.limit}, {"pass", check.pass}};
     if (interval) Put(*interval, criterion);
+    if (!check.text.empty()) criterion["value"] = check.text;
     json["criteria"].push_back(std::move(criterion));
   }
   json["rows"] = out + "/sweep.db";

@@ -190,8 +190,8 @@ ConfigNode ReadConfigFile(const std::filesystem::path& file) {
   return ParseConfig(text, file.string(), file.parent_path());
 }
 
-ConfigNode ParseOverride(const std::string& assignment, const std::string& place) {
-  const Origin origin{place, {}};
+ConfigNode ParseOverride(const std::string& assignment, const std::string& place, const std::filesystem::path& folder) {
+  const Origin origin{place, folder};
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0) throw ConfigError(origin, "", "must have the form key=value");
   const std::string path = assignment.substr(0, equals);

@@ -53,6 +53,7 @@ ConfigNode ParseConfig(const std::string& text, const std::string& name, const s
 
 /// The patch that "a.b.c=value" stands for; the value is YAML. `place` is what messages call it. Throws InputError when
 /// it has no key or its value is no YAML.
-ConfigNode ParseOverride(const std::string& assignment, const std::string& place);
+ConfigNode ParseOverride(const std::string& assignment, const std::string& place,
+                         const std::filesystem::path& folder = {});
 
 }  // namespace touchdown::scenarios

@@ -1,5 +1,6 @@
 #include "scenarios/flight/output_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -26,6 +27,14 @@ bool Holds(const fs::path& place, std::string_view mark) {
   return content.find(mark) != std::string::npos;
 }
 
+/// Brings a file's content, or a folder's names, onto the disk, where the machine's sudden end does not undo it.
+void Sync(const fs::path& place) {
+  const int fd = open(place.c_str(), O_RDONLY | O_CLOEXEC);
+  if (fd < 0) return;
+  fsync(fd);  // Some file systems know no such thing; then this is all that can be done.
+  close(fd);
+}
+
 }  // namespace
 
 void CheckOutputFile(const fs::path& place, std::string_view mark) {
@@ -47,7 +56,11 @@ void WriteOutputFile(const fs::path& place, std::string_view content, std::strin
   std::ofstream file(temporary, std::ios::binary);
   file.write(content.data(), static_cast<std::streamsize>(content.size()));
   file.close();
-  if (file) fs::rename(temporary, place, error);
+  if (file) {
+    Sync(temporary);
+    fs::rename(temporary, place, error);
+    Sync(place.has_parent_path() ? place.parent_path() : ".");
+  }
   if (!file || error) {
     std::error_code ignored;
     fs::remove(temporary, ignored);

@@ -19,7 +19,7 @@ Scenario ReadScenario(const ConfigNode& root, const std::string& default_name, s
   };
   const auto read_all = [&] {
     read(root);
-    for (const Override& change : overrides) read(ParseOverride(change.assignment, change.place));
+    for (const Override& change : overrides) read(ParseOverride(change.assignment, change.place, change.folder));
   };
   read_all();
   // Keys that a calibration leaves out are the truth's, which is known only now.

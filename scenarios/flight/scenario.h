@@ -121,11 +121,12 @@ struct Scenario {
 struct Override {
   /// As --set is given it: "key=value", the value as YAML.
   Override(const std::string& set) : assignment(set), place("--set " + set) {}  // NOLINT: strings are overrides.
-  Override(std::string assignment_text, std::string typed)
-      : assignment(std::move(assignment_text)), place(std::move(typed)) {}
+  Override(std::string assignment_text, std::string typed, std::filesystem::path named_from = {})
+      : assignment(std::move(assignment_text)), place(std::move(typed)), folder(std::move(named_from)) {}
 
   std::string assignment;
-  std::string place;  ///< What messages call it.
+  std::string place;             ///< What messages call it.
+  std::filesystem::path folder;  ///< That names of files within it are meant from.
 };
 
 /// Reads a scenario's file and applies overrides over it, in their order. Throws InputError, naming file,

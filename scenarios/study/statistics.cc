@@ -71,6 +71,11 @@ double StudentsTQuantile(double chance, int degrees_of_freedom) {
   return boost::math::quantile(boost::math::students_t(degrees_of_freedom), chance);
 }
 
+double ChanceOfAtLeast(int least, int trials, double chance) {
+  if (least <= 0) return 1.0;
+  return boost::math::cdf(boost::math::complement(boost::math::binomial(trials, chance), least - 1));
+}
+
 Interval MeanInterval(std::span<const double> values) {
   const double mean = Mean(values);
   if (values.size() == 1) return {mean, mean, mean};

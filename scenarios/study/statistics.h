@@ -30,6 +30,9 @@ Interval QuantileInterval(std::vector<double> values, double q);
 double NormalQuantile(double chance);
 double StudentsTQuantile(double chance, int degrees_of_freedom);
 
+/// That of so many trials, each with this chance, at least `least` succeed.
+double ChanceOfAtLeast(int least, int trials, double chance);
+
 /// The mean, by Student's t on n - 1 degrees of freedom; a single value has no interval but itself.
 Interval MeanInterval(std::span<const double> values);
 

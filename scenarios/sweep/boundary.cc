@@ -3,23 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "models/error.h"
 #include "scenarios/flight/program_digest.h"
+#include "scenarios/sweep/sweep_summary.h"
 
 namespace touchdown::scenarios {
 namespace {
 
 double NumberFrom(const SweepParameter& parameter, const std::string& yaml) {
-  double number = 0.0;
-  const auto [end, error] = std::from_chars(yaml.data(), yaml.data() + yaml.size(), number);
-  if (error != std::errc() || end != yaml.data() + yaml.size()) {
-    throw InputError(
-        fmt::format("{}: {}: a boundary is sought between numbers, {} is none", parameter.place, parameter.key, yaml));
-  }
-  return number;
+  if (const auto number = AsNumber(yaml)) return *number;
+  throw InputError(
+      fmt::format("{}: {}: a boundary is sought between numbers, {} is none", parameter.place, parameter.key, yaml));
 }
 
 std::size_t IndexOf(const SweepFile& file, const std::string& key) {
@@ -42,26 +38,32 @@ std::pair<double, double> RangeOf(const SweepParameter& parameter) {
   return {*min, *max};
 }
 
+/// With its first variant alone, which is all flights' then.
+SweepFile OfOneVariant(SweepFile file) {
+  file.variants.resize(1);
+  file.variants.front().name.clear();
+  return file;
+}
+
 /// The flights of one value, with a seed of its own.
 SweepFile AtValue(const SweepFile& file, std::size_t parameter, double value, int number) {
   SweepFile one = file;
   one.seeds = {file.seeds.from + number, 1};
   one.stop_when.reset();
-  one.variants.resize(1);
   for (SweepParameter& each : one.parameters) {
     if (auto* listed = std::get_if<ListedValues>(&each.values)) listed->yaml.resize(1);
   }
-  // Four digits say it: the posterior's places are coarser.
-  one.parameters[parameter].values = ListedValues{{fmt::format("{:.4g}", value)}};
+  one.parameters[parameter].values = ListedValues{{fmt::format("{:.6g}", value)}};
   return one;
 }
 
 }  // namespace
 
-Boundary FindBoundary(const SweepFile& file, const BoundarySearch& search, const std::filesystem::path& folder,
+Boundary FindBoundary(const SweepFile& sweep, const BoundarySearch& search, const std::filesystem::path& folder,
                       int jobs, const StopRequested& stop_requested,
                       const std::function<void(const Boundary&)>& progress) {
   constexpr int kRound = 6;
+  const SweepFile file = OfOneVariant(sweep);
   const std::size_t parameter = IndexOf(file, search.key);
   const auto [min, max] = RangeOf(file.parameters[parameter]);
   PassEdge posterior(min, max, search.pass_rate);
@@ -82,6 +84,7 @@ Boundary FindBoundary(const SweepFile& file, const BoundarySearch& search, const
       one.flights.front().position = boundary.flights + i;
       plan.flights.push_back(std::move(one.flights.front()));
     }
+    plan.whole = plan.flights.size();
     if (!RunSweep(whole, plan, folder, {.jobs = jobs}, stop_requested, nullptr)) return boundary;
     const std::vector<SweepResult> results = SweepStore(folder, SweepStore::Access::kRead).Results();
     for (int i = 0; i < round; ++i) {

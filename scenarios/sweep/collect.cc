@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <system_error>
@@ -31,8 +32,10 @@ Part ReadPart(const fs::path& folder) {
 /// All parts' flights, by position.
 SweepPlan Join(const std::vector<Part>& parts) {
   const Part& first = parts.front();
+  SweepPlan whole{.keys = first.plan.keys, .flights = {}, .whole = 0};
   std::map<std::int64_t, PlannedFlight> flights;
   for (const Part& part : parts) {
+    whole.whole = std::max(whole.whole, part.plan.whole);
     const auto refuse = [&](const std::string& why) { throw InputError(part.folder.string() + ": " + why); };
     if (part.terms.name != first.terms.name) {
       refuse(
@@ -45,9 +48,17 @@ SweepPlan Join(const std::vector<Part>& parts) {
       }
     }
   }
-  SweepPlan whole{.keys = first.plan.keys, .flights = {}};
   for (const auto& [position, flight] : flights) whole.flights.push_back(flight);
   return whole;
+}
+
+/// What was collected before may be judged anew, and the parts by the same terms.
+void RefuseOtherTerms(const std::vector<Part>& parts) {
+  for (const Part& part : parts) {
+    if (TermsJson(part.terms) == TermsJson(parts.front().terms)) continue;
+    throw InputError(fmt::format("{}: was flown for another version of the sweep's file than {}", part.folder.string(),
+                                 parts.front().folder.string()));
+  }
 }
 
 void TakeRows(const Part& part, SweepStore& store) {
@@ -56,7 +67,7 @@ void TakeRows(const Part& part, SweepStore& store) {
     rows.push_back(std::move(result.row));
   }
   for (const FlightRow& row : rows) {
-    if (row.program == part.program && !store.Has(row.id)) store.Put(row);
+    if (row.program == part.program) store.Put(row);
   }
 }
 
@@ -75,9 +86,10 @@ void CopyPictures(const fs::path& from, const fs::path& to) {
 
 void Collect(const fs::path& folder, const std::vector<fs::path>& from) {
   std::vector<Part> parts;
-  if (from.empty() || fs::exists(folder / "sweep.db")) parts.push_back(ReadPart(folder));
   for (const fs::path& each : from) parts.push_back(ReadPart(each));
+  if (from.empty() || fs::exists(folder / "sweep.db")) parts.push_back(ReadPart(folder));
   const SweepPlan whole = Join(parts);
+  RefuseOtherTerms({parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(from.size())});
 
   ClaimFolder(folder);
   const FolderLock lock(folder);

@@ -51,26 +51,43 @@ std::vector<Pair> PairsOf(const StoredResults& a, const StoredResults& b, Compar
   return pairs;
 }
 
-/// Bonett and Price 2012: as if one pair more had changed each way.
+/// By Bonett and Price 2012, of `gained` and `lost` passes: as if one pair more had changed each way.
+Interval ShareDifference(double gained, double lost, double n) {
+  const double up = (gained + 1.0) / (n + 2.0), down = (lost + 1.0) / (n + 2.0);
+  const double half = NormalQuantile(kUpper) * std::sqrt((up + down - (up - down) * (up - down)) / (n + 2.0));
+  return {(gained - lost) / n, std::max(-1.0, up - down - half), std::min(1.0, up - down + half)};
+}
+
+/// The smallest change of a pass rate that pairs show with 80 % chance, when `both_ways` of them change in each
+/// direction anyway: so many more must change in one of them, and do so by a binomial's chance. 1 when no change of so
+/// few pairs shows.
+double ResolvableChange(int both_ways, int pairs) {
+  int needed = both_ways + 1;
+  while (needed + both_ways <= pairs && ShareDifference(both_ways, needed, pairs).high >= 0.0) ++needed;
+  if (needed + both_ways > pairs) return 1.0;
+  double too_rare = 0.0, enough = 1.0;
+  for (int i = 0; i < 40; ++i) {
+    const double chance = 0.5 * (too_rare + enough);
+    (ChanceOfAtLeast(needed, pairs, chance) < kPower ? too_rare : enough) = chance;
+  }
+  return enough - static_cast<double>(both_ways) / pairs;
+}
+
 PairedDifference PassRateDifference(const std::vector<Pair>& pairs) {
   PairedDifference difference{
       .name = std::string(kPassRate), .pairs = static_cast<int>(pairs.size()), .larger_is_better = true};
-  double gained = 0.0, lost = 0.0;
+  int gained = 0, lost = 0;
   for (const auto& [a, b] : pairs) {
     difference.a += a->row.passed() ? 1.0 : 0.0;
     difference.b += b->row.passed() ? 1.0 : 0.0;
-    gained += !a->row.passed() && b->row.passed() ? 1.0 : 0.0;
-    lost += a->row.passed() && !b->row.passed() ? 1.0 : 0.0;
+    gained += !a->row.passed() && b->row.passed() ? 1 : 0;
+    lost += a->row.passed() && !b->row.passed() ? 1 : 0;
   }
   const auto n = static_cast<double>(pairs.size());
   difference.a /= n;
   difference.b /= n;
-  const double up = (gained + 1.0) / (n + 2.0), down = (lost + 1.0) / (n + 2.0);
-  const double deviation = std::sqrt((up + down - (up - down) * (up - down)) / (n + 2.0));
-  const double half = NormalQuantile(kUpper) * deviation;
-  difference.difference = {difference.b - difference.a, std::max(-1.0, up - down - half),
-                           std::min(1.0, up - down + half)};
-  difference.resolvable = (NormalQuantile(kUpper) + NormalQuantile(kPower)) * deviation;
+  difference.difference = ShareDifference(gained, lost, n);
+  difference.resolvable = ResolvableChange(std::min(gained, lost), difference.pairs);
   return difference;
 }
 
@@ -118,6 +135,13 @@ void CheckMargins(const std::vector<Margin>& margins) {
   }
 }
 
+/// A gate that judged nothing must not pass.
+void RefuseUnjudged(const Margin& margin, const Comparison& comparison) {
+  const bool is_judged = std::any_of(comparison.differences.begin(), comparison.differences.end(),
+                                     [&](const PairedDifference& each) { return each.name == margin.name; });
+  if (!is_judged) throw InputError(fmt::format("--margin {}: fewer than two pairs of flights have it", margin.name));
+}
+
 }  // namespace
 
 bool Comparison::is_worse() const {
@@ -156,6 +180,7 @@ Comparison Compare(const StoredResults& a, const StoredResults& b, const std::ve
     if (const auto difference = MetricDifference(metric, pairs)) comparison.differences.push_back(*difference);
   }
   for (PairedDifference& difference : comparison.differences) Judge(difference, margins);
+  for (const Margin& margin : margins) RefuseUnjudged(margin, comparison);
   return comparison;
 }
 

@@ -50,7 +50,7 @@ struct Comparison {
 /// interval for paired shares (2012), metrics by Student's t on the differences, over the pairs that both have. A
 /// quantity counts as worse when its interval lies wholly on the worse side of zero and its difference beyond the
 /// margin, 0 for those that have none. Throws InputError when they have no flight in common, or for a margin of an
-/// unknown metric.
+/// unknown metric, or of one that fewer than two pairs have.
 Comparison Compare(const StoredResults& a, const StoredResults& b, const std::vector<Margin>& margins);
 
 }  // namespace touchdown::scenarios

@@ -5,8 +5,6 @@
 #include <string.h>
 
 #include <chrono>
-#include <fstream>
-#include <iterator>
 #include <list>
 #include <optional>
 #include <thread>
@@ -28,11 +26,6 @@ struct Flying {
   Stopwatch since_start = {};
   bool is_hung = false;
 };
-
-std::optional<FlightRow> LeftRow(const RowFolder& folder, const std::string& id) {
-  std::ifstream stream(folder.RowOf(id), std::ios::binary);
-  return RowFromJson({std::istreambuf_iterator<char>(stream), {}});
-}
 
 /// Of a process that left none.
 FlightRow RowWithoutFlight(const Flying& flying, const WorkerEnd& end) {
@@ -90,10 +83,12 @@ void FlyTasks(const RowFolder& folder, const CrewOptions& options, const NextTas
     }
   };
   const auto finish = [&](const Flying& done, const WorkerEnd& end) {
-    std::optional<FlightRow> row = LeftRow(folder, done.task->id);
+    std::optional<FlightRow> row = folder.Find(done.task->id);
     if (!row && end.exit_status == kUnusableFolderStatus) {
       throw InputError(LastLine(end.complaint));
     }
+    const bool is_stopped = stop_requested && stop_requested();
+    if (!row && is_stopped && !done.is_hung && end.signal == SIGKILL) return;  // It was ended with all the others.
     if (!row) {
       row = RowWithoutFlight(done, end);
       folder.Leave(*row);

@@ -66,9 +66,12 @@ void Move(const fs::path& from, const fs::path& to) {
   if (error) throw InputError(fmt::format("{}: {}", to.string(), error.message()));
 }
 
-void HandOver(const RowFolder& from, const RowFolder& to, const std::string& id) {
-  if (fs::exists(from.PictureOf(id))) Move(from.PictureOf(id), to.PictureOf(id));
-  Move(from.RowOf(id), to.RowOf(id));
+/// Unless another copy of the task flew it, and this one's process failed.
+void HandOver(const RowFolder& from, const RowFolder& to, const FlightRow& row) {
+  const std::optional<FlightRow> there = to.Find(row.id);
+  if (there && there->end == RowEnd::kFlown && row.end != RowEnd::kFlown) return;
+  if (fs::exists(from.PictureOf(row.id))) Move(from.PictureOf(row.id), to.PictureOf(row.id));
+  Move(from.RowOf(row.id), to.RowOf(row.id));
 }
 
 }  // namespace
@@ -96,13 +99,13 @@ bool FlyChunk(const fs::path& folder, int number, int jobs, const StopRequested&
   const RowFolder unfinished(bench.place()), rows(folder);
   auto at = chunk.flights.begin();
   const auto next = [&]() -> const FlightTask* {
-    while (at != chunk.flights.end() && fs::exists(rows.RowOf(at->id))) ++at;
+    while (at != chunk.flights.end() && rows.Find(at->id)) ++at;
     return at == chunk.flights.end() ? nullptr : &*at++;
   };
   const CrewOptions crew{.jobs = jobs,
                          .fly = [&](const FlightTask& task) { FlyRow(task.scenario_yaml, task.id, unfinished); }};
   const auto keep = [&](const FlightRow& row) {
-    HandOver(unfinished, rows, row.id);
+    HandOver(unfinished, rows, row);
     on_row(row);
   };
   FlyTasks(unfinished, crew, next, keep, stop_requested);

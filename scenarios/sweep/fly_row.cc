@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <new>
 #include <system_error>
 
@@ -45,6 +47,19 @@ void TellResult(const Scenario& scenario, const FlightLog& log, FlightRow& row) 
 }
 
 }  // namespace
+
+std::optional<FlightRow> ReadRow(const fs::path& file) {
+  std::error_code error;
+  if (!fs::exists(file, error) && !error) return std::nullopt;
+  std::ifstream stream;
+  stream.exceptions(std::ios::failbit | std::ios::badbit);
+  try {
+    stream.open(file, std::ios::binary);
+    return RowFromJson({std::istreambuf_iterator<char>(stream), {}});
+  } catch (const std::ios::failure&) {
+    throw InputError(fmt::format("{}: cannot be read", file.string()));
+  }
+}
 
 RowFolder::RowFolder(const fs::path& folder) : rows_(folder / "rows"), pictures_(folder / "pictures") {
   MakeFolder(rows_);

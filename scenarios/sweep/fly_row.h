@@ -1,11 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "scenarios/sweep/flight_row.h"
 
 namespace touchdown::scenarios {
+
+/// nullopt when there is no file, or what it holds is no whole row. Throws InputError when it cannot be read.
+std::optional<FlightRow> ReadRow(const std::filesystem::path& file);
 
 /// A folder into which processes leave what they flew, each under its flight's id.
 class RowFolder {
@@ -17,6 +21,9 @@ class RowFolder {
   std::filesystem::path RowOf(const std::string& id) const { return rows_ / (id + ".json"); }
   std::filesystem::path PictureOf(const std::string& id) const { return pictures_ / (id + ".png"); }
   const std::filesystem::path& rows() const { return rows_; }
+
+  /// See ReadRow.
+  std::optional<FlightRow> Find(const std::string& id) const { return ReadRow(RowOf(id)); }
 
   /// Throws InputError when it cannot be written.
   void Leave(const FlightRow& row) const;

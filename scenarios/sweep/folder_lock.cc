@@ -18,12 +18,13 @@ void ClaimFolder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw InputError(fmt::format("output folder {}: {}", folder.string(), error.message()));
-  if (fs::exists(folder / "sweep.db")) return;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().filename() != ".lock") {
+  if (fs::exists(folder / "sweep.db", error)) return;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    if (at->path().filename() != ".lock") {
       throw InputError(fmt::format("output folder {}: is not empty, and no sweep's", folder.string()));
     }
   }
+  if (error) throw InputError(fmt::format("output folder {}: {}", folder.string(), error.message()));
 }
 
 FolderLock::FolderLock(const fs::path& folder) {
@@ -35,8 +36,10 @@ FolderLock::FolderLock(const fs::path& folder) {
   whole.l_type = F_WRLCK;
   whole.l_whence = SEEK_SET;
   if (fcntl(fd_, F_SETLK, &whole) == 0) return;
+  const bool is_locked = errno == EACCES || errno == EAGAIN;
+  const std::string why = is_locked ? "another sweep works there" : std::string("cannot be locked: ") + strerror(errno);
   close(fd_);
-  throw InputError(fmt::format("output folder {}: another sweep works there", folder.string()));
+  throw InputError(fmt::format("output folder {}: {}", folder.string(), why));
 }
 
 FolderLock::~FolderLock() { close(fd_); }

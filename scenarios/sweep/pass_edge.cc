@@ -55,7 +55,7 @@ double PassEdge::Quantile(double share) const {
   double sum = 0.0;
   for (int place = 0; place < kPlaces; ++place) {
     sum += weights[static_cast<std::size_t>(place)];
-    if (sum >= wanted) return min_ + (max_ - min_) * place / (kPlaces - 1);
+    if (sum >= wanted && place < kPlaces - 1) return min_ + (max_ - min_) * place / (kPlaces - 1);
   }
   return max_;
 }

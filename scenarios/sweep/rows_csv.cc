@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -51,18 +55,32 @@ struct Layout {
   }
 };
 
+/// Throws std::invalid_argument for what is none, as a whole.
+template <typename Value>
+Value NumberIn(const std::string& cell) {
+  Value value{};
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  const bool is_whole = error == std::errc() && end == cell.data() + cell.size();
+  if (!is_whole || !std::isfinite(static_cast<double>(value))) throw std::invalid_argument("no number: " + cell);
+  return value;
+}
+
 SweepResult ResultFrom(const Layout& layout, const std::vector<std::string>& cells) {
   const auto begin = cells.begin();
-  SweepResult result{.seed = std::stoull(cells[layout.seed]), .variant = cells[1]};
+  SweepResult result{.seed = NumberIn<std::uint64_t>(cells[layout.seed]), .variant = cells[1]};
   result.values.assign(begin + 2, begin + static_cast<std::ptrdiff_t>(layout.seed));
   result.row.id = cells[0];
   result.row.end = RowEnd::kFlown;
   result.row.verdict = cells[layout.seed + 1];
+  constexpr std::array<std::string_view, 3> kVerdicts = {"pass", "fail", "error"};
+  if (std::find(kVerdicts.begin(), kVerdicts.end(), result.row.verdict) == kVerdicts.end()) {
+    throw std::invalid_argument("no verdict: " + result.row.verdict);
+  }
   result.row.outcome = cells[layout.seed + 2];
   result.row.log_sha256 = cells.back();
   for (std::size_t i = layout.seed + 3; i + 1 < cells.size(); ++i) {
     if (!cells[i].empty() && FindMetric(layout.head[i]) != nullptr)
-      result.row.metrics[layout.head[i]] = std::stod(cells[i]);
+      result.row.metrics[layout.head[i]] = NumberIn<double>(cells[i]);
   }
   return result;
 }
@@ -110,7 +128,7 @@ StoredResults ReadRowsCsv(const std::filesystem::path& file) {
     if (cells.size() != layout.head.size()) throw fail();
     try {
       stored.results.push_back(ResultFrom(layout, cells));
-    } catch (const std::logic_error&) {  // Of std::stod: no number.
+    } catch (const std::invalid_argument&) {
       throw fail();
     }
   }

@@ -1,12 +1,13 @@
 #include "scenarios/sweep/run_sweep.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
 #include <system_error>
 
+#include "models/error.h"
 #include "scenarios/flight/program_digest.h"
 #include "scenarios/sweep/crew.h"
 #include "scenarios/sweep/folder_lock.h"
@@ -19,12 +20,13 @@ namespace fs = std::filesystem;
 /// What is known of the planned flights, and what is to be flown next.
 class Agenda {
  public:
-  Agenda(const SweepFile& file, const SweepPlan& plan, const SweepStore& store) : plan_(plan) {
+  Agenda(const SweepFile& file, const SweepPlan& plan, const SweepStore& store, bool retry) : plan_(plan) {
     if (file.stop_when) test_.emplace(*file.stop_when);
     for (const PlannedFlight& flight : plan.flights) {
       whole_s_ += flight.expected_s;
       if (passed_.contains(flight.id)) continue;
-      if (const auto row = store.Find(flight.id)) {
+      const auto row = store.Find(flight.id);
+      if (row && !(retry && row->end != RowEnd::kFlown)) {
         passed_[flight.id] = row->passed();
       } else if (wanted_.insert(flight.id).second) {
         tasks_.push_back({flight.id, flight.scenario_yaml, flight.limit_s, file.limits.memory_mb});
@@ -90,6 +92,7 @@ class Agenda {
 SweepPlan FirstOf(const SweepPlan& plan, std::size_t count) {
   SweepPlan first = plan;
   first.flights.resize(count);
+  first.whole = count;
   return first;
 }
 
@@ -98,24 +101,35 @@ void RemoveRow(const fs::path& file) {
   fs::remove(file, ignored);
 }
 
-/// nullopt for what is no row, or none yet.
-std::optional<FlightRow> RowIn(const fs::path& file) {
-  if (file.extension() != ".json") return std::nullopt;
-  std::ifstream stream(file, std::ios::binary);
-  return RowFromJson({std::istreambuf_iterator<char>(stream), {}});
-}
+bool IsRow(const fs::path& file) { return file.extension() == ".json"; }
 
 /// Whether a process left it that was ended while it wrote, and none writes it now.
 bool IsAbandoned(const fs::directory_entry& entry) {
   std::error_code gone;
   const fs::file_time_type written = entry.last_write_time(gone);
-  return !gone && fs::file_time_type::clock::now() - written > std::chrono::minutes(10);
+  return !gone && entry.path().filename().string().find(".partial-") != std::string::npos &&
+         fs::file_time_type::clock::now() - written > std::chrono::minutes(10);
+}
+
+/// A file that the machine's end left damaged: its flight is flown again.
+void SetAside(const fs::path& file) {
+  std::error_code error;
+  fs::rename(file, fs::path(file).replace_extension(".damaged"), error);
+  if (error) throw InputError(fmt::format("{}: is no row, and cannot be set aside", file.string()));
+}
+
+std::vector<fs::directory_entry> EntriesOf(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::directory_entry> entries;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) entries.push_back(*at);
+  if (error) throw InputError(fmt::format("{}: {}", folder.string(), error.message()));
+  return entries;
 }
 
 }  // namespace
 
 SweepPlan ShardOf(const SweepPlan& plan, int shard, int shards) {
-  SweepPlan part{.keys = plan.keys, .flights = {}};
+  SweepPlan part{.keys = plan.keys, .flights = {}, .whole = plan.whole};
   for (const PlannedFlight& flight : plan.flights) {
     if (flight.position % shards == shard) part.flights.push_back(flight);
   }
@@ -124,19 +138,25 @@ SweepPlan ShardOf(const SweepPlan& plan, int shard, int shards) {
 
 std::vector<FlightRow> LeftRows(const fs::path& folder) {
   std::vector<FlightRow> left;
-  if (!fs::exists(folder / "rows")) return left;
-  for (const auto& entry : fs::directory_iterator(folder / "rows")) {
-    if (auto row = RowIn(entry.path())) left.push_back(std::move(*row));
+  std::error_code error;
+  if (!fs::exists(folder / "rows", error)) return left;
+  for (const auto& entry : EntriesOf(folder / "rows")) {
+    if (!IsRow(entry.path())) continue;
+    if (auto row = ReadRow(entry.path())) left.push_back(std::move(*row));
   }
   return left;
 }
 
 void TakeInRows(const fs::path& folder, SweepStore& store) {
-  const RowFolder rows(folder);
-  for (const auto& entry : fs::directory_iterator(rows.rows())) {
-    const std::optional<FlightRow> row = RowIn(entry.path());
-    if (row) store.Put(*row);
-    if (row || IsAbandoned(entry)) RemoveRow(entry.path());
+  for (const auto& entry : EntriesOf(RowFolder(folder).rows())) {
+    if (IsAbandoned(entry)) RemoveRow(entry.path());
+    if (!IsRow(entry.path())) continue;
+    if (const std::optional<FlightRow> row = ReadRow(entry.path())) {
+      store.Put(*row);
+      RemoveRow(entry.path());
+    } else if (fs::exists(entry.path())) {
+      SetAside(entry.path());
+    }
   }
 }
 
@@ -146,9 +166,8 @@ bool RunSweep(const SweepFile& file, const SweepPlan& plan, const fs::path& fold
   const FolderLock lock(folder);
   SweepStore store(folder, SweepStore::Access::kWrite);
   TakeInRows(folder, store);
-  if (options.retry) store.ForgetUnflown(ProgramDigest());
   store.SetPlan(TermsOf(file), plan, ProgramDigest());
-  Agenda agenda(file, plan, store);
+  Agenda agenda(file, plan, store, options.retry);
   if (progress) progress(agenda.Progress());
 
   const RowFolder rows(folder);
@@ -160,12 +179,13 @@ bool RunSweep(const SweepFile& file, const SweepPlan& plan, const fs::path& fold
     return task;
   };
   const auto keep = [&](const FlightRow& row) {
-    store.Put(row);
-    RemoveRow(rows.RowOf(row.id));
+    if (store.TryPut(row)) RemoveRow(rows.RowOf(row.id));  // Else it is taken in at the end.
     agenda.Take(row);
-    if (progress && !agenda.HasNext()) progress(agenda.Progress());  // Else the next one's start tells of it.
+    const bool another_starts = agenda.HasNext() && !(stop_requested && stop_requested());
+    if (progress && !another_starts) progress(agenda.Progress());
   };
   FlyTasks(rows, crew, next, keep, stop_requested);
+  TakeInRows(folder, store);
   if (agenda.IsDecided()) store.SetPlan(TermsOf(file), FirstOf(plan, agenda.counted()), ProgramDigest());
   return agenda.IsDone();
 }

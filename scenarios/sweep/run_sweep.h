@@ -39,7 +39,8 @@ bool RunSweep(const SweepFile& file, const SweepPlan& plan, const std::filesyste
 /// The rows that processes left in `folder`, as they lie there.
 std::vector<FlightRow> LeftRows(const std::filesystem::path& folder);
 
-/// Takes the rows that processes left in `folder` into the store, and removes their files.
+/// Takes the rows that processes left in `folder` into the store, and removes their files. What is no whole row is kept
+/// as ID.damaged. Throws InputError when one cannot be read.
 void TakeInRows(const std::filesystem::path& folder, SweepStore& store);
 
 }  // namespace touchdown::scenarios

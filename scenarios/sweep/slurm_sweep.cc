@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <set>
+#include <map>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -16,6 +16,7 @@
 #include "scenarios/sweep/flight_chunk.h"
 #include "scenarios/sweep/folder_lock.h"
 #include "scenarios/sweep/run_sweep.h"
+#include "scenarios/sweep/shell_word.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -25,15 +26,19 @@ namespace fs = std::filesystem;
 constexpr const char* kScriptMark = "sweep-task";
 constexpr const char* kJobMark = "slurm_job: ";
 
-/// The planned flights without a row in `folder`, each once.
-std::vector<const PlannedFlight*> MissingFlights(const SweepPlan& plan, const fs::path& folder) {
-  std::set<std::string> known;
+/// The planned flights that have no row in `folder`, or with `retry` one without a flight.
+std::vector<const PlannedFlight*> MissingFlights(const SweepPlan& plan, const fs::path& folder, bool retry) {
+  std::map<std::string, RowEnd> left;
   std::optional<SweepStore> store;
   if (fs::exists(folder / "sweep.db")) store.emplace(folder, SweepStore::Access::kRead);
-  for (const FlightRow& row : LeftRows(folder)) known.insert(row.id);
+  for (const FlightRow& row : LeftRows(folder)) left[row.id] = row.end;
   std::vector<const PlannedFlight*> missing;
   for (const PlannedFlight& flight : plan.flights) {
-    if (known.insert(flight.id).second && !(store && store->Has(flight.id))) missing.push_back(&flight);
+    const auto in_folder = left.find(flight.id);
+    std::optional<RowEnd> end;
+    if (in_folder != left.end()) end = in_folder->second;
+    if (const auto row = store ? store->Find(flight.id) : std::nullopt; row && end != RowEnd::kFlown) end = row->end;
+    if (!end || (retry && *end != RowEnd::kFlown)) missing.push_back(&flight);
   }
   return missing;
 }
@@ -61,12 +66,6 @@ std::vector<FlightChunk> Chunks(const SweepFile& file, const std::vector<const P
   return chunks;
 }
 
-std::string ShellQuoted(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
 std::string Script(std::size_t tasks) {
   return fmt::format(R"(#!/bin/sh
 #SBATCH --job-name=touchdown
@@ -76,7 +75,7 @@ std::string Script(std::size_t tasks) {
 #SBATCH --output=slurm/%a.log
 exec {} sweep-task . "$SLURM_ARRAY_TASK_ID"
 )",
-                     tasks - 1, ShellQuoted(fs::read_symlink("/proc/self/exe").string()));
+                     tasks - 1, ShellWord(fs::read_symlink("/proc/self/exe").string()));
 }
 
 fs::path JobFile(const fs::path& folder) { return folder / "slurm" / "job.yaml"; }
@@ -85,11 +84,13 @@ void RefuseWhileQueued(const fs::path& folder) {
   const std::optional<std::string> job = SlurmJobOf(folder);
   if (!job) return;
   const auto tasks = TasksInQueue(*job);
-  if (!tasks || tasks->empty()) return;
+  if (tasks && tasks->empty()) return;
   throw InputError(
-      fmt::format("output folder {}: its Slurm job {} is not over; touchdown status tells of it, and "
-                  "scancel {} ends it",
-                  folder.string(), *job, *job));
+      tasks ? fmt::format("output folder {}: its Slurm job {} is not over; touchdown status tells of it, and "
+                          "scancel {} ends it",
+                          folder.string(), *job, *job)
+            : fmt::format("output folder {}: squeue does not tell whether its Slurm job {} is over", folder.string(),
+                          *job));
 }
 
 /// Writes what the tasks read, in place of an earlier job's.
@@ -106,7 +107,7 @@ SlurmSweep PlanTasks(const SweepFile& file, const SweepPlan& plan, const fs::pat
                      const SlurmOptions& options) {
   const int most = MostSlurmTasks();
   RefuseWhileQueued(folder);
-  const std::vector<const PlannedFlight*> missing = MissingFlights(plan, folder);
+  const std::vector<const PlannedFlight*> missing = MissingFlights(plan, folder, options.retry);
   return {.tasks = Chunks(file, missing, ChunkSize(missing, options, most)).size(), .flights = missing.size()};
 }
 
@@ -118,9 +119,8 @@ SlurmSweep SubmitSweep(const SweepFile& file, const SweepPlan& plan, const fs::p
   RefuseWhileQueued(folder);
   SweepStore store(folder, SweepStore::Access::kWrite);
   TakeInRows(folder, store);
-  if (options.retry) store.ForgetUnflown(ProgramDigest());
   store.SetPlan(TermsOf(file), plan, ProgramDigest());
-  const std::vector<const PlannedFlight*> missing = MissingFlights(plan, folder);
+  const std::vector<const PlannedFlight*> missing = MissingFlights(plan, folder, options.retry);
   if (missing.empty()) return {};
   const std::vector<FlightChunk> chunks = Chunks(file, missing, ChunkSize(missing, options, most));
   WriteTasks(folder, chunks);

@@ -91,6 +91,9 @@ void Describe(ConfigVisitor& v, RangeOfValues& range) {
   v.Number({"from", "The first value.", true}, range.from, kNoUnit, kAny);
   v.Number({"to", "The last value.", true}, range.to, kNoUnit, kAny);
   v.Integer({"count", "How many.", true}, range.count, Between(2, 1e5));
+  v.Check("to", [&range] {
+    if (range.to == range.from) throw InputError("must differ from from");
+  });
 }
 
 /// The keys that are read field by field; the others hold a scenario's keys.
@@ -155,7 +158,7 @@ ListedValues Spaced(const RangeOfValues& range) {
 SweepParameter ParameterOf(const ConfigEntry& entry) {
   const ConfigNode& node = entry.node;
   const std::string path = "parameters." + entry.key;
-  SweepParameter parameter{.key = entry.key, .place = node.origin.place, .values = {}};
+  SweepParameter parameter{.key = entry.key, .place = node.origin.place, .folder = node.origin.folder, .values = {}};
   if (node.kind == ConfigNode::Kind::kList) {
     parameter.values = ListOf(node, path);
     return parameter;
@@ -189,7 +192,9 @@ std::vector<Override> OverridesOf(const ConfigNode& node, const std::string& pat
   if (node.kind != ConfigNode::Kind::kKeys) throw ConfigError(node.origin, path, "must hold keys of the scenario");
   std::vector<Override> overrides;
   for (const ConfigEntry& change : node.keys) {
-    overrides.emplace_back(fmt::format("{}={}", change.key, FlowYaml(change.node)), change.node.origin.place);
+    const Origin& origin = change.node.origin;
+    if (change.key == "seed") throw ConfigError(origin, path + ".seed", "is given by seeds");
+    overrides.emplace_back(fmt::format("{}={}", change.key, FlowYaml(change.node)), origin.place, origin.folder);
   }
   return overrides;
 }
@@ -236,6 +241,23 @@ std::optional<ConfigNode> TakeOut(ConfigNode& root, std::string_view key) {
   return node;
 }
 
+/// The sequential test is of one pass rate.
+void CheckStopWhen(const SweepFile& file, const Origin& origin) {
+  const auto lists_several = [](const SweepParameter& parameter) {
+    const auto* const listed = std::get_if<ListedValues>(&parameter.values);
+    return listed != nullptr && listed->yaml.size() > 1;
+  };
+  if (file.variants.size() > 1 || std::any_of(file.parameters.begin(), file.parameters.end(), lists_several)) {
+    throw ConfigError(origin, "stop_when", "is of one pass rate: no variants and no grid, drawn parameters alone");
+  }
+  const auto by_interval = [](const SweepCriterion& criterion) {
+    return criterion.metric == kPassRate && criterion.by == JudgedBy::kInterval;
+  };
+  if (std::any_of(file.criteria.begin(), file.criteria.end(), by_interval)) {
+    throw ConfigError(origin, "stop_when", "decides on the pass rate; an interval of it does not hold then");
+  }
+}
+
 }  // namespace
 
 SweepFile LoadSweepFile(const std::filesystem::path& file) {
@@ -255,6 +277,7 @@ SweepFile LoadSweepFile(const std::filesystem::path& file) {
   if (set) sweep.set = OverridesOf(*set, "set");
   if (parameters) sweep.parameters = ParametersOf(*parameters);
   sweep.variants = variants ? VariantsOf(*variants) : std::vector<SweepVariant>(1);
+  if (const ConfigNode* const stop = root.Find("stop_when")) CheckStopWhen(sweep, stop->origin);
   return sweep;
 }
 

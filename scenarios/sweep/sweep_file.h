@@ -43,7 +43,8 @@ inline constexpr std::string_view kPassRate = "pass_rate";
 /// What a sweep does with one key of the scenario.
 struct SweepParameter {
   std::string key = {};
-  std::string place = {};  ///< Where it was written, for messages.
+  std::string place = {};             ///< Where it was written, for messages.
+  std::filesystem::path folder = {};  ///< That names of files among its values are meant from.
   std::variant<ListedValues, UniformValues, NormalValues, LatinHypercubeValues> values = {};
 };
 

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
+#include "models/error.h"
 #include "models/random_stream.h"
 #include "scenarios/flight/expected_duration.h"
 #include "scenarios/flight/sha256.h"
@@ -12,25 +14,25 @@
 namespace touchdown::scenarios {
 namespace {
 
-/// Of `count` equal parts of the unit interval, the one that the seed of this place is in.
-std::size_t PartOf(std::size_t place, std::size_t count, const std::string& key) {
-  std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), 0);
-  models::RandomStream random(count, "sweep.order." + key);
-  for (std::size_t i = count - 1; i > 0; --i) {
-    std::swap(order[i], order[static_cast<std::size_t>(random.UniformInt(0, static_cast<int>(i)))]);
+/// Of as many equal parts of the unit interval as there are seeds, the one that each seed is in.
+std::vector<std::size_t> PartsOf(std::size_t seeds, const std::string& key) {
+  std::vector<std::size_t> parts(seeds);
+  std::iota(parts.begin(), parts.end(), 0);
+  models::RandomStream random(seeds, "sweep.order." + key);
+  for (std::size_t i = seeds - 1; i > 0; --i) {
+    std::swap(parts[i], parts[static_cast<std::size_t>(random.UniformInt(0, static_cast<int>(i)))]);
   }
-  return order[place];
+  return parts;
 }
 
 /// The values of one parameter for one seed; a drawn one is a single.
 std::vector<std::string> ValuesFor(const SweepParameter& parameter, std::uint64_t seed, std::size_t place,
-                                   std::size_t count) {
+                                   const std::vector<std::size_t>& parts) {
   models::RandomStream random(seed, "sweep." + parameter.key);
   struct Draw {
     models::RandomStream& random;
-    const std::string& key;
-    std::size_t place, count;
+    std::size_t place;
+    const std::vector<std::size_t>& parts;
 
     std::vector<std::string> operator()(const ListedValues& listed) const { return listed.yaml; }
     std::vector<std::string> operator()(const UniformValues& u) const { return {Text(random.Uniform(u.min, u.max))}; }
@@ -38,13 +40,12 @@ std::vector<std::string> ValuesFor(const SweepParameter& parameter, std::uint64_
       return {Text(n.mean + n.sigma * random.Normal())};
     }
     std::vector<std::string> operator()(const LatinHypercubeValues& l) const {
-      const double part =
-          (static_cast<double>(PartOf(place, count, key)) + random.Uniform()) / static_cast<double>(count);
+      const double part = (static_cast<double>(parts[place]) + random.Uniform()) / static_cast<double>(parts.size());
       return {Text(std::lerp(l.min, l.max, part))};
     }
     static std::string Text(double value) { return fmt::format("{}", value); }
   };
-  return std::visit(Draw{random, parameter.key, place, count}, parameter.values);
+  return std::visit(Draw{random, place, parts}, parameter.values);
 }
 
 /// Every combination of one value of each parameter, the last one's changing first.
@@ -69,7 +70,7 @@ PlannedFlight Planned(const SweepFile& file, const SweepVariant& variant, std::u
   overrides.insert(overrides.end(), variant.set.begin(), variant.set.end());
   for (std::size_t i = 0; i < values.size(); ++i) {
     const SweepParameter& parameter = file.parameters[i];
-    overrides.emplace_back(fmt::format("{}={}", parameter.key, values[i]), parameter.place);
+    overrides.emplace_back(fmt::format("{}={}", parameter.key, values[i]), parameter.place, parameter.folder);
   }
   overrides.emplace_back(fmt::format("seed={}", seed));
   const Scenario scenario = LoadScenario(file.base, overrides);
@@ -79,6 +80,36 @@ PlannedFlight Planned(const SweepFile& file, const SweepVariant& variant, std::u
   flight.expected_s = ExpectedDuration_s(scenario);
   flight.limit_s = file.limits.wall_s.value_or(DefaultLimit_s(scenario));
   return flight;
+}
+
+void RefuseTooMany(const SweepFile& file) {
+  constexpr double kMost = 100000.0;
+  double flights = static_cast<double>(file.seeds.count) * static_cast<double>(file.variants.size());
+  for (const SweepParameter& parameter : file.parameters) {
+    if (const auto* listed = std::get_if<ListedValues>(&parameter.values)) {
+      flights *= static_cast<double>(listed->yaml.size());
+    }
+  }
+  if (flights > kMost)
+    throw InputError(fmt::format("sweep {}: plans {:.6g} flights, more than {:.0f}", file.name, flights, kMost));
+}
+
+std::string Words(const SweepPlan& plan, const PlannedFlight& flight) {
+  std::vector<std::string> words;
+  if (!flight.variant.empty()) words.push_back("variant " + flight.variant);
+  for (std::size_t i = 0; i < plan.keys.size(); ++i) words.push_back(plan.keys[i] + "=" + flight.values[i]);
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// Values that are written differently and mean the same, and variants that do not differ.
+void RefuseTheSameTwice(const SweepFile& file, const SweepPlan& plan) {
+  std::map<std::string, const PlannedFlight*> by_id;
+  for (const PlannedFlight& flight : plan.flights) {
+    const auto [at, is_new] = by_id.emplace(flight.id, &flight);
+    if (is_new) continue;
+    throw InputError(fmt::format("sweep {}: ({}) and ({}) are the same flight", file.name, Words(plan, *at->second),
+                                 Words(plan, flight)));
+  }
 }
 
 }  // namespace
@@ -94,20 +125,29 @@ double DefaultLimit_s(const Scenario& scenario) {
 }
 
 SweepPlan PlanSweep(const SweepFile& file, const std::string& program_digest) {
+  RefuseTooMany(file);
+  const auto seeds = static_cast<std::size_t>(file.seeds.count);
   SweepPlan plan;
-  for (const SweepParameter& parameter : file.parameters) plan.keys.push_back(parameter.key);
-  const auto count = static_cast<std::size_t>(file.seeds.count);
-  for (std::size_t place = 0; place < count; ++place) {
+  std::vector<std::vector<std::size_t>> parts;
+  for (const SweepParameter& parameter : file.parameters) {
+    plan.keys.push_back(parameter.key);
+    parts.push_back(PartsOf(seeds, parameter.key));
+  }
+  for (std::size_t place = 0; place < seeds; ++place) {
     const std::uint64_t seed = static_cast<std::uint64_t>(file.seeds.from) + place;
     std::vector<std::vector<std::string>> values;
-    for (const SweepParameter& parameter : file.parameters) values.push_back(ValuesFor(parameter, seed, place, count));
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      values.push_back(ValuesFor(file.parameters[i], seed, place, parts[i]));
+    }
     for (const std::vector<std::string>& cell : Grid(values)) {
       for (const SweepVariant& variant : file.variants) {
         plan.flights.push_back(Planned(file, variant, seed, cell, program_digest));
         plan.flights.back().position = static_cast<std::int64_t>(plan.flights.size()) - 1;
       }
     }
+    if (place == 0) RefuseTheSameTwice(file, plan);  // It would be of every other seed too.
   }
+  plan.whole = plan.flights.size();
   return plan;
 }
 

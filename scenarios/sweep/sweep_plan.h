@@ -23,6 +23,7 @@ struct PlannedFlight {
 struct SweepPlan {
   std::vector<std::string> keys = {};  ///< Of the parameters.
   std::vector<PlannedFlight> flights = {};
+  std::size_t whole = 0;  ///< Flights of the whole sweep, of which these may be a part.
 };
 
 /// The identity of a flight: 16 hexadecimal digits of SHA-256 of the resolved scenario, which holds its seed and the
@@ -35,7 +36,7 @@ double DefaultLimit_s(const Scenario& scenario);
 /// Crosses seeds, variants and listed values, and draws the others: a drawn value depends on the flight's seed and the
 /// parameter's key, and on nothing else, so that all of a seed's flights share it and a sweep that grows keeps its
 /// flights. (Latin hypercubes depend on the count of seeds too.) Throws InputError, naming file, line and key, for what
-/// is no valid scenario.
+/// is no valid scenario, and for values and variants that make the same flight twice.
 SweepPlan PlanSweep(const SweepFile& file, const std::string& program_digest);
 
 }  // namespace touchdown::scenarios

@@ -7,6 +7,7 @@
 #include "scenarios/report/section_page.h"
 #include "scenarios/report/text.h"
 #include "scenarios/sweep/pass_rate_figures.h"
+#include "scenarios/sweep/shell_word.h"
 #include "scenarios/sweep/sweep_sections.h"
 
 namespace touchdown::scenarios {
@@ -19,17 +20,6 @@ constexpr int kMostPictures = 50;
 
 data Flag(bool on) { return on ? data::type::bool_true : data::type::bool_false; }
 
-/// A word of a shell's command.
-std::string ShellWord(const std::string& text) {
-  const bool is_plain =
-      !text.empty() &&
-      text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-") == std::string::npos;
-  if (is_plain) return text;
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
 data Glance(const SweepOutcome& sweep, const SweepSummary& summary) {
   data items{data::type::list};
   const auto put = [&items](const char* label, const std::string& value, const char* unit) {
@@ -41,7 +31,8 @@ data Glance(const SweepOutcome& sweep, const SweepSummary& summary) {
   };
   if (summary.all.flown > 0) {
     put("Passed", RateText(summary.all), "%");
-    put("95 % interval (Wilson)", RateInterval(summary.all), "%");
+    put(sweep.terms.stop_when ? "95 % interval (Wilson), not corrected for the early stop" : "95 % interval (Wilson)",
+        RateInterval(summary.all), "%");
   }
   put("Flights that passed", std::to_string(summary.all.passed), "");
   put("Flights that did not", std::to_string(summary.all.flown - summary.all.passed), "");
@@ -136,7 +127,7 @@ std::string SweepPage(const SweepOutcome& sweep, const fs::path& folder) {
   page.set("style", std::string(PageStyle()));
   page.set("name", sweep.terms.name);
   page.set("description", sweep.terms.description);
-  page.set("has_criteria", Flag(!summary.criteria.empty()));
+  page.set("has_criteria", Flag(!summary.criteria.empty() && summary.is_whole));
   page.set("kept", Flag(summary.keeps_criteria()));
   const std::size_t left = sweep.planned - std::min(sweep.planned, sweep.results.size());
   page.set("left", std::to_string(left));

@@ -34,9 +34,8 @@ ReportSection CriteriaSection(const SweepSummary& summary) {
                     .caption = "What the sweep as a whole was asked for.",
                     .head = {"Criterion", "Value", "95 % interval", "Unit", "Limit", "Kept"}};
   for (const auto& [check, interval] : summary.criteria) {
-    table.rows.push_back({check.name, check.value ? Short(*check.value) : "none",
-                          interval ? IntervalText(*interval) : "", check.unit, WithSigns(check.limit),
-                          check.pass ? "✓ yes" : "✗ no"});
+    table.rows.push_back({check.name, ValueText(check), interval ? IntervalText(*interval) : "", check.unit,
+                          WithSigns(check.limit), check.pass ? "✓ yes" : "✗ no"});
   }
   ReportSection section{.id = "criteria", .title = "Criteria"};
   section.tables.push_back(std::move(table));

@@ -2,7 +2,9 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
+#include <sqlite3.h>
 
+#include <cstdlib>
 #include <functional>
 #include <nlohmann/json.hpp>
 
@@ -110,6 +112,35 @@ struct SweepStore::Impl {
     return values;
   }
 
+  void Put(const FlightRow& row) {
+    SQLite::Transaction transaction(*db);
+    if (row.end != RowEnd::kFlown) {
+      SQLite::Statement flown(*db, "SELECT 1 FROM flights WHERE id = ? AND process = ?");
+      flown.bind(1, row.id);
+      flown.bind(2, std::string(Name(RowEnd::kFlown)));
+      if (flown.executeStep()) return;
+    }
+    SQLite::Statement put(*db, "INSERT OR REPLACE INTO flights VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    int column = 0;
+    for (const std::string& text : {row.id, row.program, row.version, row.host, std::string(Name(row.end)), row.verdict,
+                                    row.outcome, row.reason, row.failed_check, row.failed_phase, row.log_sha256}) {
+      put.bind(++column, text);
+    }
+    put.bind(++column, row.wall_s);
+    put.bind(++column, row.complaint);
+    put.bind(++column, row.scenario_yaml);
+    put.exec();
+    SQLite::Statement put_metric(*db, "INSERT OR REPLACE INTO metrics VALUES (?, ?, ?)");
+    for (const auto& [name, value] : row.metrics) {
+      put_metric.bind(1, row.id);
+      put_metric.bind(2, name);
+      put_metric.bind(3, value);
+      put_metric.exec();
+      put_metric.reset();
+    }
+    transaction.commit();
+  }
+
   Metrics MetricsOf(const std::string& id) {
     SQLite::Statement query(*db, "SELECT name, value FROM metrics WHERE id = ?");
     query.bind(1, id);
@@ -125,8 +156,9 @@ SweepStore::SweepStore(const fs::path& folder, Access access) : impl_(std::make_
   if (access == Access::kRead && !is_there) throw InputError(fmt::format("{}: no such file", impl_->file.string()));
   impl_->Guarded([&] {
     constexpr int kWait_ms = 5000;
+    // To read, too, it is opened to be written where it may be: what a killed program left half-written must be undone.
     impl_->db.emplace(impl_->file.string(),
-                      access == Access::kRead ? SQLite::OPEN_READONLY : SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
+                      access == Access::kRead ? SQLite::OPEN_READWRITE : SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
                       kWait_ms);
     impl_->db->exec("PRAGMA foreign_keys = ON");
     // An empty file is what a program that was ended just then left.
@@ -147,8 +179,9 @@ void SweepStore::SetPlan(const SweepTerms& terms, const SweepPlan& plan, const s
     db.exec("DELETE FROM plan");
     db.exec("DELETE FROM sweep");
     SQLite::Statement put_fact(db, "INSERT INTO sweep VALUES (?, ?)");
-    for (const auto& [key, value] :
-         {std::pair<std::string, std::string>("program", program_digest), {"terms", TermsJson(terms)}}) {
+    for (const auto& [key, value] : {std::pair<std::string, std::string>("program", program_digest),
+                                     {"terms", TermsJson(terms)},
+                                     {"flights", std::to_string(plan.whole)}}) {
       put_fact.bind(1, key);
       put_fact.bind(2, value);
       put_fact.exec();
@@ -171,37 +204,18 @@ void SweepStore::SetPlan(const SweepTerms& terms, const SweepPlan& plan, const s
 }
 
 void SweepStore::Put(const FlightRow& row) {
-  impl_->Guarded([&] {
-    SQLite::Database& db = *impl_->db;
-    SQLite::Transaction transaction(db);
-    SQLite::Statement put(db, "INSERT OR REPLACE INTO flights VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-    int column = 0;
-    for (const std::string& text : {row.id, row.program, row.version, row.host, std::string(Name(row.end)), row.verdict,
-                                    row.outcome, row.reason, row.failed_check, row.failed_phase, row.log_sha256}) {
-      put.bind(++column, text);
-    }
-    put.bind(++column, row.wall_s);
-    put.bind(++column, row.complaint);
-    put.bind(++column, row.scenario_yaml);
-    put.exec();
-    SQLite::Statement put_metric(db, "INSERT OR REPLACE INTO metrics VALUES (?, ?, ?)");
-    for (const auto& [name, value] : row.metrics) {
-      put_metric.bind(1, row.id);
-      put_metric.bind(2, name);
-      put_metric.bind(3, value);
-      put_metric.exec();
-      put_metric.reset();
-    }
-    transaction.commit();
-  });
+  impl_->Guarded([&] { impl_->Put(row); });
 }
 
-void SweepStore::ForgetUnflown(const std::string& program_digest) {
-  impl_->Guarded([&] {
-    SQLite::Statement forget(*impl_->db, "DELETE FROM flights WHERE process != ? AND program = ?");
-    forget.bind(1, std::string(Name(RowEnd::kFlown)));
-    forget.bind(2, program_digest);
-    forget.exec();
+bool SweepStore::TryPut(const FlightRow& row) {
+  return impl_->Guarded([&] {
+    try {
+      impl_->Put(row);
+      return true;
+    } catch (const SQLite::Exception& error) {
+      if (error.getErrorCode() == SQLITE_BUSY) return false;
+      throw;
+    }
   });
 }
 
@@ -213,14 +227,6 @@ std::optional<FlightRow> SweepStore::Find(const std::string& id) const {
     FlightRow row = RowFrom(query);
     row.metrics = impl_->MetricsOf(id);
     return row;
-  });
-}
-
-bool SweepStore::Has(const std::string& id) const {
-  return impl_->Guarded([&] {
-    SQLite::Statement query(*impl_->db, "SELECT 1 FROM flights WHERE id = ?");
-    query.bind(1, id);
-    return query.executeStep();
   });
 }
 
@@ -242,8 +248,13 @@ std::size_t SweepStore::planned() const {
       [&] { return static_cast<std::size_t>(impl_->db->execAndGet("SELECT count(*) FROM plan").getInt64()); });
 }
 
+std::size_t SweepStore::whole() const {
+  return impl_->Guarded(
+      [&] { return static_cast<std::size_t>(std::strtoull(impl_->Value("flights").c_str(), nullptr, 10)); });
+}
+
 SweepPlan SweepStore::Plan() const {
-  SweepPlan plan{.keys = terms().keys(), .flights = {}};
+  SweepPlan plan{.keys = terms().keys(), .flights = {}, .whole = whole()};
   return impl_->Guarded([&] {
     SQLite::Statement query(*impl_->db, "SELECT * FROM plan ORDER BY position");
     while (query.executeStep()) {

@@ -35,20 +35,20 @@ class SweepStore {
   /// Replaces the plan. Rows of flights that it does not hold stay, and do not count.
   void SetPlan(const SweepTerms& terms, const SweepPlan& plan, const std::string& program_digest);
 
-  /// A row of the same id is replaced.
+  /// A row of the same id is replaced, but not a flown one by one whose process crashed, hung or ran out of memory.
   void Put(const FlightRow& row);
-
-  /// Forgets this program's rows of flights whose process crashed, hung or ran out of memory.
-  void ForgetUnflown(const std::string& program_digest);
+  /// The same; false when another program reads the file for so long that it cannot be written now.
+  bool TryPut(const FlightRow& row);
 
   std::optional<FlightRow> Find(const std::string& id) const;
-  bool Has(const std::string& id) const;
 
   /// Of the plan that was set last.
   SweepTerms terms() const;
   /// Digest of the program that planned.
   std::string program() const;
   std::size_t planned() const;
+  /// Flights of the whole sweep, of which the plan may be a part.
+  std::size_t whole() const;
   /// Without what is not kept of it: the flights' scenarios, lengths and limits.
   SweepPlan Plan() const;
   /// What is flown of the plan, in its order.

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
+
+#include "scenarios/sweep/sequential_test.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -55,6 +58,20 @@ SweepCheck Judged(const SweepCriterion& criterion, const std::vector<SweepResult
   return {check, figure};
 }
 
+/// What the sequential test says: nothing while flights are missing between others.
+SweepCheck Decided(const StopWhen& stop, const SweepOutcome& sweep) {
+  SequentialTest test(stop);
+  if (sweep.results.size() == sweep.planned) {
+    for (const SweepResult& result : sweep.results) test.Take(result.row.passed());
+  }
+  constexpr std::array<const char*, 3> kWords = {"undecided", "good", "bad"};
+  return {{.name = "stop_when",
+           .text = kWords[static_cast<std::size_t>(test.decision())],
+           .limit = fmt::format("a pass rate of {:g} rather than {:g}", stop.good_pass_rate, stop.bad_pass_rate),
+           .pass = test.decision() == SequentialTest::Decision::kGood},
+          {}};
+}
+
 std::vector<PassTrial> TrialsOver(std::size_t axis, const std::vector<SweepResult>& results,
                                   const std::string& variant) {
   std::vector<PassTrial> trials;
@@ -101,6 +118,11 @@ struct ValueRange {
 
 }  // namespace
 
+std::string ValueText(const Check& check) {
+  if (!check.text.empty()) return check.text;
+  return check.value ? fmt::format("{:.4g}", *check.value) : "none";
+}
+
 bool SweepSummary::keeps_criteria() const {
   return std::all_of(criteria.begin(), criteria.end(), [](const SweepCheck& each) { return each.check.pass; });
 }
@@ -146,14 +168,20 @@ std::vector<double> MetricValues(const std::vector<SweepResult>& results, const 
 }
 
 SweepOutcome ReadOutcome(const SweepStore& store) {
-  return {.terms = store.terms(), .results = store.Results(), .planned = store.planned(), .stale = store.stale()};
+  return {.terms = store.terms(),
+          .results = store.Results(),
+          .planned = store.planned(),
+          .whole = store.whole(),
+          .stale = store.stale()};
 }
 
 SweepSummary Summarize(const SweepOutcome& sweep) {
   SweepSummary summary{.all = CountWhere(sweep.results, [](const SweepResult&) { return true; }),
                        .by_value = CountsByValue(sweep.terms, sweep.results),
                        .edges = EdgesOf(sweep.terms, sweep.results),
-                       .criteria = {}};
+                       .criteria = {},
+                       .is_whole = sweep.results.size() == sweep.whole};
+  if (sweep.terms.stop_when) summary.criteria.push_back(Decided(*sweep.terms.stop_when, sweep));
   for (const SweepCriterion& criterion : sweep.terms.criteria) {
     summary.criteria.push_back(Judged(criterion, sweep.results, summary.all));
   }

@@ -30,6 +30,7 @@ struct SweepOutcome {
   SweepTerms terms = {};
   std::vector<SweepResult> results = {};  ///< What is flown of the plan.
   std::size_t planned = 0;
+  std::size_t whole = 0;  ///< Flights of the whole sweep, of which those planned here may be a part.
   std::size_t stale = 0;  ///< Flights of another build.
 };
 
@@ -41,6 +42,9 @@ struct SweepCheck {
   Check check = {};
   std::optional<Interval> interval = {};  ///< Of the value; an end that so few flights do not tell is infinite.
 };
+
+/// "0.9933", "good" or "none".
+std::string ValueText(const Check& check);
 
 /// Where the pass rate goes through a level over a parameter.
 struct PassEdgeOf {
@@ -55,9 +59,10 @@ struct SweepSummary {
   PassCount all = {};
   std::vector<PassCountOf> by_value = {};  ///< Of keys with a few values each: those that are listed, not drawn.
   std::vector<PassEdgeOf> edges = {};      ///< Of the key that was sought, or of those that list numbers (EdgeOver).
-  std::vector<SweepCheck> criteria = {};
+  std::vector<SweepCheck> criteria = {};   ///< The decision of stop_when first.
+  bool is_whole = false;                   ///< Every flight of the whole sweep is flown.
 
-  bool keeps_criteria() const;
+  bool keeps_criteria() const;  ///< What is said of a sweep that is not whole is said of what is flown.
 };
 
 /// The edge between values that flights pass at and values that they fail at, of a grid: nullopt unless the rates of

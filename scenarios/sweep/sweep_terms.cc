@@ -27,6 +27,13 @@ SweepTerms TermsFrom(const Json& json) {
                               .max = NumberIfThere(criterion, "max"),
                               .by = criterion.contains("by") ? JudgedBy::kInterval : JudgedBy::kValue});
   }
+  if (json.contains("stop_when")) {
+    const Json& stop = json.at("stop_when");
+    terms.stop_when = {.good_pass_rate = stop.at("good_pass_rate"),
+                       .bad_pass_rate = stop.at("bad_pass_rate"),
+                       .good_refused = stop.at("good_refused"),
+                       .bad_accepted = stop.at("bad_accepted")};
+  }
   if (json.contains("sought")) {
     const Json& sought = json.at("sought");
     terms.sought = {
@@ -44,8 +51,11 @@ std::vector<std::string> SweepTerms::keys() const {
 }
 
 SweepTerms TermsOf(const SweepFile& file) {
-  SweepTerms terms{
-      .name = file.name, .description = file.description, .criteria = file.criteria, .sought = file.sought};
+  SweepTerms terms{.name = file.name,
+                   .description = file.description,
+                   .criteria = file.criteria,
+                   .stop_when = file.stop_when,
+                   .sought = file.sought};
   for (const SweepParameter& parameter : file.parameters) {
     const auto* listed = std::get_if<ListedValues>(&parameter.values);
     terms.axes.push_back({parameter.key, listed == nullptr ? std::vector<std::string>() : listed->yaml});
@@ -70,6 +80,12 @@ std::string TermsJson(const SweepTerms& terms) {
     PutIfThere(each, "max", criterion.max);
     if (criterion.by == JudgedBy::kInterval) each["by"] = kJudgedByNames[1];
     json["criteria"].push_back(each);
+  }
+  if (terms.stop_when) {
+    json["stop_when"] = {{"good_pass_rate", terms.stop_when->good_pass_rate},
+                         {"bad_pass_rate", terms.stop_when->bad_pass_rate},
+                         {"good_refused", terms.stop_when->good_refused},
+                         {"bad_accepted", terms.stop_when->bad_accepted}};
   }
   if (terms.sought) {
     json["sought"] = {{"key", terms.sought->key},

@@ -20,6 +20,7 @@ struct SweepTerms {
   std::vector<SweepAxis> axes = {};
   std::vector<std::string> variants = {};  ///< Names; none without variants.
   std::vector<SweepCriterion> criteria = {};
+  std::optional<StopWhen> stop_when = {};
   std::optional<SoughtEdge> sought = {};
 
   std::vector<std::string> keys() const;

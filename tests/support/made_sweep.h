@@ -18,6 +18,7 @@ inline scenarios::SweepOutcome MadeSweep() {
                                .criteria = {{.metric = "pass_rate", .min = 0.9},
                                             {.metric = "flight.touchdown_xy_error_m", .quantile = 0.5, .max = 0.05}}},
                      .planned = 23,
+                     .whole = 23,
                      .stale = 7};
   for (int seed = 1; seed <= 5; ++seed) {
     for (const char* noise : {"10", "2"}) {

@@ -24,6 +24,8 @@ class SmallMount {
 
   bool is_there() const { return is_there_; }
   void Fill() const { Remount(MS_REMOUNT, "size=" + std::to_string(UsedKilobytes() + 16) + "k"); }
+  /// After either of the others.
+  void MakeRoom() const { Remount(MS_REMOUNT, "size=64m"); }
   void MakeReadOnly() const { Remount(MS_REMOUNT | MS_RDONLY, ""); }
 
  private:

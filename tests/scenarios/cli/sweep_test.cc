@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "scenarios/sweep/run_sweep.h"
 #include "scenarios/sweep/sweep_store.h"
 #include "tests/support/program_fixture.h"
 #include "tests/support/short_sweep.h"
@@ -160,6 +161,7 @@ TEST_F(SweepCommand, SeeksTheValueAtWhichFlightsBeginToFail) {
   // A flight takes 0.115 s more than its hover: beyond a hover of 0.15 s it takes too long.
   PutSweep(1,
            "set: {criteria: [{metric: flight.sim_time_s, max: 0.265}]}\n"
+           "variants: [{name: flown}, {name: not_flown, set: {start.yaw_deg: 5}}]\n"
            "parameters: {script.0.duration_s: {range: {from: 0.05, to: 0.25, count: 2}}}\n");
   const std::vector<std::string> seek{"sweep",     "sweep.yaml", "--boundary", "script.0.duration_s",
                                       "--flights", "24",         "--out",      "edge"};
@@ -242,17 +244,30 @@ TEST_F(SweepCommand, TellsOfAFlightThatNeedsTooMuchMemory) {
 }
 
 TEST_F(SweepCommand, KeepsItsRowsOnAFullOrReadOnlyDisk) {
-  PutSweep(2);
+  PutSweep(6);
   fs::create_directories(folder_ / "small");
   const SmallMount small(folder_ / "small");
   if (!small.is_there()) GTEST_SKIP() << "no right to mount";
-  ASSERT_EQ(Run({"sweep", "sweep.yaml", "--out", "small/out", "--quiet"}).status, 0);
-  const std::string before = Csv("small/out");
-  PutSweep(40);
-  small.Fill();
-  EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--out", "small/out", "--quiet"}), HasSubstr("small/out"));
+  const std::vector<std::string> sweep{"sweep", "sweep.yaml", "--out", "small/out", "--jobs", "1"};
+  const auto flown = [&] {
+    return SweepStore(folder_ / "small/out", SweepStore::Access::kRead).Results().size() +
+           LeftRows(folder_ / "small/out").size();
+  };
+  // The disk is full in mid-sweep, once a flight is in the air.
+  const ProgramRun filled = Run(sweep, {SIGCONT, [&] {
+                                          if (!Signal(0)) return false;
+                                          small.Fill();
+                                          return true;
+                                        }});
+  EXPECT_EQ(filled.status, 2) << filled.out << filled.err;
+  EXPECT_THAT(filled.err, HasSubstr("small/out"));
+  const std::size_t kept = flown();
+  EXPECT_LT(kept, 6u);
   small.MakeReadOnly();
-  EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--out", "small/out", "--quiet"}), HasSubstr("small/out"));
+  EXPECT_THAT(ErrorOf(sweep), HasSubstr("small/out"));
+  EXPECT_EQ(flown(), kept);
+  small.MakeRoom();
+  EXPECT_EQ(Csv("small/out"), Csv("elsewhere")) << "it goes on once there is room";
 }
 
 TEST_F(SweepCommand, RefusesBadInputAndLeavesNothing) {

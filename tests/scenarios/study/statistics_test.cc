@@ -57,6 +57,13 @@ TEST(ShareInterval, IsWilsons) {
   EXPECT_THROW(ShareInterval(1, 0), std::invalid_argument);
 }
 
+TEST(ChanceOfAtLeast, IsTheBinomials) {
+  // Of three throws of a coin: 7/8 for one head, 4/8 for two.
+  EXPECT_NEAR(ChanceOfAtLeast(1, 3, 0.5), 0.875, 1e-12);
+  EXPECT_NEAR(ChanceOfAtLeast(2, 3, 0.5), 0.5, 1e-12);
+  EXPECT_EQ(ChanceOfAtLeast(0, 3, 0.5), 1.0);
+}
+
 TEST(QuantileInterval, IsOfTheOrderStatisticsOfTheTables) {
   // The median of ten lies between the second and the ninth with 97.9 %, and between the third and the eighth with 89
   // %.

@@ -102,6 +102,30 @@ TEST(Compare, PairsFlightsBySeedVariantAndParametersAlone) {
   EXPECT_THROW(Compare(a, a, {{"flight.speed", 1.0}}), InputError);
 }
 
+TEST(Compare, ResolvesAChangeOfThePassRateWithEightyPercentChance) {
+  StoredResults a = Stored({});
+  constexpr int kPairs = 100;
+  for (std::uint64_t seed = 0; seed < kPairs; ++seed) a.results.push_back(Result(seed, true));
+  const double change = Of(Compare(a, a, {}), "pass_rate").resolvable;
+  EXPECT_NEAR(change, 0.078, 0.001) << "six of a hundred must be lost";
+  models::RandomStream random(1, "resolvable");
+  constexpr int kTrials = 400;
+  int shown = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    StoredResults b = a;
+    for (SweepResult& result : b.results) result.row.verdict = random.Uniform() < change ? "fail" : "pass";
+    shown += Compare(a, b, {}).is_worse() ? 1 : 0;
+  }
+  EXPECT_NEAR(shown / static_cast<double>(kTrials), 0.8, 0.06);
+  a.results.resize(3);
+  EXPECT_EQ(Of(Compare(a, a, {}), "pass_rate").resolvable, 1.0) << "three pairs show nothing";
+}
+
+TEST(Compare, DoesNotPassAGateThatJudgedNothing) {
+  const StoredResults a = Stored({Result(1, true), Result(2, true, 0.01)});
+  EXPECT_THROW(Compare(a, a, {{"flight.touchdown_xy_error_m", 0.005}}), InputError);
+}
+
 TEST(Compare, HoldsTheVariantsOfOneSweepAgainstOneAnother) {
   StoredResults both = Stored({Result(1, true), Result(2, true), Result(1, false), Result(2, true)});
   for (std::size_t i = 0; i < 4; ++i) both.results[i].variant = i < 2 ? "old" : "new";
@@ -126,7 +150,11 @@ TEST(Compare, ReadsTheRowsOfAnEarlierSweepFromItsCsv) {
   for (const auto& [text, error] :
        {std::pair("x,y\n1,2\n", "bad.csv:1: is no header of a sweep's rows"),
         {"id,variant,seed,verdict,outcome,log_sha256\na,,1,pass\n", "bad.csv:2: is no row"},
-        {"id,variant,seed,verdict,outcome,log_sha256\na,,x,pass,landed,h\n", "bad.csv:2: is no row"}}) {
+        {"id,variant,seed,verdict,outcome,log_sha256\na,,x,pass,landed,h\n", "bad.csv:2: is no row"},
+        {"id,variant,seed,verdict,outcome,log_sha256\na,,-1,pass,landed,h\n", "bad.csv:2: is no row"},
+        {"id,variant,seed,verdict,outcome,log_sha256\na,,1,maybe,landed,h\n", "bad.csv:2: is no row"},
+        {"id,variant,seed,verdict,outcome,flight.sim_time_s,log_sha256\na,,1,pass,landed,nan,h\n", "bad.csv:2: is no"},
+        {"id,variant,seed,verdict,outcome,flight.sim_time_s,log_sha256\na,,1,pass,landed,0.1s,h\n", "bad.csv:2: is"}}) {
     try {
       LoadResults(folder.Put("bad.csv", text).string());
       ADD_FAILURE() << text;

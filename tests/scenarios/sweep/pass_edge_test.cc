@@ -63,6 +63,11 @@ TEST(PassEdge, SaysThatTheEdgeMayLieBeyondWhereEveryFlightPasses) {
   PassEdge edge(0.0, 12.0, 0.5);
   for (int i = 0; i <= 24; ++i) edge.Take({0.5 * i, true});
   EXPECT_EQ(edge.edge().high, 12.0);
+  for (const auto& [min, max] : {std::pair(0.2, 0.9), {0.4, 1.8}, {-2.0, -0.6}}) {
+    PassEdge other(min, max, 0.5);
+    for (int i = 0; i <= 24; ++i) other.Take({std::lerp(min, max, i / 24.0), true});
+    EXPECT_EQ(other.edge().high, max) << "to the last bit";
+  }
 }
 
 }  // namespace

@@ -50,7 +50,6 @@ variants:
 criteria:
   - {metric: pass_rate, min: 0.9, by: interval}
   - {metric: flight.touchdown_speed_m_s, quantile: 0.95, max: 0.5}
-stop_when: {good_pass_rate: 0.9, bad_pass_rate: 0.8}
 )");
   EXPECT_EQ(file.name, "s");
   EXPECT_EQ(file.seeds.from, 11);
@@ -70,7 +69,16 @@ stop_when: {good_pass_rate: 0.9, bad_pass_rate: 0.8}
   ASSERT_EQ(file.criteria.size(), 2u);
   EXPECT_EQ(file.criteria[0].by, JudgedBy::kInterval);
   EXPECT_EQ(file.criteria[1].by, JudgedBy::kValue);
+}
+
+TEST_F(SweepFileTest, EndsAtADecisionOnOnePassRateAlone) {
+  const std::string stop = "\nstop_when: {good_pass_rate: 0.9, bad_pass_rate: 0.8}";
+  const SweepFile file = Load("parameters: {a: {uniform: {min: 0, max: 1}}, b: [3]}" + stop);
   EXPECT_EQ(file.stop_when.value().good_pass_rate, 0.9);
+  EXPECT_THAT(ErrorOf("parameters: {a: [1, 2]}" + stop), HasSubstr("s.yaml:3: stop_when: is of one pass rate"));
+  EXPECT_THAT(ErrorOf("variants: [{name: a}, {name: b}]" + stop), HasSubstr("stop_when: is of one pass rate"));
+  EXPECT_THAT(ErrorOf("criteria: [{metric: pass_rate, min: 0.9, by: interval}]" + stop),
+              HasSubstr("stop_when: decides on the pass rate"));
 }
 
 TEST_F(SweepFileTest, HasOneNamelessVariantAndOneSeedWhenItTellsNone) {
@@ -105,6 +113,9 @@ TEST_F(SweepFileTest, NamesFileLineAndKeyOfWhatIsWrong) {
       {"criteria: [{metric: flight.sim_time_s, max: 1}]", "a flight's metric needs a quantile"},
       {"criteria: [{metric: pass_rate, min: 1, by: luck}]", "criteria.0.by: must be one of value, interval"},
       {"stop_when: {good_pass_rate: 0.8, bad_pass_rate: 0.9}", "bad_pass_rate: must be below good_pass_rate"},
+      {"set: {seed: 3}", "set.seed: is given by seeds"},
+      {"variants: [{name: a, set: {seed: 3}}, {name: b}]", "variants.0.set.seed: is given by seeds"},
+      {"parameters: {a: {range: {from: 1, to: 1, count: 3}}}", "to: must differ from from"},
       {"base: other.yaml", "s.yaml:2: base: duplicate key"},
   };
   for (const auto& [text, error] : cases) {

@@ -169,5 +169,32 @@ TEST(ShippedSweeps, CanAllBeFlown) {
   EXPECT_GE(sweeps, 8);
 }
 
+TEST_F(SweepPlanTest, RefusesWhatIsTheSameFlightTwice) {
+  const auto error = [&](const std::string& text) -> std::string {
+    try {
+      Plan(text);
+    } catch (const InputError& said) {
+      return said.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(error("parameters: {camera.noise_sigma: [1, 1.0]}"),
+              HasSubstr("sweep s: (camera.noise_sigma=1) and (camera.noise_sigma=1.0) are the same flight"));
+  EXPECT_THAT(error("parameters: {camera.noise_sigma: [3]}\n"
+                    "variants: [{name: a, set: {camera.noise_sigma: 1}}, {name: b, set: {camera.noise_sigma: 2}}]"),
+              HasSubstr("(variant a, camera.noise_sigma=3) and (variant b, camera.noise_sigma=3) are the same flight"));
+  EXPECT_THAT(error("seeds: {count: 1000}\nparameters: {camera.noise_sigma: {range: {from: 0, to: 1, count: 101}}}"),
+              HasSubstr("sweep s: plans 101000 flights, more than 100000"));
+}
+
+TEST_F(SweepPlanTest, MeansFilesFromTheSweepsFolder) {
+  folder_.Put("wide.yaml", "k1: -0.05\n");
+  const auto file =
+      folder_.Put("sweeps/s.yaml", "base: ../base.yaml\nparameters: {camera.model: [../lens.yaml, ../wide.yaml]}\n");
+  const SweepPlan plan = PlanSweep(LoadSweepFile(file), "program");
+  ASSERT_EQ(plan.flights.size(), 2u);
+  EXPECT_THAT(plan.flights[1].scenario_yaml, HasSubstr("-0.05"));
+}
+
 }  // namespace
 }  // namespace touchdown::scenarios

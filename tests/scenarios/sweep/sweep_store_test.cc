@@ -1,5 +1,6 @@
 #include "scenarios/sweep/sweep_store.h"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,6 +31,7 @@ SweepTerms Terms() {
           .variants = {"a", "b"},
           .criteria = {{.metric = "pass_rate", .min = 0.9, .max = 1.0},
                        {.metric = "flight.sim_time_s", .quantile = 0.25, .max = 0.1 + 0.2, .by = JudgedBy::kInterval}},
+          .stop_when = StopWhen{.good_pass_rate = 0.9, .bad_pass_rate = 0.8},
           .sought = SoughtEdge{"camera.noise_sigma", 3.0, 4.5, 0.9}};
 }
 
@@ -71,8 +73,6 @@ TEST_F(SweepStoreTest, GivesBackWhatItWasGiven) {
   }
   const SweepStore store = Open(SweepStore::Access::kRead);
   EXPECT_EQ(store.planned(), 2u);
-  EXPECT_TRUE(store.Has("a"));
-  EXPECT_FALSE(store.Has("b"));
   EXPECT_EQ(RowJson(store.Find("a").value()), RowJson(Row("a", "fail")));
   EXPECT_EQ(store.Find("b"), std::nullopt);
   const std::vector<SweepResult> results = store.Results();
@@ -102,6 +102,8 @@ TEST_F(SweepStoreTest, KeepsWhatTheResultsAreJudgedBy) {
   EXPECT_EQ(terms.criteria[1].max, 0.1 + 0.2) << "to the last bit";
   EXPECT_EQ(terms.criteria[0].by, JudgedBy::kValue);
   EXPECT_EQ(terms.criteria[1].by, JudgedBy::kInterval);
+  ASSERT_TRUE(terms.stop_when);
+  EXPECT_EQ(terms.stop_when->bad_pass_rate, 0.8);
   ASSERT_TRUE(terms.sought);
   EXPECT_EQ(terms.sought->key, "camera.noise_sigma");
   EXPECT_EQ(terms.sought->max, 4.5);
@@ -133,6 +135,51 @@ TEST_F(SweepStoreTest, CountsAFlightThatWasFlownTwiceOnce) {
   EXPECT_EQ(store.Results().size(), 1u);
 }
 
+TEST_F(SweepStoreTest, KeepsAFlownRowWhenAnotherProcessOfTheSameFlightFails) {
+  SweepStore store = Open();
+  FlightRow crashed = Row("a", "error");
+  crashed.end = RowEnd::kCrashed;
+  crashed.metrics.clear();
+  store.Put(crashed);
+  EXPECT_EQ(store.Find("a")->end, RowEnd::kCrashed);
+  store.Put(Row("a"));
+  EXPECT_EQ(store.Find("a")->end, RowEnd::kFlown) << "it was flown after all";
+  store.Put(crashed);
+  EXPECT_EQ(RowJson(store.Find("a").value()), RowJson(Row("a")));
+}
+
+TEST_F(SweepStoreTest, LeavesARowForLaterWhileAnotherProgramReads) {
+  SweepStore store = Open();
+  store.SetPlan(Terms(), PlanOf({"a", "b"}), "this");
+  {
+    SQLite::Database reader((folder_ / "sweep.db").string(), SQLite::OPEN_READONLY);
+    SQLite::Statement query(reader, "SELECT * FROM plan");
+    ASSERT_TRUE(query.executeStep());
+    EXPECT_FALSE(store.TryPut(Row("a")));
+  }
+  EXPECT_TRUE(store.TryPut(Row("a")));
+  EXPECT_TRUE(store.Find("a"));
+}
+
+TEST_F(SweepStoreTest, UndoesWhatAKilledProgramLeftHalfWrittenAlsoToRead) {
+  {
+    SweepStore store = Open();
+    store.SetPlan(Terms(), PlanOf({"a"}), "this");
+    for (int i = 0; i < 200; ++i) store.Put(Row("row " + std::to_string(i)));
+  }
+  {
+    SQLite::Database writer((folder_ / "sweep.db").string(), SQLite::OPEN_READWRITE);
+    writer.exec("PRAGMA cache_size = 1");  // So that it writes into the file before it commits.
+    SQLite::Transaction transaction(writer);
+    writer.exec("UPDATE flights SET verdict = 'half written'");
+    for (const char* name : {"sweep.db", "sweep.db-journal"})
+      folder_.Put(std::string("killed/") + name, folder_.Content(name));
+  }
+  EXPECT_THAT(folder_.Content("killed/sweep.db"), HasSubstr("half written"));
+  const SweepStore store(folder_ / "killed", SweepStore::Access::kRead);
+  EXPECT_EQ(store.Find("row 7")->verdict, "pass");
+}
+
 TEST_F(SweepStoreTest, KeepsAndDoesNotCountWhatIsNotOfThePlanOrOfAnotherBuild) {
   SweepStore store = Open();
   store.SetPlan(Terms(), PlanOf({"a", "b"}), "old");
@@ -141,7 +188,7 @@ TEST_F(SweepStoreTest, KeepsAndDoesNotCountWhatIsNotOfThePlanOrOfAnotherBuild) {
   store.Put(Row("c"));
   EXPECT_EQ(store.Results().size(), 1u);
   EXPECT_EQ(store.stale(), 1u);
-  EXPECT_TRUE(store.Has("a"));
+  EXPECT_TRUE(store.Find("a"));
 }
 
 TEST_F(SweepStoreTest, RefusesWhatIsNoSweeps) {
@@ -184,11 +231,13 @@ TEST(RowsCsv, IsSortedByIdAndQuotesWhatMustBe) {
 TEST_F(SweepStoreTest, GivesBackItsPlan) {
   SweepStore store = Open();
   SweepPlan plan = PlanOf({"a", "b"});
+  plan.whole = 6;
   plan.flights[1].position = 5;
   plan.flights[1].variant = "windy";
   store.SetPlan(Terms(), plan, "this");
   const SweepPlan kept = store.Plan();
   EXPECT_EQ(store.program(), "this");
+  EXPECT_EQ(kept.whole, 6u);
   EXPECT_EQ(kept.keys, plan.keys);
   ASSERT_EQ(kept.flights.size(), 2u);
   EXPECT_EQ(kept.flights[1].position, 5);

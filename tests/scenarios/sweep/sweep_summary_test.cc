@@ -92,6 +92,22 @@ TEST(SweepSummary, DoesNotKeepACriterionOnWhatNoFlightHas) {
   EXPECT_EQ(check.interval, std::nullopt);
 }
 
+TEST(SweepSummary, TellsAndJudgesWhatTheSequentialTestDecided) {
+  SweepOutcome sweep = Landings(4, 4, {});
+  // Each pass weighs ln(0.5/0.9); ln(0.1/0.9) takes four of them.
+  sweep.terms.stop_when = {.good_pass_rate = 0.9, .bad_pass_rate = 0.5, .good_refused = 0.1, .bad_accepted = 0.1};
+  EXPECT_EQ(Summarize(sweep).criteria.at(0).check.text, "good");
+  EXPECT_TRUE(Summarize(sweep).keeps_criteria());
+  sweep.results.pop_back();
+  EXPECT_EQ(Summarize(sweep).criteria.at(0).check.text, "undecided") << "a flight is missing";
+  sweep.planned = 3;
+  EXPECT_EQ(Summarize(sweep).criteria.at(0).check.text, "undecided") << "there are no more seeds";
+  EXPECT_FALSE(Summarize(sweep).keeps_criteria());
+  for (SweepResult& result : sweep.results) result.row.verdict = "fail";
+  EXPECT_EQ(Summarize(sweep).criteria.at(0).check.text, "bad");
+  EXPECT_FALSE(Summarize(sweep).keeps_criteria());
+}
+
 TEST(SweepSummary, TellsTheEdgeOfEachVariantOverEachListedNumber) {
   SweepOutcome sweep{
       .terms = {.axes = {{"camera.noise_sigma", {"0", "10"}}, {"start.yaw_deg", {}}}, .variants = {"sturdy", "weak"}}};
