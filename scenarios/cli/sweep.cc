@@ -70,8 +70,10 @@ bool FlyAll(const SweepFile& file, const SweepPlan& plan, const Options& options
                     if (!has_begun) progress.GoOnFrom(done.share);
                     has_begun = true;
                     if (!progress.IsDue()) return;
-                    progress.Tell(done.share, fmt::format("{} of {} flights, {} passed, {} flying", done.done,
-                                                          done.planned, done.passed, done.flying));
+                    constexpr double kPercent = 100.0;
+                    const double rate = done.done > 0 ? kPercent * done.passed / done.done : 0.0;
+                    progress.Tell(done.share, fmt::format("{} of {} flights, {:.1f} % passed, {} flying", done.done,
+                                                          done.planned, rate, done.flying));
                   });
 }
 
