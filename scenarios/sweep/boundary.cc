@@ -67,7 +67,7 @@ Boundary FindBoundary(const SweepFile& sweep, const BoundarySearch& search, cons
   const std::size_t parameter = IndexOf(file, search.key);
   const auto [min, max] = RangeOf(file.parameters[parameter]);
   PassEdge posterior(min, max, search.pass_rate);
-  Boundary boundary{.edge = posterior.edge(), .min = min, .max = max};
+  Boundary boundary{.edge = posterior.edge()};
   SweepPlan plan;
   SweepFile whole = file;
   whole.stop_when.reset();

@@ -19,7 +19,6 @@ struct BoundarySearch {
 
 struct Boundary {
   Interval edge;
-  double min = 0.0, max = 0.0;  ///< Between which it was sought.
   int flights = 0;
   bool is_done = false;  ///< false: a stop was requested.
 };

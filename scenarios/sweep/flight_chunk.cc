@@ -66,7 +66,7 @@ void Move(const fs::path& from, const fs::path& to) {
   if (error) throw InputError(fmt::format("{}: {}", to.string(), error.message()));
 }
 
-/// Unless another copy of the task flew it, and this one's process failed.
+/// Leaves a row and its picture with the others, but no failure where another copy of the task has flown.
 void HandOver(const RowFolder& from, const RowFolder& to, const FlightRow& row) {
   const std::optional<FlightRow> there = to.Find(row.id);
   if (there && there->end == RowEnd::kFlown && row.end != RowEnd::kFlown) return;

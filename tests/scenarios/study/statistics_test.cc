@@ -65,8 +65,7 @@ TEST(ChanceOfAtLeast, IsTheBinomials) {
 }
 
 TEST(QuantileInterval, IsOfTheOrderStatisticsOfTheTables) {
-  // The median of ten lies between the second and the ninth with 97.9 %, and between the third and the eighth with 89
-  // %.
+  // The median of ten lies between the second and the ninth with 97.9 %, between the third and the eighth with 89.1.
   const Interval median = QuantileInterval({7, 1, 4, 10, 2, 8, 3, 9, 6, 5}, 0.5);
   EXPECT_DOUBLE_EQ(median.value, 5.5);
   EXPECT_DOUBLE_EQ(median.low, 2.0);
