@@ -1,5 +1,5 @@
-# What every target of the project shares: the language, the warnings, and floating point that does not depend on which
-# instructions the compiler fuses.
+# What every target of the project shares: the language, the warnings, floating point that does not depend on which
+# instructions the compiler fuses, and calls within a library inlined although its code is position independent.
 include(GNUInstallDirs)
 
 set(CMAKE_CXX_STANDARD 20)
@@ -15,7 +15,7 @@ endif()
 
 add_library(touchdown_options INTERFACE)
 target_compile_options(touchdown_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor> -ffp-contract=off $<$<BOOL:${TOUCHDOWN_WERROR}>:-Werror>)
+  -Wall -Wextra -Wpedantic -Wshadow $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor> -ffp-contract=off -fno-semantic-interposition $<$<BOOL:${TOUCHDOWN_WERROR}>:-Werror>)
 
 # touchdown_library(models) gives the target touchdown_models its alias touchdown::models, includes written from the
 # root, and the project's options.

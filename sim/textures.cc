@@ -28,23 +28,29 @@ constexpr int kFaceTexels = 64;
 constexpr int kLightCells = 32;
 
 /// Where a texture lies on the floor.
-struct Placement {
-  Eigen::Vector2d centre_m = Eigen::Vector2d::Zero();
-  double yaw = 0.0;
-  Eigen::Vector2d extent_m = Eigen::Vector2d::Zero();
+class Placement {
+ public:
+  explicit Placement(const Eigen::Vector2d& extent_m) : Placement(Eigen::Vector2d::Zero(), 0.0, extent_m) {}
+
+  Placement(const Eigen::Vector2d& centre_m, double yaw, const Eigen::Vector2d& extent_m)
+      : centre_m_(centre_m), extent_m_(extent_m), cos_yaw_(std::cos(yaw)), sin_yaw_(std::sin(yaw)) {}
 
   Eigen::Vector2d TexelCentre(int column, int row, int width, int height) const {
-    const double x = ((column + 0.5) / width - 0.5) * extent_m.x();
-    const double y = (0.5 - (row + 0.5) / height) * extent_m.y();
-    return centre_m + Eigen::Vector2d(std::cos(yaw) * x - std::sin(yaw) * y, std::sin(yaw) * x + std::cos(yaw) * y);
+    const double x = ((column + 0.5) / width - 0.5) * extent_m_.x();
+    const double y = (0.5 - (row + 0.5) / height) * extent_m_.y();
+    return centre_m_ + Eigen::Vector2d(cos_yaw_ * x - sin_yaw_ * y, sin_yaw_ * x + cos_yaw_ * y);
   }
 
   /// The other way round: column and row, whole at a texel's centre.
   Eigen::Vector2d TexelAt(const Eigen::Vector2d& p_W, const cv::Size& size) const {
-    const Eigen::Vector2d p = p_W - centre_m;
-    const double x = std::cos(yaw) * p.x() + std::sin(yaw) * p.y(), y = std::cos(yaw) * p.y() - std::sin(yaw) * p.x();
-    return {size.width * (x / extent_m.x() + 0.5) - 0.5, size.height * (0.5 - y / extent_m.y()) - 0.5};
+    const Eigen::Vector2d p = p_W - centre_m_;
+    const double x = cos_yaw_ * p.x() + sin_yaw_ * p.y(), y = cos_yaw_ * p.y() - sin_yaw_ * p.x();
+    return {size.width * (x / extent_m_.x() + 0.5) - 0.5, size.height * (0.5 - y / extent_m_.y()) - 0.5};
   }
+
+ private:
+  Eigen::Vector2d centre_m_, extent_m_;
+  double cos_yaw_, sin_yaw_;
 };
 
 /// Green and blue over red.
@@ -67,7 +73,7 @@ class Painter {
   void PaintSolidItem(const std::string& name, const Tint& tint, const cv::Mat1b& faces) { Write(name, tint, faces); }
 
   void PaintGrass(const std::string& name, const TextureSize& size, double size_m, const GrassPattern& pattern) {
-    const Placement place{.extent_m = Eigen::Vector2d::Constant(size_m)};
+    const Placement place(Eigen::Vector2d::Constant(size_m));
     const cv::Mat3b print = pattern.Print(size_m, size.width);
     cv::Mat light, lit;
     const cv::Mat1f light_over = LightOver(place, print.size());
@@ -77,7 +83,7 @@ class Painter {
   }
 
   void PaintFloor(const std::string& name, const TextureSize& size, double size_m, const FloorPattern& pattern) {
-    const Placement place{.extent_m = Eigen::Vector2d::Constant(size_m)};
+    const Placement place(Eigen::Vector2d::Constant(size_m));
     cv::Mat1b print(size.height, size.width);
     for (int row = 0; row < print.rows; ++row) {
       for (int column = 0; column < print.cols; ++column) {
@@ -224,8 +230,8 @@ void PaintTextures(const Scene& scene, mjModel_& model) {
   }
   if (scene.config.pad) {
     const TextureSize size = PadTextureSize(scene.pad);
-    painter.PaintFlat("pad", {.extent_m = {scene.pad.sheet_length_m, scene.pad.sheet_width_m}}, {},
-                      PrintPad(scene.pad, size.width, size.height));
+    const Placement place({scene.pad.sheet_length_m, scene.pad.sheet_width_m});
+    painter.PaintFlat("pad", place, {}, PrintPad(scene.pad, size.width, size.height));
   }
   for (std::size_t i = 0; i < scene.items.size(); ++i) {
     const SceneItem& item = scene.items[i];
