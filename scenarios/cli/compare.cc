@@ -56,21 +56,23 @@ Sides Load(const Options& options) {
 }
 
 void Print(const Comparison& comparison, const Sides& sides) {
-  fmt::print("{} pairs; {} flights only in {}, {} only in {}\n", comparison.differences.front().pairs,
-             comparison.only_a, sides.name_a, comparison.only_b, sides.name_b);
-  fmt::print("  {:<34} {:>10} {:>10} {:>11}  {:<24} {:>10}\n", "", "A", "B", "B - A", "95 %", "resolvable");
+  const PairedDifference& all = comparison.differences.front();
+  fmt::print("{} pairs of {} seeds; {} flights only in {}, {} only in {}\n", all.pairs, all.seeds, comparison.only_a,
+             sides.name_a, comparison.only_b, sides.name_b);
+  fmt::print("  {:<34} {:>6} {:>10} {:>10} {:>11}  {:<24} {:>10}\n", "", "pairs", "A", "B", "B - A", "95 %",
+             "resolvable");
   for (const PairedDifference& d : comparison.differences) {
-    fmt::print("{} {:<34} {:>10.4g} {:>10.4g} {:>+11.4g}  {:<24} {:>10.3g} {}\n", d.is_worse ? "!" : " ", d.name, d.a,
-               d.b, d.difference.value, fmt::format("{:+.4g} to {:+.4g}", d.difference.low, d.difference.high),
-               d.resolvable, d.unit);
+    fmt::print("{} {:<34} {:>6} {:>10.4g} {:>10.4g} {:>+11.4g}  {:<24} {:>10.3g} {}\n", d.is_worse ? "!" : " ", d.name,
+               d.pairs, d.a, d.b, d.difference.value,
+               fmt::format("{:+.4g} to {:+.4g}", d.difference.low, d.difference.high), d.resolvable, d.unit);
   }
   for (const PairedDifference& d : comparison.differences) {
     if (d.is_worse) {
-      fmt::print("worse: {}, surely, and by {:.4g} {}, beyond the margin of {:g}\n", d.name,
-                 std::abs(d.difference.value), d.unit, d.margin);
+      fmt::print("worse: {}, surely, and by {:.4g}{}{}, beyond the margin of {:g}\n", d.name,
+                 std::abs(d.difference.value), d.unit.empty() ? "" : " ", d.unit, d.margin);
     }
     if (d.margin > 0.0 && d.resolvable > d.margin) {
-      fmt::print("{}: so many pairs resolve {:.3g}, not the margin of {:g}; fly more seeds\n", d.name, d.resolvable,
+      fmt::print("{}: so many seeds resolve {:.3g}, not the margin of {:g}; fly more seeds\n", d.name, d.resolvable,
                  d.margin);
     }
   }
@@ -85,6 +87,7 @@ std::string ComparisonJson(const Comparison& comparison) {
     json["differences"].push_back({{"name", d.name},
                                    {"unit", d.unit},
                                    {"pairs", d.pairs},
+                                   {"seeds", d.seeds},
                                    {"a", d.a},
                                    {"b", d.b},
                                    {"difference", d.difference.value},

@@ -25,7 +25,7 @@ void MakeFlightReport(const fs::path& folder, const fs::path& page) {
 void MakeSweepReport(const fs::path& folder, const fs::path& page) {
   const SweepOutcome sweep = ReadOutcome({folder, SweepStore::Access::kRead});
   CheckOutputFile(page, kSweepPageMark);
-  WriteOutputFile(page, SweepPage(sweep, folder), kSweepPageMark);
+  WriteOutputFile(page, SweepPage(sweep, Summarize(sweep), folder), kSweepPageMark);
 }
 
 int MakeReport(const fs::path& folder) {

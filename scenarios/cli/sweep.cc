@@ -77,6 +77,7 @@ bool FlyAll(const SweepFile& file, const SweepPlan& plan, const Options& options
                   });
 }
 
+/// Whether it came to its end.
 bool SeekBoundary(const SweepFile& file, const Options& options) {
   Progress progress(!options.talk.ForPeople());
   const BoundarySearch search{.key = *options.boundary, .pass_rate = options.level, .flights = options.flights};
@@ -142,6 +143,7 @@ int FlyAndTell(const Options& options, const std::function<bool()>& fly) {
     spdlog::warn("interrupted: what was flown is kept in {}, and the same command goes on from there", *options.out);
     return kInterrupted;
   }
+  if (options.boundary) return summary.finds_edge() ? kPassed : kFailed;
   const bool is_part = options.shard.has_value();  // What the whole must show is not asked of a part.
   return is_part || summary.keeps_criteria() ? kPassed : kFailed;
 }

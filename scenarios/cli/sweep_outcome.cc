@@ -18,10 +18,10 @@ namespace fs = std::filesystem;
 
 fs::path PageIn(const fs::path& folder) { return folder / "report.html"; }
 
-void WritePage(const SweepOutcome& sweep, const fs::path& folder) {
+void WritePage(const SweepOutcome& sweep, const SweepSummary& summary, const fs::path& folder) {
   std::string page;
   try {
-    page = SweepPage(sweep, folder);
+    page = SweepPage(sweep, summary, folder);
   } catch (const std::exception& error) {
     spdlog::warn("no report: {}", error.what());
     return;
@@ -43,7 +43,7 @@ SweepSummary TellOutcome(const SweepFiles& files, const Talk& talk) {
   if (talk.json) fmt::print("{}", SummaryJson(sweep, summary, files.folder));
   std::fflush(stdout);
   if (files.csv) WriteOutputFile(*files.csv, RowsCsv(sweep.terms.keys(), sweep.results), kRowsCsvMark);
-  WritePage(sweep, files.folder);
+  WritePage(sweep, summary, files.folder);
   return summary;
 }
 

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "scenarios/sweep/parameter_json.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -14,13 +17,33 @@ constexpr int kSchema = 1;
 
 std::string Percent(const PassCount& count) {
   const Interval rate = count.rate();
-  return fmt::format("{:5.1f} %  ({} of {}; 95 %: {:.1f} to {:.1f})", kPercent * rate.value, count.passed, count.flown,
-                     kPercent * rate.low, kPercent * rate.high);
+  const int seeds = static_cast<int>(count.seeds.size());
+  return fmt::format("{:5.1f} %  ({} of {}{}; 95 %: {:.1f} to {:.1f})", kPercent * rate.value, count.passed,
+                     count.flown, seeds < count.flown ? fmt::format(", {} seeds", seeds) : "", kPercent * rate.low,
+                     kPercent * rate.high);
+}
+
+/// " (95 %: 0.97 to 0.99)", an end that so few flights do not tell as a question mark.
+std::string IntervalText(const std::optional<Interval>& interval) {
+  if (!interval) return "";
+  const auto end = [](double value) { return std::isfinite(value) ? fmt::format("{:.4g}", value) : std::string("?"); };
+  return fmt::format(" (95 %: {} to {})", end(interval->low), end(interval->high));
 }
 
 /// "world.wind_m_s.0 in integer": the key, and the variant when there is one.
 std::string Subject(const PassEdgeOf& each) {
   return each.variant.empty() ? each.key : fmt::format("{} in {}", each.key, each.variant);
+}
+
+std::string EdgeText(const PassEdgeOf& each, const std::optional<SoughtEdge>& sought) {
+  const double percent = kPercent * each.pass_rate;
+  if (!each.edge) {
+    return fmt::format("  no value of {} from {:.4g} to {:.4g} found at which {:.4g} % pass: all are alike\n", each.key,
+                       sought->min, sought->max, percent);
+  }
+  return fmt::format("  {:.4g} % pass at {} = {:.4g} (95 %: {:.4g} to {:.4g}{})\n", percent, Subject(each),
+                     each.edge->value, each.edge->low, each.edge->high,
+                     each.may_lie_beyond ? ", or beyond what was flown" : "");
 }
 
 /// An end that so few flights do not tell is null.
@@ -32,6 +55,7 @@ void Put(const Interval& interval, Json& json) {
 
 void Put(const PassCount& count, Json& json) {
   json["flown"] = count.flown;
+  json["seeds"] = count.seeds.size();
   json["passed"] = count.passed;
   if (count.flown > 0) Put(count.rate(), json["pass_rate"]);
 }
@@ -69,9 +93,12 @@ std::string DryRunText(const DryRun& dry_run) {
   }
   text += fmt::format("{} flights", dry_run.plan.flights.size());
   if (dry_run.flown > 0) text += fmt::format(", {} of them flown", dry_run.flown);
-  text += fmt::format("; {:.0f} s in the air to go, about {:.1f} min on {} core{} {}\n", dry_run.left_s,
-                      dry_run.left_s * dry_run.pace / kMinute_s / dry_run.jobs, dry_run.jobs,
-                      dry_run.jobs == 1 ? "" : "s", dry_run.flown > 0 ? "as fast as these" : "at real time");
+  const double expected_s = dry_run.left_s * dry_run.pace / dry_run.jobs;
+  text +=
+      fmt::format("; {:.0f} s in the air to go, about {} on {} core{} {}\n", dry_run.left_s,
+                  expected_s < kMinute_s ? fmt::format("{:.0f} s", std::ceil(expected_s))
+                                         : fmt::format("{:.1f} min", expected_s / kMinute_s),
+                  dry_run.jobs, dry_run.jobs == 1 ? "" : "s", dry_run.flown > 0 ? "as fast as these" : "at real time");
   return text;
 }
 
@@ -86,7 +113,7 @@ std::string DryRunJson(const DryRun& dry_run) {
     if (!flight.variant.empty()) each["variant"] = flight.variant;
     each["parameters"] = Json::object();
     for (std::size_t i = 0; i < dry_run.plan.keys.size(); ++i) {
-      each["parameters"][dry_run.plan.keys[i]] = flight.values[i];
+      each["parameters"][dry_run.plan.keys[i]] = ParameterJson(flight.values[i]);
     }
     json["flights"].push_back(std::move(each));
   }
@@ -95,21 +122,21 @@ std::string DryRunJson(const DryRun& dry_run) {
 
 std::string SummaryText(const SweepOutcome& sweep, const SweepSummary& summary, const std::string& out) {
   std::string text = fmt::format("{}: {} of {} flights\n", sweep.terms.name, summary.all.flown, sweep.planned);
-  if (summary.all.flown > 0) {
+  if (summary.all.flown > 0 && !sweep.terms.sought) {
     text += fmt::format("  passed  {}{}\n", Percent(summary.all),
                         sweep.terms.stop_when ? ", not corrected for the early stop" : "");
   }
   for (const PassCountOf& each : summary.by_value) {
     text += fmt::format("  {:<40} {}\n", fmt::format("{}={}", each.key, each.value), Percent(each.count));
   }
-  for (const PassEdgeOf& each : summary.edges) {
-    text += fmt::format("  {:.4g} % pass at {} = {:.4g} (95 %: {:.4g} to {:.4g}{})\n", kPercent * each.pass_rate,
-                        Subject(each), each.edge.value, each.edge.low, each.edge.high,
-                        each.may_lie_beyond ? ", or beyond what was flown" : "");
-  }
+  for (const PassEdgeOf& each : summary.edges) text += EdgeText(each, sweep.terms.sought);
   for (const auto& [check, interval] : summary.criteria) {
-    text += fmt::format("  {}  {:<40} {:>10} {:<4} {}\n", check.pass ? "pass" : "FAIL", check.name, ValueText(check),
-                        check.unit, check.limit);
+    const char* const verdict = !summary.is_whole ? "so far" : check.pass ? "pass" : "FAIL";
+    text += fmt::format("  {}  {:<40} {:>10} {:<4} {}{}\n", verdict, check.name, ValueText(check), check.unit,
+                        check.limit, IntervalText(interval));
+  }
+  if (const std::string lost = LostProcesses(sweep.results); !lost.empty()) {
+    text += fmt::format("  {}: --retry flies them again\n", lost);
   }
   if (sweep.whole > sweep.planned) {
     text += fmt::format("  {} more flights are in parts of the sweep that are not here\n", sweep.whole - sweep.planned);
@@ -121,23 +148,28 @@ std::string SummaryJson(const SweepOutcome& sweep, const SweepSummary& summary, 
   Json json{{"schema", kSchema}, {"version", TOUCHDOWN_VERSION}, {"sweep", sweep.terms.name}, {"planned", sweep.whole}};
   Put(summary.all, json);
   json["stale"] = sweep.stale;
-  json["pass"] = summary.keeps_criteria() && summary.is_whole;
+  json["crashed"] = CountEnds(sweep.results, RowEnd::kCrashed);
+  json["hung"] = CountEnds(sweep.results, RowEnd::kHung);
+  json["out_of_memory"] = CountEnds(sweep.results, RowEnd::kOutOfMemory);
+  // A part, or what is flown so far, is not judged.
+  json["pass"] = summary.is_whole ? Json(summary.keeps_criteria()) : Json();
   json["parameters"] = Json::array();
   for (const PassCountOf& each : summary.by_value) {
-    Json value{{"key", each.key}, {"value", each.value}};
+    Json value{{"key", each.key}, {"value", ParameterJson(each.value)}};
     Put(each.count, value);
     json["parameters"].push_back(std::move(value));
   }
   json["edges"] = Json::array();
   for (const PassEdgeOf& each : summary.edges) {
     Json edge{{"key", each.key}, {"variant", each.variant}, {"pass_rate", each.pass_rate}};
-    Put(each.edge, edge);
+    if (each.edge) Put(*each.edge, edge);
     edge["may_lie_beyond"] = each.may_lie_beyond;
     json["edges"].push_back(std::move(edge));
   }
   json["criteria"] = Json::array();
   for (const auto& [check, interval] : summary.criteria) {
-    Json criterion{{"name", check.name}, {"unit", check.unit}, {"limit", check.limit}, {"pass", check.pass}};
+    Json criterion{{"name", check.name}, {"unit", check.unit}, {"limit", check.limit}};
+    criterion["pass"] = summary.is_whole ? Json(check.pass) : Json();
     if (interval) Put(*interval, criterion);
     if (!check.text.empty()) criterion["value"] = check.text;
     json["criteria"].push_back(std::move(criterion));

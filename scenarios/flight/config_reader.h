@@ -3,6 +3,8 @@
 #include <deque>
 #include <map>
 #include <set>
+#include <span>
+#include <string_view>
 
 #include "scenarios/flight/config_visitor.h"
 
@@ -17,6 +19,9 @@ class ConfigReader : public ConfigVisitor {
  public:
   /// `origins` takes the place of all that was read.
   ConfigReader(const ConfigNode& root, OriginByPath& origins);
+
+  /// Keys of the root that are read by somebody else.
+  void LeaveAlone(std::span<const std::string_view> keys) { open_.back().visited.insert(keys.begin(), keys.end()); }
 
   /// Throws InputError when the root holds a key that was not visited. Call it last.
   void Finish() { LeaveKeys(); }
@@ -84,12 +89,14 @@ class ConfigChecker : public ConfigVisitor {
   std::string path_;
 };
 
-/// Reads and checks a struct whose keys are those of `root`. Throws InputError, naming place and key.
+/// Reads and checks a struct whose keys are those of `root`, but for some that are read elsewhere. Throws InputError,
+/// naming place and key.
 template <typename T>
-T ReadAlone(const ConfigNode& root) {
+T ReadAlone(const ConfigNode& root, std::span<const std::string_view> read_elsewhere = {}) {
   T value;
   OriginByPath origins;
   ConfigReader reader(root, origins);
+  reader.LeaveAlone(read_elsewhere);
   Describe(reader, value);
   reader.Finish();
   ConfigChecker checker(origins, root.origin);

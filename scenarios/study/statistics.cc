@@ -18,6 +18,10 @@ void RequireSome(std::size_t count) {
   if (count == 0) throw std::invalid_argument("there are no values to sum up");
 }
 
+void RequireClusters(int clusters, std::size_t trials) {
+  if (clusters < 1 || static_cast<std::size_t>(clusters) > trials) throw std::invalid_argument("no such clusters");
+}
+
 }  // namespace
 
 double Mean(std::span<const double> values) {
@@ -48,21 +52,30 @@ double Quantile(std::vector<double> values, double q) {
   return std::lerp(values[below], values[above], place - static_cast<double>(below));
 }
 
-Interval QuantileInterval(std::vector<double> values, double q) {
+Interval QuantileInterval(std::vector<double> values, double q, int clusters) {
   Interval interval{Quantile(values, q), -std::numeric_limits<double>::infinity(),
                     std::numeric_limits<double>::infinity()};
+  RequireClusters(clusters, values.size());
   std::sort(values.begin(), values.end());
-  // How many of the values lie below the true quantile.
-  const boost::math::binomial below(static_cast<double>(values.size()), std::clamp(q, 0.0, 1.0));
-  for (std::size_t i = 0; i < values.size(); ++i) {
+  const auto count = static_cast<std::size_t>(clusters);
+  // How many of the clusters lie below the true quantile.
+  const boost::math::binomial below(static_cast<double>(clusters), std::clamp(q, 0.0, 1.0));
+  for (std::size_t i = 0; i < count; ++i) {
     const double at_most_i = boost::math::cdf(below, static_cast<double>(i));
-    if (at_most_i <= 1.0 - kUpper) interval.low = values[i];
+    if (at_most_i <= 1.0 - kUpper) interval.low = values[i * values.size() / count];
     if (at_most_i >= kUpper) {
-      interval.high = values[i];
+      interval.high = values[((i + 1) * values.size() + count - 1) / count - 1];
       break;
     }
   }
   return interval;
+}
+
+int FewestForQuantile(double q) {
+  // All of them on one side of the quantile must be rarer than an interval's miss on that side.
+  const double nearer = std::max(q, 1.0 - q);
+  if (!(nearer < 1.0)) throw std::invalid_argument("no values tell the ends of such a quantile");
+  return static_cast<int>(std::ceil(std::log(1.0 - kUpper) / std::log(nearer)));
 }
 
 double NormalQuantile(double chance) { return boost::math::quantile(boost::math::normal(), chance); }
@@ -85,9 +98,12 @@ Interval MeanInterval(std::span<const double> values) {
   return {mean, mean - half, mean + half};
 }
 
-Interval ShareInterval(int successes, int trials) {
+Interval ShareInterval(int successes, int trials) { return ShareInterval(successes, trials, trials); }
+
+Interval ShareInterval(int successes, int trials, int clusters) {
   if (trials < 1 || successes < 0 || successes > trials) throw std::invalid_argument("no share of so many trials");
-  const double n = trials, p = successes / n;
+  RequireClusters(clusters, static_cast<std::size_t>(trials));
+  const double n = clusters, p = static_cast<double>(successes) / trials;
   const double z = NormalQuantile(kUpper);
   const double centre = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);
   const double half = z / (1.0 + z * z / n) * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));

@@ -22,8 +22,11 @@ double StandardDeviation(std::span<const double> values);
 double Quantile(std::vector<double> values, double q);
 
 /// The same, with the order statistics between which the true quantile lies whatever the distribution (David and
-/// Nagaraja 2003, section 7.1): an end that so few values do not tell is infinite.
-Interval QuantileInterval(std::vector<double> values, double q);
+/// Nagaraja 2003, section 7.1): an end that so few values do not tell is infinite. `clusters`: see ShareInterval.
+Interval QuantileInterval(std::vector<double> values, double q, int clusters);
+
+/// The fewest values that tell both ends of a quantile's interval; `q` in (0, 1).
+int FewestForQuantile(double q);
 
 /// The value below which a standard normal variable stays with that chance; of Student's t on so many degrees of
 /// freedom.
@@ -39,5 +42,9 @@ Interval MeanInterval(std::span<const double> values);
 /// The share of `successes` in `trials`, by Wilson's score interval (Wilson 1927), which holds at 0 and 1 too. `trials`
 /// must be positive.
 Interval ShareInterval(int successes, int trials);
+
+/// The same, of trials that come in clusters which may succeed or fail together, as the flights of one seed do: each
+/// cluster counts as a single trial, the least that it can be worth. There are from one to as many as trials.
+Interval ShareInterval(int successes, int trials, int clusters);
 
 }  // namespace touchdown::scenarios

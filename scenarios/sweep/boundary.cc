@@ -38,18 +38,10 @@ std::pair<double, double> RangeOf(const SweepParameter& parameter) {
   return {*min, *max};
 }
 
-/// With its first variant alone, which is all flights' then.
-SweepFile OfOneVariant(SweepFile file) {
-  file.variants.resize(1);
-  file.variants.front().name.clear();
-  return file;
-}
-
 /// The flights of one value, with a seed of its own.
 SweepFile AtValue(const SweepFile& file, std::size_t parameter, double value, int number) {
   SweepFile one = file;
   one.seeds = {file.seeds.from + number, 1};
-  one.stop_when.reset();
   for (SweepParameter& each : one.parameters) {
     if (auto* listed = std::get_if<ListedValues>(&each.values)) listed->yaml.resize(1);
   }
@@ -59,18 +51,20 @@ SweepFile AtValue(const SweepFile& file, std::size_t parameter, double value, in
 
 }  // namespace
 
-Boundary FindBoundary(const SweepFile& sweep, const BoundarySearch& search, const std::filesystem::path& folder,
+Boundary FindBoundary(const SweepFile& file, const BoundarySearch& search, const std::filesystem::path& folder,
                       int jobs, const StopRequested& stop_requested,
                       const std::function<void(const Boundary&)>& progress) {
   constexpr int kRound = 6;
-  const SweepFile file = OfOneVariant(sweep);
+  if (file.variants.size() > 1) {
+    throw InputError(
+        fmt::format("--boundary {}: sweep {} has variants, and each has a boundary of its own", search.key, file.name));
+  }
   const std::size_t parameter = IndexOf(file, search.key);
   const auto [min, max] = RangeOf(file.parameters[parameter]);
   PassEdge posterior(min, max, search.pass_rate);
   Boundary boundary{.edge = posterior.edge()};
   SweepPlan plan;
   SweepFile whole = file;
-  whole.stop_when.reset();
   whole.criteria.clear();  // They are not meant of flights that gather where half of them fail.
   whole.parameters[parameter].values = UniformValues{min, max};  // On its page: not listed, but met here and there.
   whole.sought = {search.key, min, max, search.pass_rate};
@@ -89,7 +83,9 @@ Boundary FindBoundary(const SweepFile& sweep, const BoundarySearch& search, cons
     const std::vector<SweepResult> results = SweepStore(folder, SweepStore::Access::kRead).Results();
     for (int i = 0; i < round; ++i) {
       const SweepResult& result = results.at(static_cast<std::size_t>(boundary.flights + i));
-      posterior.Take({NumberFrom(file.parameters[parameter], result.values.at(parameter)), result.row.passed()});
+      const bool passed = result.row.passed();
+      posterior.Take(NumberFrom(file.parameters[parameter], result.values.at(parameter)), passed ? 1 : 0,
+                     passed ? 0 : 1);
     }
     boundary.flights += round;
     boundary.edge = posterior.edge();

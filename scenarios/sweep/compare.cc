@@ -20,6 +20,7 @@ constexpr double kUpper = 0.975;  // Of a two-sided interval of 95 %.
 constexpr double kPower = 0.8;
 
 using Pair = std::pair<const SweepResult*, const SweepResult*>;
+using PairsBySeed = std::map<std::uint64_t, std::vector<Pair>>;
 
 /// What two sweeps' flights are paired by.
 using Identity = std::tuple<std::uint64_t, std::string, std::map<std::string, std::string>>;
@@ -36,69 +37,81 @@ std::map<Identity, const SweepResult*> ByIdentity(const StoredResults& stored) {
   return found;
 }
 
-std::vector<Pair> PairsOf(const StoredResults& a, const StoredResults& b, Comparison& comparison) {
+PairsBySeed PairsOf(const StoredResults& a, const StoredResults& b, Comparison& comparison) {
   const auto in_a = ByIdentity(a), in_b = ByIdentity(b);
-  std::vector<Pair> pairs;
+  PairsBySeed pairs;
+  comparison.only_b = static_cast<int>(in_b.size());
   for (const auto& [identity, result] : in_a) {
     const auto found = in_b.find(identity);
     if (found == in_b.end()) {
       ++comparison.only_a;
     } else {
-      pairs.emplace_back(result, found->second);
+      pairs[result->seed].emplace_back(result, found->second);
+      --comparison.only_b;
     }
   }
-  comparison.only_b = static_cast<int>(in_b.size() - pairs.size());
   return pairs;
 }
 
-/// By Bonett and Price 2012, of `gained` and `lost` passes: as if one pair more had changed each way.
-Interval ShareDifference(double gained, double lost, double n) {
-  const double up = (gained + 1.0) / (n + 2.0), down = (lost + 1.0) / (n + 2.0);
-  const double half = NormalQuantile(kUpper) * std::sqrt((up + down - (up - down) * (up - down)) / (n + 2.0));
-  return {(gained - lost) / n, std::max(-1.0, up - down - half), std::min(1.0, up - down + half)};
+/// By Bonett and Price 2012, of `gained` and `lost` passes in so many seeds: as if one more had changed each way.
+Interval ShareDifference(double gained, double lost, double seeds) {
+  const double n = seeds + 2.0, up = (gained + 1.0) / n, down = (lost + 1.0) / n;
+  const double half = NormalQuantile(kUpper) * std::sqrt((up + down - (up - down) * (up - down)) / n);
+  return {(gained - lost) / seeds, std::max(-1.0, up - down - half), std::min(1.0, up - down + half)};
 }
 
-/// The smallest change of a pass rate that pairs show with 80 % chance, when `both_ways` of them change in each
+/// The smallest change of a pass rate that seeds show with 80 % chance, when `both_ways` of them change in each
 /// direction anyway: so many more must change in one of them, and do so by a binomial's chance. 1 when no change of so
-/// few pairs shows.
-double ResolvableChange(int both_ways, int pairs) {
+/// few seeds shows.
+double ResolvableChange(int both_ways, int seeds) {
   int needed = both_ways + 1;
-  while (needed + both_ways <= pairs && ShareDifference(both_ways, needed, pairs).high >= 0.0) ++needed;
-  if (needed + both_ways > pairs) return 1.0;
+  while (needed + both_ways <= seeds && ShareDifference(both_ways, needed, seeds).high >= 0.0) ++needed;
+  if (needed + both_ways > seeds) return 1.0;
   double too_rare = 0.0, enough = 1.0;
   for (int i = 0; i < 40; ++i) {
     const double chance = 0.5 * (too_rare + enough);
-    (ChanceOfAtLeast(needed, pairs, chance) < kPower ? too_rare : enough) = chance;
+    (ChanceOfAtLeast(needed, seeds, chance) < kPower ? too_rare : enough) = chance;
   }
-  return enough - static_cast<double>(both_ways) / pairs;
+  return enough - static_cast<double>(both_ways) / seeds;
 }
 
-PairedDifference PassRateDifference(const std::vector<Pair>& pairs) {
+PairedDifference PassRateDifference(const PairsBySeed& pairs_by_seed) {
   PairedDifference difference{
-      .name = std::string(kPassRate), .pairs = static_cast<int>(pairs.size()), .larger_is_better = true};
-  int gained = 0, lost = 0;
-  for (const auto& [a, b] : pairs) {
-    difference.a += a->row.passed() ? 1.0 : 0.0;
-    difference.b += b->row.passed() ? 1.0 : 0.0;
-    gained += !a->row.passed() && b->row.passed() ? 1 : 0;
-    lost += a->row.passed() && !b->row.passed() ? 1 : 0;
+      .name = std::string(kPassRate), .seeds = static_cast<int>(pairs_by_seed.size()), .larger_is_better = true};
+  double gained = 0.0, lost = 0.0;
+  for (const auto& [seed, pairs] : pairs_by_seed) {
+    const double share = 1.0 / static_cast<double>(pairs.size());
+    for (const auto& [a, b] : pairs) {
+      difference.a += a->row.passed() ? share : 0.0;
+      difference.b += b->row.passed() ? share : 0.0;
+      gained += !a->row.passed() && b->row.passed() ? share : 0.0;
+      lost += a->row.passed() && !b->row.passed() ? share : 0.0;
+    }
+    difference.pairs += static_cast<int>(pairs.size());
   }
-  const auto n = static_cast<double>(pairs.size());
-  difference.a /= n;
-  difference.b /= n;
-  difference.difference = ShareDifference(gained, lost, n);
-  difference.resolvable = ResolvableChange(std::min(gained, lost), difference.pairs);
+  difference.a /= difference.seeds;
+  difference.b /= difference.seeds;
+  difference.difference = ShareDifference(gained, lost, difference.seeds);
+  difference.resolvable = ResolvableChange(static_cast<int>(std::ceil(std::min(gained, lost))), difference.seeds);
   return difference;
 }
 
-std::optional<PairedDifference> MetricDifference(const MetricInfo& metric, const std::vector<Pair>& pairs) {
-  std::vector<double> of_a, of_b, differences;
-  for (const auto& [a, b] : pairs) {
-    const auto in_a = a->row.metrics.find(metric.name), in_b = b->row.metrics.find(metric.name);
-    if (in_a == a->row.metrics.end() || in_b == b->row.metrics.end()) continue;
-    of_a.push_back(in_a->second);
-    of_b.push_back(in_b->second);
-    differences.push_back(in_b->second - in_a->second);
+std::optional<PairedDifference> MetricDifference(const MetricInfo& metric, const PairsBySeed& pairs_by_seed) {
+  int count = 0;
+  std::vector<double> of_a, of_b, differences;  // Of each seed, the mean.
+  for (const auto& [seed, pairs] : pairs_by_seed) {
+    std::vector<double> a_values, b_values;
+    for (const auto& [a, b] : pairs) {
+      const auto in_a = a->row.metrics.find(metric.name), in_b = b->row.metrics.find(metric.name);
+      if (in_a == a->row.metrics.end() || in_b == b->row.metrics.end()) continue;
+      a_values.push_back(in_a->second);
+      b_values.push_back(in_b->second);
+    }
+    if (a_values.empty()) continue;
+    count += static_cast<int>(a_values.size());
+    of_a.push_back(Mean(a_values));
+    of_b.push_back(Mean(b_values));
+    differences.push_back(of_b.back() - of_a.back());
   }
   constexpr std::size_t kFewest = 2;
   if (differences.size() < kFewest) return std::nullopt;
@@ -108,7 +121,8 @@ std::optional<PairedDifference> MetricDifference(const MetricInfo& metric, const
   return PairedDifference{
       .name = std::string(metric.name),
       .unit = std::string(metric.unit),
-      .pairs = static_cast<int>(differences.size()),
+      .pairs = count,
+      .seeds = static_cast<int>(differences.size()),
       .a = Mean(of_a),
       .b = Mean(of_b),
       .difference = MeanInterval(differences),
@@ -132,6 +146,9 @@ void CheckMargins(const std::vector<Margin>& margins) {
     if (margin.name != kPassRate && FindMetric(margin.name) == nullptr) {
       throw InputError(fmt::format("--margin: no metric of the name {}", margin.name));
     }
+    if (margin.name == kPassRate && margin.margin >= 1.0) {
+      throw InputError(fmt::format("--margin pass_rate={:g}: a share below 1 is meant", margin.margin));
+    }
   }
 }
 
@@ -139,7 +156,8 @@ void CheckMargins(const std::vector<Margin>& margins) {
 void RefuseUnjudged(const Margin& margin, const Comparison& comparison) {
   const bool is_judged = std::any_of(comparison.differences.begin(), comparison.differences.end(),
                                      [&](const PairedDifference& each) { return each.name == margin.name; });
-  if (!is_judged) throw InputError(fmt::format("--margin {}: fewer than two pairs of flights have it", margin.name));
+  if (!is_judged)
+    throw InputError(fmt::format("--margin {}: the flights of fewer than two seeds have it", margin.name));
 }
 
 }  // namespace
@@ -170,7 +188,7 @@ StoredResults OfVariant(const StoredResults& stored, const std::string& variant)
 Comparison Compare(const StoredResults& a, const StoredResults& b, const std::vector<Margin>& margins) {
   CheckMargins(margins);
   Comparison comparison;
-  const std::vector<Pair> pairs = PairsOf(a, b, comparison);
+  const PairsBySeed pairs = PairsOf(a, b, comparison);
   if (pairs.empty()) {
     throw InputError(
         fmt::format("{} and {}: have no flight of the same seed, variant and parameters", a.source, b.source));

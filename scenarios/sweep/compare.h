@@ -23,10 +23,11 @@ struct PairedDifference {
   std::string name = {};  ///< "pass_rate", or a metric's.
   std::string unit = {};
   int pairs = 0;
+  int seeds = 0;   ///< Of these pairs.
   double a = 0.0;  ///< Its mean.
   double b = 0.0;
   Interval difference = {};  ///< With 95 % confidence.
-  double resolvable = 0.0;   ///< The smallest change that so many pairs show with 80 % chance.
+  double resolvable = 0.0;   ///< The smallest change that so many seeds show with 80 % chance.
   double margin = 0.0;       ///< How much worse it may be.
   bool larger_is_better = false;
   bool is_worse = false;  ///< Surely worse, and by more than the margin.
@@ -47,10 +48,11 @@ struct Comparison {
 };
 
 /// Pairs the flights of the same seed, variant and parameters. The pass rates are compared by Bonett and Price's
-/// interval for paired shares (2012), metrics by Student's t on the differences, over the pairs that both have. A
-/// quantity counts as worse when its interval lies wholly on the worse side of zero and its difference beyond the
-/// margin, 0 for those that have none. Throws InputError when they have no flight in common, or for a margin of an
-/// unknown metric, or of one that fewer than two pairs have.
+/// interval for paired shares (2012), metrics by Student's t on the differences, over the pairs that both have. All
+/// pairs of a seed, which share its floor, light and gusts, count as one, by their mean. A quantity counts as worse
+/// when its interval lies wholly on the worse side of zero and its difference beyond the margin, 0 for those that have
+/// none. Throws InputError when they have no flight in common, or for a margin of an unknown metric, or of one that
+/// fewer than two seeds have.
 Comparison Compare(const StoredResults& a, const StoredResults& b, const std::vector<Margin>& margins);
 
 }  // namespace touchdown::scenarios

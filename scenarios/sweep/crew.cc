@@ -39,7 +39,7 @@ FlightRow RowWithoutFlight(const Flying& flying, const WorkerEnd& end) {
                 .scenario_yaml = flying.task->scenario_yaml};
   if (flying.is_hung) {
     row.end = RowEnd::kHung;
-    row.reason = fmt::format("not done after {:.0f} s", flying.task->limit_s);
+    row.reason = fmt::format("not done after {:g} s", flying.task->limit_s);
   } else if (end.signal == SIGKILL) {
     row.end = RowEnd::kOutOfMemory;
     row.reason = "killed by the system, as it does when memory runs out";

@@ -35,10 +35,12 @@ PassEdge::PassEdge(double min, double max, double level) : min_(min), max_(max) 
   }
 }
 
-void PassEdge::Take(const PassTrial& trial) {
+void PassEdge::Take(double value, int passed, int failed) {
+  constexpr double kLeastChance = 1e-12;
   for (Curve& curve : curves_) {
-    const double pass_rate = (1.0 - curve.lapse) * Falling((trial.value - curve.middle) / curve.width);
-    curve.log_posterior += std::log(std::max(1e-12, trial.passed ? pass_rate : 1.0 - pass_rate));
+    const double pass_rate = (1.0 - curve.lapse) * Falling((value - curve.middle) / curve.width);
+    if (passed > 0) curve.log_posterior += passed * std::log(std::max(kLeastChance, pass_rate));
+    if (failed > 0) curve.log_posterior += failed * std::log(std::max(kLeastChance, 1.0 - pass_rate));
   }
 }
 

@@ -6,12 +6,6 @@
 
 namespace touchdown::scenarios {
 
-/// A flight at some value of a parameter, and whether it passed.
-struct PassTrial {
-  double value = 0.0;
-  bool passed = false;
-};
-
 /// What flights tell of the value at which the pass rate falls, or rises, through a level: the posterior over a
 /// logistic curve of the pass rate over the value (its place, its width, its direction, and a share of failures that
 /// have nothing to do with the value), from a flat prior over the place within [min, max] and over the width's
@@ -21,7 +15,8 @@ class PassEdge {
   /// The level is the pass rate of interest, in (0, 1).
   PassEdge(double min, double max, double level);
 
-  void Take(const PassTrial& trial);
+  /// So many flights at this value, independent of one another.
+  void Take(double value, int passed, int failed);
 
   /// The value at which the pass rate is the level: the posterior's median, and where its middle 95 % lie. The interval
   /// reaches an end of [min, max] when the level may lie beyond it.

@@ -1,6 +1,7 @@
 #include "scenarios/sweep/pass_rate_figures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -13,13 +14,14 @@ namespace {
 /// A flight's value of a drawn parameter, and what became of it.
 struct DrawnPoint {
   double value = 0.0;
+  std::uint64_t seed = 0;
   bool passed = false;
 };
 
 std::vector<DrawnPoint> DrawnPoints(const SweepOutcome& sweep, std::size_t axis) {
   std::vector<DrawnPoint> points;
   for (const SweepResult& result : sweep.results) {
-    if (const auto value = AsNumber(result.values[axis])) points.push_back({*value, result.row.passed()});
+    if (const auto value = AsNumber(result.values[axis])) points.push_back({*value, result.seed, result.row.passed()});
   }
   std::stable_sort(points.begin(), points.end(),
                    [](const DrawnPoint& a, const DrawnPoint& b) { return a.value < b.value; });
@@ -82,8 +84,7 @@ std::string GroupLines(const std::vector<DrawnPoint>& points) {
     PassCount count;
     double sum = 0.0;
     for (std::size_t i = from; i < to; ++i) {
-      ++count.flown;
-      count.passed += points[i].passed ? 1 : 0;
+      count.Take(points[i].seed, points[i].passed);
       sum += points[i].value;
     }
     const Interval rate = count.rate();
@@ -93,63 +94,91 @@ std::string GroupLines(const std::vector<DrawnPoint>& points) {
   return csv;
 }
 
-/// A dashed line at each edge, and its interval shaded.
-std::string EdgeCommands(const std::vector<PassEdgeOf>& edges) {
+/// Of the variant of that number.
+const char* ColourOf(std::size_t variant) {
+  constexpr std::array<const char*, 6> kColours = {"ESTIMATE", "SET_POINT", "THIRD", "FOURTH", "FIRST", "SECOND"};
+  return kColours[variant % kColours.size()];
+}
+
+/// A dashed line at each edge, in the colour of its variant, and its interval shaded.
+std::string EdgeCommands(const SweepTerms& terms, const std::vector<PassEdgeOf>& edges) {
+  const std::vector<std::string> variants = terms.flown_variants();
   std::string commands;
   for (const PassEdgeOf& each : edges) {
+    if (!each.edge) continue;
+    const auto variant = std::find(variants.begin(), variants.end(), each.variant) - variants.begin();
+    const char* const colour = ColourOf(static_cast<std::size_t>(variant));
     commands += fmt::format(
-        "set object rectangle from {},graph 0 to {},graph 1 behind fillcolor rgb SET_POINT fillstyle transparent solid "
-        "0.18 noborder\nset arrow from {},graph 0 to {},graph 1 nohead dashtype 2 linecolor rgb INK\n",
-        Number(each.edge.low), Number(each.edge.high), Number(each.edge.value), Number(each.edge.value));
+        "set object rectangle from {},graph 0 to {},graph 1 behind fillcolor rgb {} fillstyle transparent solid 0.12 "
+        "noborder\nset arrow from {},graph 0 to {},graph 1 nohead dashtype 2 linecolor rgb {}\n",
+        Number(each.edge->low), Number(each.edge->high), colour, Number(each.edge->value), Number(each.edge->value),
+        colour);
   }
   return commands;
 }
 
 std::string EdgeCaption(const std::vector<PassEdgeOf>& edges) {
-  return edges.empty() ? ""
-                       : fmt::format(" Dashed: where the rate goes through {:.4g} %, its 95 % interval shaded.",
-                                     kPercent * edges.front().pass_rate);
+  const bool is_drawn = std::any_of(edges.begin(), edges.end(), [](const PassEdgeOf& e) { return e.edge.has_value(); });
+  return is_drawn ? fmt::format(" Dashed: where the rate goes through {:.4g} %, its 95 % interval shaded.",
+                                kPercent * edges.front().pass_rate)
+                  : "";
 }
 
 }  // namespace
 
-Figure PassRateFigure(const std::string& key, const std::vector<PassCountOf>& counts,
-                      const std::vector<PassEdgeOf>& edges) {
-  std::vector<std::vector<double>> rows;
-  for (const PassCountOf& each : counts) {
-    const Interval rate = each.count.rate();
-    rows.push_back({*AsNumber(each.value), kPercent * rate.value, kPercent * rate.low, kPercent * rate.high});
+Figure PassRateFigure(const SweepOutcome& sweep, std::size_t axis, const std::vector<PassEdgeOf>& edges) {
+  const SweepAxis& over = sweep.terms.axes[axis];
+  const std::vector<std::string> variants = sweep.terms.flown_variants();
+  std::vector<std::string> values = over.listed;
+  std::sort(values.begin(), values.end(),
+            [](const std::string& a, const std::string& b) { return AsNumber(a) < AsNumber(b); });
+  const double least = *AsNumber(values.front()), most = *AsNumber(values.back());
+  Figure figure{
+      .name = NameOf("pass_rate", over.key),
+      .title = over.key,
+      .caption = "Share of flights that passed, with its 95 % interval (Wilson)." + EdgeCaption(edges),
+      .csv = "curve,variant,place,value,percent,low,high\n",
+      .plot = RangeAround("xrange", least, most) + EdgeCommands(sweep.terms, edges) +
+              fmt::format("set xlabel {} noenhanced\nset ylabel 'passed, %'\nset yrange [-3:103]\n", Quoted(over.key))};
+  std::vector<std::string> curves;
+  for (std::size_t variant = 0; variant < variants.size(); ++variant) {
+    // A little beside one another, so that the intervals of all variants are seen.
+    const double beside = 0.008 * (most - least) * (static_cast<double>(variant) - 0.5 * (variants.size() - 1.0));
+    for (const std::string& value : values) {
+      const PassCount count = CountWhere(sweep.results, [&](const SweepResult& result) {
+        return result.variant == variants[variant] && result.values[axis] == value;
+      });
+      if (count.flown == 0) continue;
+      const Interval rate = count.rate();
+      figure.csv += QuotedCsvLine({std::to_string(variant), variants[variant], Number(*AsNumber(value) + beside), value,
+                                   Fixed(kPercent * rate.value, 2), Fixed(kPercent * rate.low, 2),
+                                   Fixed(kPercent * rate.high, 2)});
+    }
+    curves.push_back(
+        fmt::format("data using (column('curve') == {} ? column('place') : NaN):'percent':'low':'high' with "
+                    "yerrorlines pt 7 ps 0.5 "
+                    "lw 1.4 lc rgb {} title {}",
+                    variant, ColourOf(variant), Quoted(variants[variant])));
   }
-  std::sort(rows.begin(), rows.end());
-  Figure figure{.name = NameOf("pass_rate", key),
-                .title = key,
-                .caption = "Share of flights that passed, with its 95 % interval (Wilson)." + EdgeCaption(edges),
-                .csv = "value,percent,low,high\n"};
-  for (const auto& row : rows)
-    figure.csv += CsvLine({Number(row[0]), Fixed(row[1], 2), Fixed(row[2], 2), Fixed(row[3], 2)});
-  figure.plot = RangeAround("xrange", rows.front()[0], rows.back()[0]) + EdgeCommands(edges) +
-                fmt::format(
-                    "set xlabel {} noenhanced\nset ylabel 'passed, %'\nset yrange [-3:103]\nunset key\n"
-                    "plot data using 'value':'percent':'low':'high' with yerrorlines pt 7 ps 0.5 lw 1.4 lc rgb "
-                    "ESTIMATE\n",
-                    Quoted(key));
+  figure.plot += variants.size() > 1 ? "set key outside top center horizontal noenhanced\n" : "unset key\n";
+  figure.plot += fmt::format("plot {}\n", fmt::join(curves, ", "));
   figure.width_cm = 12.0;
   figure.height_cm = 6.0;
   return figure;
 }
 
-Figure HeatMapFigure(const SweepOutcome& sweep, std::size_t axis_x, std::size_t axis_y) {
+Figure HeatMapFigure(const SweepOutcome& sweep, std::size_t axis_x, std::size_t axis_y, const std::string& variant) {
   const SweepAxis &x = sweep.terms.axes[axis_x], &y = sweep.terms.axes[axis_y];
   const HeatAxis across = HeatAxisOf(sweep, axis_x), up = HeatAxisOf(sweep, axis_y);
   const auto &columns = across.cells, &rows = up.cells;
-  Figure figure{.name = NameOf("heat_map_" + x.key, y.key),
-                .title = fmt::format("{} and {}", x.key, y.key),
+  Figure figure{.name = NameOf("heat_map_" + x.key, y.key) + (variant.empty() ? "" : NameOf("", variant)),
+                .title = fmt::format("{} and {}{}", x.key, y.key, variant.empty() ? "" : ", " + variant),
                 .caption = "Share of flights that passed; in each cell how many of how many.",
                 .csv = "x,y,passed,flown,percent\n"};
   for (std::size_t row = 0; row < rows.size(); ++row) {
     for (std::size_t column = 0; column < columns.size(); ++column) {
       const PassCount count = CountWhere(sweep.results, [&](const SweepResult& result) {
-        return columns[column](result.values[axis_x]) && rows[row](result.values[axis_y]);
+        return result.variant == variant && columns[column](result.values[axis_x]) && rows[row](result.values[axis_y]);
       });
       if (count.flown == 0) continue;
       figure.csv += fmt::format("{},{},{},{},{}\n", column, row, count.passed, count.flown,
@@ -197,7 +226,7 @@ Figure DrawnValuesFigure(const SweepOutcome& sweep, std::size_t axis, const std:
   figure.csv += groups;
   figure.plot =
       (points.empty() ? "set xrange [0:1]\n" : RangeAround("xrange", points.front().value, points.back().value)) +
-      EdgeCommands(edges) +
+      EdgeCommands(sweep.terms, edges) +
       fmt::format(
           "set xlabel {} noenhanced\nset ylabel 'passed, %'\nset yrange [-20:120]\nset ytics 0,25,100\n"
           "set key outside top center horizontal\nplot data using 'value':'passed' with {} title 'passed', '' using "

@@ -9,15 +9,15 @@
 
 namespace touchdown::scenarios {
 
-/// The pass rate over the values of a parameter, all of them numbers, and the edges over it.
-Figure PassRateFigure(const std::string& key, const std::vector<PassCountOf>& counts,
-                      const std::vector<PassEdgeOf>& edges);
+/// The pass rate of each variant over a parameter of the sweep's axes that lists numbers, and the edges over it.
+Figure PassRateFigure(const SweepOutcome& sweep, std::size_t axis, const std::vector<PassEdgeOf>& edges);
 
-/// The pass rate over two parameters of the sweep's axes: over their listed values, or the ranges that hold the drawn.
-Figure HeatMapFigure(const SweepOutcome& sweep, std::size_t axis_x, std::size_t axis_y);
+/// The pass rate of a variant over two parameters of the sweep's axes: over their listed values, or the ranges that
+/// hold the drawn.
+Figure HeatMapFigure(const SweepOutcome& sweep, std::size_t axis_x, std::size_t axis_y, const std::string& variant);
 
-/// Which flights passed over a parameter of the sweep's axes whose values are drawn; with many flights also the rate
-/// within five groups of as many each; and the edges over it.
+/// Which flights, of all variants, passed over a parameter of the sweep's axes whose values are drawn; with many
+/// flights also the rate within five groups of as many each; and the edges over it.
 Figure DrawnValuesFigure(const SweepOutcome& sweep, std::size_t axis, const std::vector<PassEdgeOf>& edges);
 
 }  // namespace touchdown::scenarios

@@ -85,6 +85,11 @@ SweepResult ResultFrom(const Layout& layout, const std::vector<std::string>& cel
   return result;
 }
 
+/// Of a flight without a result, how its process ended.
+std::string OutcomeOf(const FlightRow& row) {
+  return row.end == RowEnd::kFlown ? row.outcome : std::string(Name(row.end));
+}
+
 }  // namespace
 
 std::string RowsCsv(const std::vector<std::string>& keys, std::vector<SweepResult> results) {
@@ -100,7 +105,7 @@ std::string RowsCsv(const std::vector<std::string>& keys, std::vector<SweepResul
   for (const SweepResult& result : results) {
     std::vector<std::string> cells{result.row.id, result.variant};
     cells.insert(cells.end(), result.values.begin(), result.values.end());
-    for (const std::string& cell : {std::to_string(result.seed), result.row.verdict, result.row.outcome}) {
+    for (const std::string& cell : {std::to_string(result.seed), result.row.verdict, OutcomeOf(result.row)}) {
       cells.push_back(cell);
     }
     for (const MetricInfo& metric : AllMetrics()) {

@@ -130,8 +130,11 @@ std::vector<fs::directory_entry> EntriesOf(const fs::path& folder) {
 
 SweepPlan ShardOf(const SweepPlan& plan, int shard, int shards) {
   SweepPlan part{.keys = plan.keys, .flights = {}, .whole = plan.whole};
-  for (const PlannedFlight& flight : plan.flights) {
-    if (flight.position % shards == shard) part.flights.push_back(flight);
+  int first = 0, to = 0;  // The shards that the seed's first flight, and this one, belong to.
+  for (std::size_t i = 0; i < plan.flights.size(); ++i) {
+    if (i > 0 && plan.flights[i].seed != plan.flights[i - 1].seed) to = first = (first + 1) % shards;
+    if (to == shard) part.flights.push_back(plan.flights[i]);
+    to = (to + 1) % shards;
   }
   return part;
 }

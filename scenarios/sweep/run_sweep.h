@@ -25,7 +25,8 @@ struct SweepOptions {
   bool retry = false;  ///< Flies those again whose process crashed, hung or ran out of memory.
 };
 
-/// Of every `shards` planned flights the one of number `shard`, from 0.
+/// The part of number `shard`, from 0, of as many: the flights of each seed are dealt to the parts in turn, those of
+/// the next seed from the next part on, so that every part gets each value and variant.
 SweepPlan ShardOf(const SweepPlan& plan, int shard, int shards);
 
 /// Flies what is yet to be flown of a plan, into `folder`, and keeps every row as soon as it is there. Rows that an

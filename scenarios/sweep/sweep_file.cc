@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <set>
 
 #include "scenarios/flight/config_reader.h"
@@ -41,13 +43,17 @@ void Describe(ConfigVisitor& v, SweepCriterion& criterion) {
     }
     if (!criterion.min && !criterion.max) throw InputError("needs min or max");
     if (criterion.min && criterion.max && *criterion.min > *criterion.max) throw InputError("min is above max");
+    for (const std::optional<double>& limit : {criterion.min, criterion.max}) {
+      if (is_rate && limit && !kFraction.Contains(*limit)) throw InputError("a pass rate's limits are from 0 to 1");
+    }
   });
 }
 
 void Describe(ConfigVisitor& v, StopWhen& stop) {
   const Range within{.min = 0.0, .max = 1.0, .min_is_open = true};
-  v.Number({"good_pass_rate", "A pass rate that is good enough."}, stop.good_pass_rate, kNoUnit, within);
-  v.Number({"bad_pass_rate", "A pass rate that is not; below the good one."}, stop.bad_pass_rate, kNoUnit, within);
+  v.Number({"good_pass_rate", "A pass rate that is good enough.", true}, stop.good_pass_rate, kNoUnit, within);
+  v.Number({"bad_pass_rate", "A pass rate that is not; below the good one.", true}, stop.bad_pass_rate, kNoUnit,
+           within);
   v.Number({"good_refused", "Chance that the good one is refused."}, stop.good_refused, kNoUnit,
            {.min = 0.0, .max = 0.5, .min_is_open = true});
   v.Number({"bad_accepted", "Chance that the bad one is accepted."}, stop.bad_accepted, kNoUnit,
@@ -96,7 +102,10 @@ void Describe(ConfigVisitor& v, RangeOfValues& range) {
   });
 }
 
-/// The keys that are read field by field; the others hold a scenario's keys.
+/// The keys that hold keys of the scenario.
+constexpr std::array<std::string_view, 3> kKeysOfScenario = {"parameters", "variants", "set"};
+
+/// The other keys, which are read field by field.
 struct PlainKeys {
   SweepFile file;
   std::string base;
@@ -120,7 +129,7 @@ std::string FlowYaml(const ConfigNode& node) {
     case ConfigNode::Kind::kNothing:
       return "~";
     case ConfigNode::Kind::kText:
-      return node.quoted ? WriteText(node.text) : node.text;
+      return node.quoted || node.text.find_first_of(",[]{}") != std::string::npos ? WriteText(node.text) : node.text;
     case ConfigNode::Kind::kList:
       for (const ConfigNode& item : node.items) parts.push_back(FlowYaml(item));
       return fmt::format("[{}]", fmt::join(parts, ", "));
@@ -132,11 +141,18 @@ std::string FlowYaml(const ConfigNode& node) {
   return fmt::format("{{{}}}", fmt::join(parts, ", "));
 }
 
+/// A number in its shortest form, so that 2 and 2.0 are the same value; anything else as it is.
+std::string Canonical(const std::string& yaml) {
+  constexpr double kLargest = 1e15;  // Beyond it a double does not hold every whole number.
+  const auto number = AsNumber(yaml);
+  return number && std::abs(*number) < kLargest ? fmt::format("{}", *number) : yaml;
+}
+
 ListedValues ListOf(const ConfigNode& list, const std::string& path) {
   if (list.items.empty()) throw ConfigError(list.origin, path, "needs at least one value");
   ListedValues values;
   for (const ConfigNode& item : list.items) {
-    const std::string yaml = FlowYaml(item);
+    const std::string yaml = Canonical(FlowYaml(item));
     if (std::find(values.yaml.begin(), values.yaml.end(), yaml) != values.yaml.end()) {
       throw ConfigError(item.origin, path, fmt::format("{} is there twice", yaml));
     }
@@ -201,7 +217,7 @@ std::vector<Override> OverridesOf(const ConfigNode& node, const std::string& pat
 
 SweepVariant VariantOf(const ConfigNode& node, const std::string& path) {
   if (node.kind != ConfigNode::Kind::kKeys) throw ConfigError(node.origin, path, "must hold keys");
-  SweepVariant variant;
+  SweepVariant variant{.name = {}, .place = node.origin.place};
   for (const ConfigEntry& entry : node.keys) {
     if (entry.key == "name" && entry.node.kind == ConfigNode::Kind::kText) {
       variant.name = entry.node.text;
@@ -231,14 +247,36 @@ std::vector<SweepVariant> VariantsOf(const ConfigNode& node) {
   return variants;
 }
 
-/// Takes a key out of `root`; nullopt when it is not there.
-std::optional<ConfigNode> TakeOut(ConfigNode& root, std::string_view key) {
-  const auto found =
-      std::find_if(root.keys.begin(), root.keys.end(), [&](const ConfigEntry& entry) { return entry.key == key; });
-  if (found == root.keys.end()) return std::nullopt;
-  ConfigNode node = std::move(found->node);
-  root.keys.erase(found);
-  return node;
+/// The keys that a piece of configuration sets, each as the path to a value.
+void AddPaths(const ConfigNode& node, const std::string& path, std::vector<std::string>& paths) {
+  if (node.kind != ConfigNode::Kind::kKeys) return paths.push_back(path);
+  for (const ConfigEntry& entry : node.keys)
+    AddPaths(entry.node, path.empty() ? entry.key : path + "." + entry.key, paths);
+}
+
+/// Whether two paths are the same, or one is within the other.
+bool Overlap(const std::string& a, const std::string& b) {
+  const std::string& shorter = a.size() < b.size() ? a : b;
+  const std::string& longer = a.size() < b.size() ? b : a;
+  return longer.starts_with(shorter) && (longer.size() == shorter.size() || longer[shorter.size()] == '.');
+}
+
+/// A parameter gives its key to every flight: nothing else may.
+void RefuseGivenTwice(const SweepFile& file, const ConfigNode* set, const ConfigNode* variants) {
+  std::vector<std::string> elsewhere;
+  if (set != nullptr) AddPaths(*set, "", elsewhere);
+  if (variants != nullptr) {
+    for (const ConfigNode& variant : variants->items) {
+      if (const ConfigNode* const its_set = variant.Find("set")) AddPaths(*its_set, "", elsewhere);
+    }
+  }
+  for (const SweepParameter& parameter : file.parameters) {
+    for (const std::string& other : elsewhere) {
+      if (!Overlap(parameter.key, other)) continue;
+      throw InputError(fmt::format("{}: parameters.{}: {} is set as well", parameter.place, parameter.key, other));
+    }
+    elsewhere.push_back(parameter.key);
+  }
 }
 
 /// The sequential test is of one pass rate.
@@ -260,23 +298,32 @@ void CheckStopWhen(const SweepFile& file, const Origin& origin) {
 
 }  // namespace
 
+std::optional<double> AsNumber(const std::string& yaml) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(yaml.data(), yaml.data() + yaml.size(), value);
+  const bool is_number = error == std::errc() && end == yaml.data() + yaml.size() && std::isfinite(value);
+  return is_number ? std::optional(value) : std::nullopt;
+}
+
 SweepFile LoadSweepFile(const std::filesystem::path& file) {
-  ConfigNode root = ReadConfigFile(file);
-  const std::optional<ConfigNode> parameters = TakeOut(root, "parameters"), variants = TakeOut(root, "variants"),
-                                  set = TakeOut(root, "set");
+  const ConfigNode root = ReadConfigFile(file);
   const ConfigNode* base = root.Find("base");
   const Origin base_origin = base != nullptr ? base->origin : root.origin;
-  PlainKeys keys = ReadAlone<PlainKeys>(root);
+  PlainKeys keys = ReadAlone<PlainKeys>(root, kKeysOfScenario);
   SweepFile sweep = std::move(keys.file);
+  sweep.place = file.string();
   if (sweep.name.empty()) sweep.name = file.stem().string();
   sweep.base = base_origin.folder / keys.base;
   std::error_code error;
   if (!std::filesystem::is_regular_file(sweep.base, error)) {
     throw ConfigError(base_origin, "base", fmt::format("no file {}", sweep.base.string()));
   }
-  if (set) sweep.set = OverridesOf(*set, "set");
-  if (parameters) sweep.parameters = ParametersOf(*parameters);
-  sweep.variants = variants ? VariantsOf(*variants) : std::vector<SweepVariant>(1);
+  const ConfigNode *const set = root.Find("set"), *const parameters = root.Find("parameters"),
+                          *const variants = root.Find("variants");
+  if (set != nullptr) sweep.set = OverridesOf(*set, "set");
+  if (parameters != nullptr) sweep.parameters = ParametersOf(*parameters);
+  sweep.variants = variants != nullptr ? VariantsOf(*variants) : std::vector<SweepVariant>(1);
+  RefuseGivenTwice(sweep, set, variants);
   if (const ConfigNode* const stop = root.Find("stop_when")) CheckStopWhen(sweep, stop->origin);
   return sweep;
 }

@@ -15,7 +15,7 @@ namespace touchdown::scenarios {
 
 /// Values of a scenario key, each flown: crossed with those of other keys they make the sweep's grid.
 struct ListedValues {
-  std::vector<std::string> yaml = {};
+  std::vector<std::string> yaml = {};  ///< Numbers in their shortest form.
 };
 
 /// A number that is drawn for each seed, uniformly in [min, max).
@@ -51,6 +51,7 @@ struct SweepParameter {
 /// A setting that is flown beside others on the same seeds and values.
 struct SweepVariant {
   std::string name = {};
+  std::string place = {};  ///< Where it was written, for messages.
   std::vector<Override> set = {};
 };
 
@@ -98,6 +99,7 @@ struct SoughtEdge {
 
 /// What is to be flown, as a file of scenarios/sweeps tells it.
 struct SweepFile {
+  std::string place = {};  ///< The file itself, for messages.
   std::string name = {};
   std::string description = {};
   std::filesystem::path base = {};  ///< The scenario.
@@ -110,6 +112,9 @@ struct SweepFile {
   std::optional<StopWhen> stop_when = {};
   std::optional<SoughtEdge> sought = {};  ///< Of no file: see FindBoundary.
 };
+
+/// The number that a value is; nullopt for one that is none.
+std::optional<double> AsNumber(const std::string& yaml);
 
 /// Throws InputError, naming file, line and key, for anything that is not as docs/sweeps.md has it. That the keys of
 /// `parameters` are a scenario's is seen when the flights are planned (PlanSweep).

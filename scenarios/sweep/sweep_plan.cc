@@ -70,7 +70,9 @@ PlannedFlight Planned(const SweepFile& file, const SweepVariant& variant, std::u
   overrides.insert(overrides.end(), variant.set.begin(), variant.set.end());
   for (std::size_t i = 0; i < values.size(); ++i) {
     const SweepParameter& parameter = file.parameters[i];
-    overrides.emplace_back(fmt::format("{}={}", parameter.key, values[i]), parameter.place, parameter.folder);
+    const bool is_drawn = !std::holds_alternative<ListedValues>(parameter.values);
+    const std::string place = is_drawn ? fmt::format("{} (drawn for seed {})", parameter.place, seed) : parameter.place;
+    overrides.emplace_back(fmt::format("{}={}", parameter.key, values[i]), place, parameter.folder);
   }
   overrides.emplace_back(fmt::format("seed={}", seed));
   const Scenario scenario = LoadScenario(file.base, overrides);
@@ -91,7 +93,7 @@ void RefuseTooMany(const SweepFile& file) {
     }
   }
   if (flights > kMost)
-    throw InputError(fmt::format("sweep {}: plans {:.6g} flights, more than {:.0f}", file.name, flights, kMost));
+    throw InputError(fmt::format("{}: plans {:.6g} flights, more than {:.0f}", file.place, flights, kMost));
 }
 
 std::string Words(const SweepPlan& plan, const PlannedFlight& flight) {
@@ -101,14 +103,26 @@ std::string Words(const SweepPlan& plan, const PlannedFlight& flight) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
+/// Where that was written by which two flights of a seed differ.
+std::string PlaceOfDifference(const SweepFile& file, const PlannedFlight& a, const PlannedFlight& b) {
+  for (std::size_t i = 0; i < file.parameters.size(); ++i) {
+    if (a.values[i] != b.values[i]) {
+      return fmt::format("{}: parameters.{}", file.parameters[i].place, file.parameters[i].key);
+    }
+  }
+  const auto variant = std::find_if(file.variants.begin(), file.variants.end(),
+                                    [&](const SweepVariant& each) { return each.name == b.variant; });
+  return variant->place + ": variants";
+}
+
 /// Values that are written differently and mean the same, and variants that do not differ.
 void RefuseTheSameTwice(const SweepFile& file, const SweepPlan& plan) {
   std::map<std::string, const PlannedFlight*> by_id;
   for (const PlannedFlight& flight : plan.flights) {
     const auto [at, is_new] = by_id.emplace(flight.id, &flight);
     if (is_new) continue;
-    throw InputError(fmt::format("sweep {}: ({}) and ({}) are the same flight", file.name, Words(plan, *at->second),
-                                 Words(plan, flight)));
+    throw InputError(fmt::format("{}: ({}) and ({}) are the same flight", PlaceOfDifference(file, *at->second, flight),
+                                 Words(plan, *at->second), Words(plan, flight)));
   }
 }
 

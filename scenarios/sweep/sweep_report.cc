@@ -20,6 +20,17 @@ constexpr int kMostPictures = 50;
 
 data Flag(bool on) { return on ? data::type::bool_true : data::type::bool_false; }
 
+/// The boundary that was sought: of flights that gather around it the share that passed says nothing.
+template <typename Put>
+void PutEdge(const PassEdgeOf& each, const Put& put) {
+  if (!each.edge) {
+    put("No boundary found", "all alike", "");
+    return;
+  }
+  put("Boundary", fmt::format("{:.4g}", each.edge->value), "");
+  put("95 % interval", fmt::format("{:.4g}–{:.4g}", each.edge->low, each.edge->high), "");
+}
+
 data Glance(const SweepOutcome& sweep, const SweepSummary& summary) {
   data items{data::type::list};
   const auto put = [&items](const char* label, const std::string& value, const char* unit) {
@@ -29,7 +40,9 @@ data Glance(const SweepOutcome& sweep, const SweepSummary& summary) {
     item.set("unit", unit);
     items << item;
   };
-  if (summary.all.flown > 0) {
+  if (sweep.terms.sought) {
+    for (const PassEdgeOf& each : summary.edges) PutEdge(each, put);
+  } else if (summary.all.flown > 0) {
     put("Passed", RateText(summary.all), "%");
     put(sweep.terms.stop_when ? "95 % interval (Wilson), not corrected for the early stop" : "95 % interval (Wilson)",
         RateInterval(summary.all), "%");
@@ -38,6 +51,7 @@ data Glance(const SweepOutcome& sweep, const SweepSummary& summary) {
   put("Flights that did not", std::to_string(summary.all.flown - summary.all.passed), "");
   put("Flown", std::to_string(summary.all.flown), "");
   put("Planned", std::to_string(sweep.planned), "");
+  if (sweep.whole > sweep.planned) put("In the whole sweep, of which this is a part", std::to_string(sweep.whole), "");
   if (sweep.stale > 0) put("Flown by another build, not counted", std::to_string(sweep.stale), "");
   return items;
 }
@@ -120,8 +134,7 @@ void PutSections(const std::vector<ReportSection>& sections, data& page) {
 
 }  // namespace
 
-std::string SweepPage(const SweepOutcome& sweep, const fs::path& folder) {
-  const SweepSummary summary = Summarize(sweep);
+std::string SweepPage(const SweepOutcome& sweep, const SweepSummary& summary, const fs::path& folder) {
   data page;
   page.set("mark", kSweepPageMark);
   page.set("style", std::string(PageStyle()));
@@ -129,10 +142,10 @@ std::string SweepPage(const SweepOutcome& sweep, const fs::path& folder) {
   page.set("description", sweep.terms.description);
   page.set("has_criteria", Flag(!summary.criteria.empty() && summary.is_whole));
   page.set("kept", Flag(summary.keeps_criteria()));
-  const std::size_t left = sweep.planned - std::min(sweep.planned, sweep.results.size());
+  const std::size_t left = sweep.whole - std::min(sweep.whole, sweep.results.size());
   page.set("left", std::to_string(left));
   page.set("is_partial", Flag(left > 0));
-  page.set("planned", std::to_string(sweep.planned));
+  page.set("whole", std::to_string(sweep.whole));
   page.set("glance", Glance(sweep, summary));
   PutSections(SweepSections(sweep, summary), page);
   PutFailures(sweep, folder, page);

@@ -35,7 +35,10 @@ ReportSection CriteriaSection(const SweepSummary& summary) {
                     .head = {"Criterion", "Value", "95 % interval", "Unit", "Limit", "Kept"}};
   for (const auto& [check, interval] : summary.criteria) {
     table.rows.push_back({check.name, ValueText(check), interval ? IntervalText(*interval) : "", check.unit,
-                          WithSigns(check.limit), check.pass ? "✓ yes" : "✗ no"});
+                          WithSigns(check.limit),
+                          !summary.is_whole ? "not yet judged"
+                          : check.pass      ? "✓ yes"
+                                            : "✗ no"});
   }
   ReportSection section{.id = "criteria", .title = "Criteria"};
   section.tables.push_back(std::move(table));
@@ -44,11 +47,13 @@ ReportSection CriteriaSection(const SweepSummary& summary) {
 
 ReportTable PassRateTable(const SweepSummary& summary) {
   ReportTable table{.name = "pass_rates",
-                    .caption = "Of the flights that share a value. Intervals hold the true rate with 95 % confidence.",
-                    .head = {"Parameter", "Value", "Passed, %", "Interval, %", "Passed", "Flown"}};
+                    .caption =
+                        "Of the flights that share a value. Intervals hold the true rate with 95 % confidence; all "
+                        "flights of a seed count as one for them.",
+                    .head = {"Parameter", "Value", "Passed, %", "Interval, %", "Passed", "Flown", "Seeds"}};
   const auto add = [&table](const std::string& key, const std::string& value, const PassCount& count) {
-    table.rows.push_back(
-        {key, value, RateText(count), RateInterval(count), std::to_string(count.passed), std::to_string(count.flown)});
+    table.rows.push_back({key, value, RateText(count), RateInterval(count), std::to_string(count.passed),
+                          std::to_string(count.flown), std::to_string(count.seeds.size())});
   };
   add("all", "", summary.all);
   for (const PassCountOf& each : summary.by_value) add(each.key, each.value, each.count);
@@ -69,8 +74,9 @@ ReportTable EdgesTable(const SweepSummary& summary) {
                         "logistic curve.",
                     .head = {"Parameter", "Variant", "Pass rate, %", "Edge", "Interval"}};
   for (const PassEdgeOf& each : summary.edges) {
-    table.rows.push_back({each.key, each.variant, Short(kPercent * each.pass_rate), Short(each.edge.value),
-                          IntervalText(each.edge) + (each.may_lie_beyond ? ", or beyond" : "")});
+    table.rows.push_back({each.key, each.variant, Short(kPercent * each.pass_rate),
+                          each.edge ? Short(each.edge->value) : "none found",
+                          each.edge ? IntervalText(*each.edge) + (each.may_lie_beyond ? ", or beyond" : "") : ""});
   }
   return table;
 }
@@ -81,10 +87,7 @@ void AddFigureOver(std::size_t axis, const SweepOutcome& sweep, const SweepSumma
   if (over.listed.empty()) {
     section.figures.push_back(DrawnValuesFigure(sweep, axis, edges));
   } else if (IsNumeric(over)) {
-    std::vector<PassCountOf> counts;
-    std::copy_if(summary.by_value.begin(), summary.by_value.end(), std::back_inserter(counts),
-                 [&](const PassCountOf& each) { return each.key == over.key; });
-    section.figures.push_back(PassRateFigure(over.key, counts, edges));
+    section.figures.push_back(PassRateFigure(sweep, axis, edges));
   }
 }
 
@@ -95,7 +98,9 @@ void AddPassRateFigures(const SweepOutcome& sweep, const SweepSummary& summary, 
   for (std::size_t axis = 0; axis < std::min(axes, kMostOne); ++axis) AddFigureOver(axis, sweep, summary, section);
   for (std::size_t x = 0; x < std::min(axes, kMostInPairs); ++x) {
     for (std::size_t y = x + 1; y < std::min(axes, kMostInPairs); ++y) {
-      section.figures.push_back(HeatMapFigure(sweep, x, y));
+      for (const std::string& variant : sweep.terms.flown_variants()) {
+        section.figures.push_back(HeatMapFigure(sweep, x, y, variant));
+      }
     }
   }
 }
@@ -149,11 +154,12 @@ ReportTable VariantTable(const StoredResults& stored, const std::string& a, cons
   ReportTable table{.name = "variants",
                     .caption =
                         "The second variant less the first, over the flights that share seed and values, with "
-                        "95 % intervals; last the smallest change that so many pairs show with 80 % chance.",
-                    .head = {"Metric", "Unit", "Pairs", a, b, "Difference", "Interval", "Resolvable"}};
+                        "95 % intervals, for which all pairs of a seed count as one; last the smallest change that so "
+                        "many seeds show with 80 % chance.",
+                    .head = {"Metric", "Unit", "Pairs", "Seeds", a, b, "Difference", "Interval", "Resolvable"}};
   for (const PairedDifference& each : Compare(OfVariant(stored, a), OfVariant(stored, b), {}).differences) {
-    table.rows.push_back({each.name, each.unit, std::to_string(each.pairs), Short(each.a), Short(each.b),
-                          fmt::format("{:+.4g}", each.difference.value),
+    table.rows.push_back({each.name, each.unit, std::to_string(each.pairs), std::to_string(each.seeds), Short(each.a),
+                          Short(each.b), fmt::format("{:+.4g}", each.difference.value),
                           fmt::format("{:+.4g} … {:+.4g}", each.difference.low, each.difference.high),
                           Short(each.resolvable)});
   }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "models/error.h"
+#include "scenarios/sweep/parameter_json.h"
 
 namespace touchdown::scenarios {
 namespace {
@@ -108,7 +109,7 @@ struct SweepStore::Impl {
   static std::vector<std::string> ValuesIn(const SQLite::Statement& query, const std::vector<std::string>& keys) {
     const Json parameters = Json::parse(query.getColumn("parameters").getString());
     std::vector<std::string> values;
-    for (const std::string& key : keys) values.push_back(parameters.at(key).get<std::string>());
+    for (const std::string& key : keys) values.push_back(ParameterFrom(parameters.at(key)));
     return values;
   }
 
@@ -190,7 +191,7 @@ void SweepStore::SetPlan(const SweepTerms& terms, const SweepPlan& plan, const s
     SQLite::Statement put(db, "INSERT INTO plan VALUES (?, ?, ?, ?, ?)");
     for (const PlannedFlight& flight : plan.flights) {
       Json parameters = Json::object();
-      for (std::size_t i = 0; i < plan.keys.size(); ++i) parameters[plan.keys[i]] = flight.values[i];
+      for (std::size_t i = 0; i < plan.keys.size(); ++i) parameters[plan.keys[i]] = ParameterJson(flight.values[i]);
       put.bind(1, flight.position);
       put.bind(2, flight.id);
       put.bind(3, static_cast<std::int64_t>(flight.seed));

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
 
+#include "scenarios/report/text.h"
 #include "scenarios/sweep/sequential_test.h"
 
 namespace touchdown::scenarios {
@@ -37,8 +37,13 @@ std::vector<PassCountOf> CountsByValue(const SweepTerms& terms, const std::vecto
 std::optional<Interval> FigureOf(const SweepCriterion& criterion, const std::vector<SweepResult>& results,
                                  const PassCount& all) {
   if (!criterion.quantile) return all.flown > 0 ? std::optional(all.rate()) : std::nullopt;
-  const std::vector<double> values = MetricValues(results, criterion.metric);
-  return values.empty() ? std::nullopt : std::optional(QuantileInterval(values, *criterion.quantile));
+  std::vector<SweepResult> with_metric;
+  std::copy_if(results.begin(), results.end(), std::back_inserter(with_metric),
+               [&](const SweepResult& result) { return result.row.metrics.contains(criterion.metric); });
+  if (with_metric.empty()) return std::nullopt;
+  const PassCount count = CountWhere(with_metric, [](const SweepResult&) { return true; });
+  return QuantileInterval(MetricValues(with_metric, criterion.metric), *criterion.quantile,
+                          static_cast<int>(count.seeds.size()));
 }
 
 SweepCheck Judged(const SweepCriterion& criterion, const std::vector<SweepResult>& results, const PassCount& all) {
@@ -51,6 +56,9 @@ SweepCheck Judged(const SweepCriterion& criterion, const std::vector<SweepResult
   if (by_interval) check.limit += ", by its interval";
   const std::optional<Interval> figure = FigureOf(criterion, results, all);
   if (figure) {
+    const bool is_open = (criterion.min && std::isinf(figure->low)) || (criterion.max && std::isinf(figure->high));
+    if (by_interval && is_open)
+      check.limit += fmt::format(", which takes {} seeds", FewestForQuantile(*criterion.quantile));
     check.value = figure->value;
     check.pass = (!criterion.min || (by_interval ? figure->low : figure->value) >= *criterion.min) &&
                  (!criterion.max || (by_interval ? figure->high : figure->value) <= *criterion.max);
@@ -76,19 +84,30 @@ std::vector<PassTrial> TrialsOver(std::size_t axis, const std::vector<SweepResul
                                   const std::string& variant) {
   std::vector<PassTrial> trials;
   for (const SweepResult& result : results) {
-    if (result.variant == variant) trials.push_back({*AsNumber(result.values[axis]), result.row.passed()});
+    if (result.variant != variant) continue;
+    trials.push_back({*AsNumber(result.values[axis]), result.seed, result.row.passed()});
   }
   return trials;
 }
 
+std::map<double, PassCount> CountsOf(const std::vector<PassTrial>& trials) {
+  std::map<double, PassCount> counts;
+  for (const PassTrial& trial : trials) counts[trial.value].Take(trial.seed, trial.passed);
+  return counts;
+}
+
+Interval PosteriorEdge(PassEdge posterior, const std::map<double, PassCount>& counts) {
+  for (const auto& [value, count] : counts) posterior.Take(value, count.passed, count.flown - count.passed);
+  return posterior.edge();
+}
+
 PassEdgeOf EdgeOfSought(const SoughtEdge& sought, std::size_t axis, const std::vector<SweepResult>& results) {
-  PassEdge posterior(sought.min, sought.max, sought.pass_rate);
-  for (const PassTrial& trial : TrialsOver(axis, results, "")) posterior.Take(trial);
-  const Interval edge = posterior.edge();
-  return {.key = sought.key,
-          .pass_rate = sought.pass_rate,
-          .edge = edge,
-          .may_lie_beyond = edge.low == sought.min || edge.high == sought.max};
+  PassEdgeOf found{.key = sought.key, .pass_rate = sought.pass_rate};
+  const PassCount all = CountWhere(results, [](const SweepResult&) { return true; });
+  if (all.passed == 0 || all.passed == all.flown) return found;
+  found.edge = PosteriorEdge({sought.min, sought.max, sought.pass_rate}, CountsOf(TrialsOver(axis, results, "")));
+  found.may_lie_beyond = found.edge->low == sought.min || found.edge->high == sought.max;
+  return found;
 }
 
 std::vector<PassEdgeOf> EdgesOf(const SweepTerms& terms, const std::vector<SweepResult>& results) {
@@ -97,7 +116,7 @@ std::vector<PassEdgeOf> EdgesOf(const SweepTerms& terms, const std::vector<Sweep
     const std::string& key = terms.axes[axis].key;
     if (terms.sought && terms.sought->key == key) edges.push_back(EdgeOfSought(*terms.sought, axis, results));
     if (terms.sought || !IsNumeric(terms.axes[axis])) continue;
-    for (const std::string& variant : terms.variants.empty() ? std::vector<std::string>{""} : terms.variants) {
+    for (const std::string& variant : terms.flown_variants()) {
       const auto edge = EdgeOver(TrialsOver(axis, results, variant));
       if (edge) edges.push_back({.variant = variant, .key = key, .pass_rate = kGridEdgePassRate, .edge = *edge});
     }
@@ -127,13 +146,12 @@ bool SweepSummary::keeps_criteria() const {
   return std::all_of(criteria.begin(), criteria.end(), [](const SweepCheck& each) { return each.check.pass; });
 }
 
+bool SweepSummary::finds_edge() const {
+  return std::any_of(edges.begin(), edges.end(), [](const PassEdgeOf& each) { return each.edge.has_value(); });
+}
+
 std::optional<Interval> EdgeOver(const std::vector<PassTrial>& trials) {
-  std::map<double, PassCount> counts;
-  for (const PassTrial& trial : trials) {
-    PassCount& count = counts[trial.value];
-    ++count.flown;
-    count.passed += trial.passed ? 1 : 0;
-  }
+  const std::map<double, PassCount> counts = CountsOf(trials);
   ValueRange passing, failing;
   for (const auto& [value, count] : counts) {
     if (count.rate().low > kGridEdgePassRate) passing.Take(value);
@@ -141,9 +159,7 @@ std::optional<Interval> EdgeOver(const std::vector<PassTrial>& trials) {
   }
   const bool are_both = passing.least <= passing.largest && failing.least <= failing.largest;
   if (!are_both || (passing.largest > failing.least && failing.largest > passing.least)) return std::nullopt;
-  PassEdge posterior(counts.begin()->first, counts.rbegin()->first, kGridEdgePassRate);
-  for (const PassTrial& trial : trials) posterior.Take(trial);
-  return posterior.edge();
+  return PosteriorEdge({counts.begin()->first, counts.rbegin()->first, kGridEdgePassRate}, counts);
 }
 
 bool IsNumeric(const SweepAxis& axis) {
@@ -151,11 +167,18 @@ bool IsNumeric(const SweepAxis& axis) {
          std::all_of(axis.listed.begin(), axis.listed.end(), [](const std::string& v) { return AsNumber(v); });
 }
 
-std::optional<double> AsNumber(const std::string& yaml) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(yaml.data(), yaml.data() + yaml.size(), value);
-  const bool is_number = error == std::errc() && end == yaml.data() + yaml.size() && std::isfinite(value);
-  return is_number ? std::optional(value) : std::nullopt;
+int CountEnds(const std::vector<SweepResult>& results, RowEnd end) {
+  return static_cast<int>(std::count_if(results.begin(), results.end(),
+                                        [end](const SweepResult& result) { return result.row.end == end; }));
+}
+
+std::string LostProcesses(const std::vector<SweepResult>& results) {
+  std::vector<std::string> words;
+  for (const RowEnd end : {RowEnd::kCrashed, RowEnd::kHung, RowEnd::kOutOfMemory}) {
+    const int count = CountEnds(results, end);
+    if (count > 0) words.push_back(fmt::format("{} {}", count, Words(std::string(Name(end)))));
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 std::vector<double> MetricValues(const std::vector<SweepResult>& results, const std::string& metric) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -10,12 +11,20 @@
 
 namespace touchdown::scenarios {
 
-/// How many of some flights passed, with the Wilson interval of the share.
+/// How many of some flights passed.
 struct PassCount {
   int flown = 0;
   int passed = 0;
+  std::set<std::uint64_t> seeds = {};
 
-  Interval rate() const { return ShareInterval(passed, flown); }  ///< Of at least one flight.
+  void Take(std::uint64_t seed, bool has_passed) {
+    ++flown;
+    passed += has_passed ? 1 : 0;
+    seeds.insert(seed);
+  }
+  /// The share with its Wilson interval, of at least one flight. The flights of one seed, over the same floor in the
+  /// same light, count as a single one.
+  Interval rate() const { return ShareInterval(passed, flown, static_cast<int>(seeds.size())); }
 };
 
 /// The flights that share a value of a parameter, or a variant.
@@ -51,8 +60,15 @@ struct PassEdgeOf {
   std::string variant = {};  ///< Empty without variants.
   std::string key = {};
   double pass_rate = 0.5;
-  Interval edge = {};
-  bool may_lie_beyond = false;  ///< The flown values.
+  std::optional<Interval> edge = {};  ///< nullopt for one that was sought where all flights pass, or all fail.
+  bool may_lie_beyond = false;        ///< The flown values.
+};
+
+/// A flight at some value of a parameter, and whether it passed.
+struct PassTrial {
+  double value = 0.0;
+  std::uint64_t seed = 0;
+  bool passed = false;
 };
 
 struct SweepSummary {
@@ -63,6 +79,7 @@ struct SweepSummary {
   bool is_whole = false;                   ///< Every flight of the whole sweep is flown.
 
   bool keeps_criteria() const;  ///< What is said of a sweep that is not whole is said of what is flown.
+  bool finds_edge() const;      ///< Of a sweep that sought one.
 };
 
 /// The edge between values that flights pass at and values that they fail at, of a grid: nullopt unless the rates of
@@ -73,9 +90,6 @@ std::optional<Interval> EdgeOver(const std::vector<PassTrial>& trials);
 /// A criterion on a metric that no flight has is not kept.
 SweepSummary Summarize(const SweepOutcome& sweep);
 
-/// The number that a value is; nullopt for one that is none.
-std::optional<double> AsNumber(const std::string& yaml);
-
 /// With at least two listed values, all of them numbers.
 bool IsNumeric(const SweepAxis& axis);
 
@@ -84,12 +98,15 @@ template <typename Belongs>
 PassCount CountWhere(const std::vector<SweepResult>& results, const Belongs& belongs) {
   PassCount count;
   for (const SweepResult& result : results) {
-    if (!belongs(result)) continue;
-    ++count.flown;
-    count.passed += result.row.passed() ? 1 : 0;
+    if (belongs(result)) count.Take(result.seed, result.row.passed());
   }
   return count;
 }
+
+/// How many flights' processes ended so.
+int CountEnds(const std::vector<SweepResult>& results, RowEnd end);
+/// How many crashed, hung or ran out of memory, as in "2 crashed, 1 hung"; empty when none did.
+std::string LostProcesses(const std::vector<SweepResult>& results);
 
 /// Of the flights that have it.
 std::vector<double> MetricValues(const std::vector<SweepResult>& results, const std::string& metric);

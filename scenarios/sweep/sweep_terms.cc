@@ -50,6 +50,10 @@ std::vector<std::string> SweepTerms::keys() const {
   return keys;
 }
 
+std::vector<std::string> SweepTerms::flown_variants() const {
+  return variants.empty() ? std::vector<std::string>{""} : variants;
+}
+
 SweepTerms TermsOf(const SweepFile& file) {
   SweepTerms terms{.name = file.name,
                    .description = file.description,

@@ -24,6 +24,8 @@ struct SweepTerms {
   std::optional<SoughtEdge> sought = {};
 
   std::vector<std::string> keys() const;
+  /// One of no name without variants.
+  std::vector<std::string> flown_variants() const;
 };
 
 SweepTerms TermsOf(const SweepFile& file);

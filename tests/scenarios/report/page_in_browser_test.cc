@@ -86,7 +86,7 @@ TEST_F(PageInABrowser, ShowsEveryFigureOfThePaperWholeInAnyWindow) {
 }
 
 TEST_F(PageInABrowser, ShowsEveryFigureOfASweepWholeInAnyWindow) {
-  const fs::path page = folder_.Put("report.html", SweepPage(tests::MadeSweep(), folder_.path()));
+  const fs::path page = folder_.Put("report.html", SweepPage(tests::MadeSweep(), Summarize(tests::MadeSweep()), folder_.path()));
   // A pass rate over each of three parameters and each two of them, the touchdowns, and a histogram.
   Node("section_page_in_browser.mjs", {page.string(), "8"});
 }

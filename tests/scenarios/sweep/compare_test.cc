@@ -100,6 +100,7 @@ TEST(Compare, PairsFlightsBySeedVariantAndParametersAlone) {
   b.results[0].values = {"4"};
   EXPECT_THROW(Compare(a, b, {}), InputError);
   EXPECT_THROW(Compare(a, a, {{"flight.speed", 1.0}}), InputError);
+  EXPECT_THROW(Compare(a, a, {{"pass_rate", 2.0}}), InputError);
 }
 
 TEST(Compare, ResolvesAChangeOfThePassRateWithEightyPercentChance) {
@@ -119,6 +120,33 @@ TEST(Compare, ResolvesAChangeOfThePassRateWithEightyPercentChance) {
   EXPECT_NEAR(shown / static_cast<double>(kTrials), 0.8, 0.06);
   a.results.resize(3);
   EXPECT_EQ(Of(Compare(a, a, {}), "pass_rate").resolvable, 1.0) << "three pairs show nothing";
+}
+
+TEST(Compare, CountsThePairsOfASeedAsOne) {
+  // The same ten seeds, flown at one value and at three: the other two add pairs and no evidence.
+  StoredResults a = Stored({}), b = Stored({}), a_grid = Stored({}), b_grid = Stored({});
+  models::RandomStream random(5, "compare_test");
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const double error_m = 0.02 + 0.001 * random.Normal(), change_m = 0.001 * random.Normal();
+    a.results.push_back(Result(seed, true, error_m));
+    b.results.push_back(Result(seed, seed >= 3, error_m + change_m));
+    for (const char* value : {"3", "4", "5"}) {
+      for (const auto& [from, to] : {std::pair(&a, &a_grid), {&b, &b_grid}}) {
+        to->results.push_back(from->results.back());
+        to->results.back().values = {value};
+      }
+    }
+  }
+  const Comparison once = Compare(a, b, {}), thrice = Compare(a_grid, b_grid, {});
+  for (const char* name : {"pass_rate", "flight.touchdown_xy_error_m"}) {
+    const PairedDifference one = Of(once, name), three = Of(thrice, name);
+    EXPECT_EQ(three.pairs, 30);
+    EXPECT_EQ(three.seeds, 10);
+    EXPECT_NEAR(three.difference.value, one.difference.value, 1e-12);
+    EXPECT_NEAR(three.difference.low, one.difference.low, 1e-12);
+    EXPECT_NEAR(three.difference.high, one.difference.high, 1e-12);
+    EXPECT_NEAR(three.resolvable, one.resolvable, 1e-12);
+  }
 }
 
 TEST(Compare, DoesNotPassAGateThatJudgedNothing) {

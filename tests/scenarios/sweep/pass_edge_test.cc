@@ -19,8 +19,8 @@ PassEdge AfterGrid(double level, double width, int each, std::uint64_t seed) {
   PassEdge edge(0.0, 12.0, level);
   for (int value = 0; value <= 12; value += 2) {
     for (int i = 0; i < each; ++i) {
-      const double at = value;
-      edge.Take({at, random.Chance(PassRate(at, width))});
+      const bool passed = random.Chance(PassRate(value, width));
+      edge.Take(value, passed ? 1 : 0, passed ? 0 : 1);
     }
   }
   return edge;
@@ -54,18 +54,18 @@ TEST(PassEdge, NarrowsWithEveryFlightNearIt) {
 
 TEST(PassEdge, FindsAnEdgeFromFailureToSuccessToo) {
   PassEdge edge(0.0, 12.0, 0.5);
-  for (int i = 0; i < 120; ++i) edge.Take({0.1 * i, 0.1 * i > 4.0});
+  for (int i = 0; i < 120; ++i) edge.Take(0.1 * i, 0.1 * i > 4.0 ? 1 : 0, 0.1 * i > 4.0 ? 0 : 1);
   EXPECT_NEAR(edge.edge().value, 4.0, 0.2);
   EXPECT_LT(edge.edge().high - edge.edge().low, 0.6);
 }
 
 TEST(PassEdge, SaysThatTheEdgeMayLieBeyondWhereEveryFlightPasses) {
   PassEdge edge(0.0, 12.0, 0.5);
-  for (int i = 0; i <= 24; ++i) edge.Take({0.5 * i, true});
+  for (int i = 0; i <= 24; ++i) edge.Take(0.5 * i, 1, 0);
   EXPECT_EQ(edge.edge().high, 12.0);
   for (const auto& [min, max] : {std::pair(0.2, 0.9), {0.4, 1.8}, {-2.0, -0.6}}) {
     PassEdge other(min, max, 0.5);
-    for (int i = 0; i <= 24; ++i) other.Take({std::lerp(min, max, i / 24.0), true});
+    for (int i = 0; i <= 24; ++i) other.Take(std::lerp(min, max, i / 24.0), 1, 0);
     EXPECT_EQ(other.edge().high, max) << "to the last bit";
   }
 }

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <set>
 
 #include "models/error.h"
 #include "scenarios/sweep/fly_row.h"
@@ -56,6 +57,32 @@ TEST_F(TakeInRowsTest, KeepsWhatCannotBeRead) {
   fs::create_directories(folder_ / "rows/unreadable.json");
   EXPECT_THROW(TakeIn(), InputError);
   EXPECT_THAT(RowFiles(), UnorderedElementsAre("unreadable.json"));
+}
+
+TEST(ShardOf, GivesEachPartEveryCellAndAsMany) {
+  constexpr int kSeeds = 6, kCells = 4;
+  for (const int shards : {1, 2, 3, 4, 5}) {
+    SweepPlan plan{.keys = {"cell"}, .whole = kSeeds * kCells};
+    for (int i = 0; i < kSeeds * kCells; ++i) {
+      plan.flights.push_back({.position = i,
+                              .id = std::to_string(i),
+                              .seed = static_cast<std::uint64_t>(i / kCells),
+                              .values = {std::to_string(i % kCells)}});
+    }
+    std::set<std::int64_t> dealt;
+    for (int shard = 0; shard < shards; ++shard) {
+      const SweepPlan part = ShardOf(plan, shard, shards);
+      EXPECT_EQ(part.whole, plan.whole);
+      EXPECT_NEAR(static_cast<double>(part.flights.size()), 1.0 * kSeeds * kCells / shards, 1.0 + kCells);
+      std::set<std::string> cells;
+      for (const PlannedFlight& flight : part.flights) {
+        EXPECT_TRUE(dealt.insert(flight.position).second);
+        cells.insert(flight.values.front());
+      }
+      EXPECT_EQ(cells.size(), static_cast<std::size_t>(kCells)) << shard << " of " << shards;
+    }
+    EXPECT_EQ(dealt.size(), plan.flights.size());
+  }
 }
 
 }  // namespace

@@ -145,7 +145,8 @@ TEST_F(SweepPlanTest, NamesFileLineAndKeyOfAParameterThatIsNoScenarios) {
        {std::pair("parameters:\n  camera.noise_sigm: [1]\n",
                   "s.yaml:3: camera.noise_sigm: unknown key, did you mean noise_sigma?"),
         {"parameters:\n  camera.noise_sigma: [-1]\n", "s.yaml:3: camera.noise_sigma: must be"},
-        {"parameters:\n  camera.noise_sigma: {uniform: {min: -9, max: -8}}\n", "s.yaml:3: camera.noise_sigma: must be"},
+        {"parameters:\n  camera.noise_sigma: {uniform: {min: -9, max: -8}}\n",
+         "s.yaml:3 (drawn for seed 1): camera.noise_sigma: must be"},
         {"variants:\n  - {name: a}\n  - {name: b, set: {x: 1}}\n", "s.yaml:4: x: unknown key"}}) {
     try {
       Plan(text);
@@ -178,13 +179,14 @@ TEST_F(SweepPlanTest, RefusesWhatIsTheSameFlightTwice) {
     }
     return "";
   };
-  EXPECT_THAT(error("parameters: {camera.noise_sigma: [1, 1.0]}"),
-              HasSubstr("sweep s: (camera.noise_sigma=1) and (camera.noise_sigma=1.0) are the same flight"));
-  EXPECT_THAT(error("parameters: {camera.noise_sigma: [3]}\n"
-                    "variants: [{name: a, set: {camera.noise_sigma: 1}}, {name: b, set: {camera.noise_sigma: 2}}]"),
-              HasSubstr("(variant a, camera.noise_sigma=3) and (variant b, camera.noise_sigma=3) are the same flight"));
+  EXPECT_THAT(error("parameters: {start.position_m: [[0, 0, 1], [0, 0, 1.0]]}"),
+              HasSubstr("s.yaml:2: parameters.start.position_m: (start.position_m=[0, 0, 1]) and "
+                        "(start.position_m=[0, 0, 1.0]) are the same flight"));
+  EXPECT_THAT(
+      error("parameters: {camera.noise_sigma: [4]}\nvariants: [{name: a}, {name: b}]"),
+      HasSubstr("s.yaml:3: variants: (variant a, camera.noise_sigma=4) and (variant b, camera.noise_sigma=4) are"));
   EXPECT_THAT(error("seeds: {count: 1000}\nparameters: {camera.noise_sigma: {range: {from: 0, to: 1, count: 101}}}"),
-              HasSubstr("sweep s: plans 101000 flights, more than 100000"));
+              HasSubstr("s.yaml: plans 101000 flights, more than 100000"));
 }
 
 TEST_F(SweepPlanTest, MeansFilesFromTheSweepsFolder) {

@@ -34,7 +34,7 @@ std::vector<std::string> RowOf(const ReportTable& table, const std::string& firs
 
 class SweepReportTest : public testing::Test {
  protected:
-  std::string Page() const { return SweepPage(sweep_, folder_.path()); }
+  std::string Page() const { return SweepPage(sweep_, Summarize(sweep_), folder_.path()); }
   std::vector<ReportSection> Sections() const { return SweepSections(sweep_, Summarize(sweep_)); }
   ReportTable Table(const std::string& section) const { return Section(Sections(), section).tables.at(0); }
 
@@ -43,10 +43,10 @@ class SweepReportTest : public testing::Test {
 };
 
 TEST_F(SweepReportTest, TellsRatesWithTheirIntervals) {
-  // Wilson's interval of 15 in 20: 0.5313 to 0.8881 (Newcombe 1998, method 3).
-  EXPECT_THAT(RowOf(Table("pass-rate"), "all"), ElementsAre("all", "", "75.0", "53.1–88.8", "15", "20"));
+  // Wilson's intervals of 75 and 60 % in 5 seeds.
+  EXPECT_THAT(RowOf(Table("pass-rate"), "all"), ElementsAre("all", "", "75.0", "33.6–94.7", "15", "20", "5"));
   EXPECT_THAT(RowOf(Table("pass-rate"), "camera.noise_sigma", "10"),
-              ElementsAre("camera.noise_sigma", "10", "60.0", "31.3–83.2", "6", "10"));
+              ElementsAre("camera.noise_sigma", "10", "60.0", "23.1–88.2", "6", "10", "5"));
   EXPECT_THAT(RowOf(Table("pass-rate"), "start.yaw_deg"), testing::IsEmpty()) << "drawn";
 }
 
@@ -58,10 +58,15 @@ TEST_F(SweepReportTest, TellsTheQuantilesOfWhatThereIs) {
 }
 
 TEST_F(SweepReportTest, JudgesTheCriteria) {
+  EXPECT_THAT(Table("criteria").rows[0],
+              ElementsAre("pass_rate", "0.75", "0.336–0.9468", "", "≥ 0.9", "not yet judged"))
+      << "flights are missing";
+  EXPECT_THAT(Page(), AllOf(HasSubstr("3 of 23 flights are yet to be"), Not(HasSubstr("Criteria not kept"))));
+  sweep_.planned = sweep_.whole = 20;
   const ReportTable table = Table("criteria");
-  EXPECT_THAT(table.rows[0], ElementsAre("pass_rate", "0.75", "0.5313–0.8881", "", "≥ 0.9", "✗ no"));
-  EXPECT_THAT(table.rows[1],
-              ElementsAre("flight.touchdown_xy_error_m at 0.5", "0.01", "0.005–0.015", "m", "≤ 0.05", "✓ yes"));
+  EXPECT_EQ(table.rows[0].back(), "✗ no");
+  EXPECT_THAT(table.rows[1], ElementsAre("flight.touchdown_xy_error_m at 0.5", "0.01", "?–?", "m", "≤ 0.05", "✓ yes"));
+  EXPECT_THAT(Page(), HasSubstr("Criteria not kept"));
 }
 
 TEST_F(SweepReportTest, HoldsTheFirstVariantAgainstEachOther) {
@@ -75,8 +80,9 @@ TEST_F(SweepReportTest, HoldsTheFirstVariantAgainstEachOther) {
   // Flight n touched down n mm off; the new variant's are those of even n, and the last of them has none.
   const ReportSection variants = Section(Sections(), "variants");
   ASSERT_EQ(variants.tables.size(), 1u);
-  EXPECT_THAT(RowOf(variants.tables[0], "flight.touchdown_xy_error_m"),
-              ElementsAre("flight.touchdown_xy_error_m", "m", "9", "0.009", "0.01", "+0.001", "+0.001 … +0.001", _));
+  EXPECT_THAT(
+      RowOf(variants.tables[0], "flight.touchdown_xy_error_m"),
+      ElementsAre("flight.touchdown_xy_error_m", "m", "9", "9", "0.009", "0.01", "+0.001", "+0.001 … +0.001", _));
 }
 
 TEST_F(SweepReportTest, CountsTheCausesTheMostFrequentFirst) {
@@ -87,13 +93,33 @@ TEST_F(SweepReportTest, CountsTheCausesTheMostFrequentFirst) {
 
 TEST_F(SweepReportTest, CountsEachCellOfTheHeatMap) {
   // Sorted as numbers: column 0 is the noise 2, column 1 the noise 10.
-  EXPECT_EQ(HeatMapFigure(sweep_, 0, 1).csv,
+  EXPECT_EQ(HeatMapFigure(sweep_, 0, 1, "").csv,
             "x,y,passed,flown,percent\n0,0,5,5,100.00\n1,0,5,5,100.00\n0,1,4,5,80.00\n1,1,1,5,20.00\n");
 }
 
 TEST_F(SweepReportTest, SortsTheRatesOfAParameterByNumber) {
   const ReportSection section = Section(Sections(), "pass-rate");
-  EXPECT_EQ(section.figures[0].csv, "value,percent,low,high\n2,90.00,59.58,98.21\n10,60.00,31.27,83.18\n");
+  EXPECT_EQ(section.figures[0].csv,
+            "curve,variant,place,value,percent,low,high\n0,,2,2,90.00,46.29,98.95\n0,,10,10,60.00,23.07,88.24\n");
+}
+
+TEST_F(SweepReportTest, DrawsEachVariantByItself) {
+  sweep_.terms.variants = {"old", "new"};
+  for (std::size_t i = 0; i < sweep_.results.size(); ++i) sweep_.results[i].variant = i < 12 ? "old" : "new";
+  const ReportSection section = Section(Sections(), "pass-rate");
+  EXPECT_THAT(section.figures[0].csv,
+              AllOf(HasSubstr("\n0,old,1.968,2,100.00,"), HasSubstr("\n1,new,10.032,10,50.00,")));
+  EXPECT_THAT(section.figures[0].plot, AllOf(HasSubstr("title 'old'"), HasSubstr("title 'new'")));
+  EXPECT_EQ(HeatMapFigure(sweep_, 0, 1, "new").csv,
+            "x,y,passed,flown,percent\n0,0,2,2,100.00\n1,0,2,2,100.00\n0,1,1,2,50.00\n1,1,0,2,0.00\n");
+}
+
+TEST_F(SweepReportTest, HeadsABoundaryByTheBoundary) {
+  sweep_.terms.axes[0] = {"camera.noise_sigma", {}};
+  sweep_.terms.sought = {"camera.noise_sigma", 2.0, 10.0, 0.5};
+  EXPECT_THAT(Page(), AllOf(HasSubstr("<dt>Boundary</dt>"), Not(HasSubstr("95 % interval (Wilson)</dt>"))));
+  for (SweepResult& result : sweep_.results) result.row.verdict = "pass";
+  EXPECT_THAT(Page(), HasSubstr("<dt>No boundary found</dt>"));
 }
 
 TEST_F(SweepReportTest, CountsEveryFlightOfAHistogramOnce) {
@@ -144,7 +170,7 @@ TEST_F(SweepReportTest, IsOneSafePage) {
   EXPECT_THAT(page, StartsWith("<!doctype html>"));
   EXPECT_THAT(page, AllOf(HasSubstr(kSweepPageMark), HasSubstr("night &lt;1&gt;"), HasSubstr("Of &amp; for people.")));
   EXPECT_THAT(page, Not(HasSubstr("night <1>")));
-  EXPECT_THAT(page, HasSubstr("Not done: 3 of 23 flights are yet to be flown."));
+  EXPECT_THAT(page, HasSubstr("Not done: 3 of 23 flights are yet to be flown or collected."));
   EXPECT_THAT(page, Not(HasSubstr("Criteria not kept"))) << "not yet";
   sweep_.planned = sweep_.whole = sweep_.results.size();
   EXPECT_THAT(Page(), AllOf(HasSubstr("Criteria not kept"), Not(HasSubstr("Not done"))));
@@ -171,10 +197,10 @@ TEST(SweepFigures, PutDrawnValuesIntoFiveRangesOfAHeatMap) {
   }
   // 0 and 1, 2 and 3 and so on; the last range holds 8, 9 and 10.
   EXPECT_EQ(
-      HeatMapFigure(sweep, 0, 1).csv,
+      HeatMapFigure(sweep, 0, 1, "").csv,
       "x,y,passed,flown,percent\n0,1,2,2,100.00\n1,1,2,2,100.00\n2,1,2,2,100.00\n3,1,2,2,100.00\n4,1,2,3,66.67\n");
   for (SweepResult& result : sweep.results) result.values[0] = "1";
-  EXPECT_THAT(HeatMapFigure(sweep, 0, 1).csv, HasSubstr("\n0,1,10,11,")) << "no range at all";
+  EXPECT_THAT(HeatMapFigure(sweep, 0, 1, "").csv, HasSubstr("\n0,1,10,11,")) << "no range at all";
 }
 
 TEST(SweepFigures, GroupManyDrawnValues) {

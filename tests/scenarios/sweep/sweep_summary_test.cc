@@ -10,14 +10,15 @@ namespace {
 
 /// So many flights at a value, the first of which pass.
 void Add(std::vector<PassTrial>& trials, double value, int passed, int flown) {
-  for (int i = 0; i < flown; ++i) trials.push_back({value, i < passed});
+  for (int i = 0; i < flown; ++i) trials.push_back({value, static_cast<std::uint64_t>(i), i < passed});
 }
 
 /// So many flights, each with a touchdown error of its number in millimetres.
 SweepOutcome Landings(int passed, int flown, std::vector<SweepCriterion> criteria) {
   SweepOutcome sweep{.terms = {.criteria = std::move(criteria)}, .planned = static_cast<std::size_t>(flown)};
   for (int i = 0; i < flown; ++i) {
-    sweep.results.push_back({.row = {.verdict = i < passed ? "pass" : "fail",
+    sweep.results.push_back({.seed = static_cast<std::uint64_t>(i),
+                             .row = {.verdict = i < passed ? "pass" : "fail",
                                      .metrics = {{"flight.touchdown_xy_error_m", (i + 1) / 1000.0}}}});
   }
   return sweep;
@@ -84,6 +85,7 @@ TEST(SweepSummary, JudgesAQuantileByTheOrderStatisticsAroundIt) {
   const SweepCheck upper = Judged(10, 10, {.metric = metric, .quantile = 0.95, .max = 1e9, .by = JudgedBy::kInterval});
   EXPECT_FALSE(upper.check.pass);
   EXPECT_TRUE(std::isinf(upper.interval->high));
+  EXPECT_EQ(upper.check.limit, "<= 1000000000, by its interval, which takes 72 seeds");
 }
 
 TEST(SweepSummary, DoesNotKeepACriterionOnWhatNoFlightHas) {
@@ -114,9 +116,9 @@ TEST(SweepSummary, TellsTheEdgeOfEachVariantOverEachListedNumber) {
   for (const char* variant : {"sturdy", "weak"}) {
     for (const char* noise : {"0", "10"}) {
       const bool fails = variant == std::string("weak") && noise == std::string("10");
-      for (int i = 0; i < 8; ++i) {
+      for (std::uint64_t i = 0; i < 8; ++i) {
         sweep.results.push_back(
-            {.variant = variant, .values = {noise, "1.5"}, .row = {.verdict = fails ? "fail" : "pass"}});
+            {.seed = i, .variant = variant, .values = {noise, "1.5"}, .row = {.verdict = fails ? "fail" : "pass"}});
       }
     }
   }
@@ -128,13 +130,48 @@ TEST(SweepSummary, TellsTheEdgeOfEachVariantOverEachListedNumber) {
 }
 
 TEST(SweepSummary, TellsTheEdgeThatWasSoughtAlsoWhereItMayLieBeyond) {
-  SweepOutcome sweep{.terms = {.axes = {{"wind", {}}}, .sought = SoughtEdge{"wind", 0.0, 10.0, 0.9}}};
-  for (int i = 0; i < 12; ++i) {
-    sweep.results.push_back({.values = {std::to_string(i % 11)}, .row = {.verdict = "pass"}});
+  SweepOutcome sweep{.terms = {.axes = {{"wind", {}}}, .sought = SoughtEdge{"wind", 0.0, 10.0, 0.6}}};
+  for (std::uint64_t i = 0; i < 12; ++i) {
+    sweep.results.push_back({.seed = i, .values = {std::to_string(i % 11)}, .row = {.verdict = "pass"}});
   }
+  EXPECT_EQ(Summarize(sweep).edges.at(0).edge, std::nullopt) << "all pass: nothing tells of an edge";
+  EXPECT_FALSE(Summarize(sweep).finds_edge());
+  sweep.results[5].row.verdict = "fail";
   const PassEdgeOf edge = Summarize(sweep).edges.at(0);
-  EXPECT_EQ(edge.pass_rate, 0.9);
+  EXPECT_EQ(edge.pass_rate, 0.6);
+  EXPECT_TRUE(edge.edge);
   EXPECT_TRUE(edge.may_lie_beyond);
+  for (SweepResult& result : sweep.results) result.row.verdict = "fail";
+  EXPECT_FALSE(Summarize(sweep).finds_edge());
+}
+
+TEST(SweepSummary, CountsTheFlightsOfASeedAsOneForItsIntervals) {
+  SweepOutcome sweep{.terms = {.axes = {{"camera.noise_sigma", {"0", "10"}}},
+                               .criteria = {{.metric = "flight.touchdown_xy_error_m", .quantile = 0.5, .max = 1.0}}}};
+  for (const char* noise : {"0", "10"}) {
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+      sweep.results.push_back(
+          {.seed = seed,
+           .values = {noise},
+           .row = {.verdict = "pass",
+                   .metrics = {{"flight.touchdown_xy_error_m", static_cast<double>(seed + 1) / 1000.0}}}});
+    }
+  }
+  const SweepSummary summary = Summarize(sweep);
+  EXPECT_EQ(summary.all.flown, 20);
+  EXPECT_EQ(summary.all.rate().low, ShareInterval(10, 10).low);
+  EXPECT_EQ(summary.by_value.at(0).count.rate().low, ShareInterval(10, 10).low);
+  EXPECT_DOUBLE_EQ(summary.criteria.at(0).interval->low, 0.002);
+  EXPECT_DOUBLE_EQ(summary.criteria.at(0).interval->high, 0.009);
+}
+
+TEST(SweepSummary, TellsHowManyProcessesWereLost) {
+  SweepOutcome sweep = Landings(3, 5, {});
+  for (SweepResult& result : sweep.results) result.row.end = RowEnd::kFlown;
+  EXPECT_EQ(LostProcesses(sweep.results), "");
+  sweep.results[3].row.end = RowEnd::kHung;
+  sweep.results[4].row.end = RowEnd::kOutOfMemory;
+  EXPECT_EQ(LostProcesses(sweep.results), "1 hung, 1 out of memory");
 }
 
 }  // namespace
