@@ -173,7 +173,7 @@ Figure HeatMapFigure(const SweepOutcome& sweep, std::size_t axis_x, std::size_t 
   const auto &columns = across.cells, &rows = up.cells;
   Figure figure{.name = NameOf("heat_map_" + x.key, y.key) + (variant.empty() ? "" : NameOf("", variant)),
                 .title = fmt::format("{} and {}{}", x.key, y.key, variant.empty() ? "" : ", " + variant),
-                .caption = "Share of flights that passed; in each cell how many of how many.",
+                .caption = "Share of flights that passed; in each cell how many of how many. Grey: none flown.",
                 .csv = "x,y,passed,flown,percent\n"};
   for (std::size_t row = 0; row < rows.size(); ++row) {
     for (std::size_t column = 0; column < columns.size(); ++column) {
@@ -192,6 +192,8 @@ Figure HeatMapFigure(const SweepOutcome& sweep, std::size_t axis_x, std::size_t 
           "[-0.5:{}]\nset yrange [-0.5:{}]\n",
           fmt::join(across.tics, ", "), fmt::join(up.tics, ", "), Quoted(x.key), Quoted(y.key),
           static_cast<double>(columns.size()) - 0.5, static_cast<double>(rows.size()) - 0.5) +
+      "set object rectangle from graph 0,graph 0 to graph 1,graph 1 behind fillcolor rgb GRID fillstyle solid "
+      "noborder\n"
       "unset key\nunset grid\nset cbrange [0:100]\nset cblabel 'passed, %' textcolor rgb INK\n"
       "set palette defined (0 '#f0a878', 50 '#f4f1ec', 100 '#86bfe8')\nset style fill solid 1.0\n"
       "plot data using 'x':'y':(column('x')-0.49):(column('x')+0.49):(column('y')-0.49):(column('y')+0.49):'percent' "
@@ -228,10 +230,11 @@ Figure DrawnValuesFigure(const SweepOutcome& sweep, std::size_t axis, const std:
       (points.empty() ? "set xrange [0:1]\n" : RangeAround("xrange", points.front().value, points.back().value)) +
       EdgeCommands(sweep.terms, edges) +
       fmt::format(
-          "set xlabel {} noenhanced\nset ylabel 'passed, %'\nset yrange [-20:120]\nset ytics 0,25,100\n"
+          "set xlabel {} noenhanced\nset yrange [-20:120]\n{}\n"
           "set key outside top center horizontal\nplot data using 'value':'passed' with {} title 'passed', '' using "
           "'value':'failed' with {} title 'not passed'",
-          Quoted(key), kPassedPoints, kFailedPoints);
+          Quoted(key), groups.empty() ? "unset ytics" : "set ylabel 'passed, %'\nset ytics 0,25,100", kPassedPoints,
+          kFailedPoints);
   if (!groups.empty())
     figure.plot += ", '' using 'value':'percent':'low':'high' with yerrorlines pt 7 ps 0.4 lc rgb INK title 'share'";
   figure.plot += "\n";
