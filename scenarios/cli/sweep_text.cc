@@ -141,6 +141,10 @@ std::string SummaryText(const SweepOutcome& sweep, const SweepSummary& summary, 
   if (sweep.whole > sweep.planned) {
     text += fmt::format("  {} more flights are in parts of the sweep that are not here\n", sweep.whole - sweep.planned);
   }
+  if (sweep.stale > 0) text += fmt::format("  {} rows of another build are kept, and do not count\n", sweep.stale);
+  if (sweep.unplanned > 0) {
+    text += fmt::format("  {} rows from before the sweep's file changed are kept, and do not count\n", sweep.unplanned);
+  }
   return text + fmt::format("rows in {0}/sweep.db, report in {0}/report.html\n", out);
 }
 
@@ -148,6 +152,7 @@ std::string SummaryJson(const SweepOutcome& sweep, const SweepSummary& summary, 
   Json json{{"schema", kSchema}, {"version", TOUCHDOWN_VERSION}, {"sweep", sweep.terms.name}, {"planned", sweep.whole}};
   Put(summary.all, json);
   json["stale"] = sweep.stale;
+  json["unplanned"] = sweep.unplanned;
   json["crashed"] = CountEnds(sweep.results, RowEnd::kCrashed);
   json["hung"] = CountEnds(sweep.results, RowEnd::kHung);
   json["out_of_memory"] = CountEnds(sweep.results, RowEnd::kOutOfMemory);

@@ -52,6 +52,8 @@ data Glance(const SweepOutcome& sweep, const SweepSummary& summary) {
   put("Flown", std::to_string(summary.all.flown), "");
   put("Planned", std::to_string(sweep.planned), "");
   if (sweep.whole > sweep.planned) put("In the whole sweep, of which this is a part", std::to_string(sweep.whole), "");
+  if (sweep.unplanned > 0)
+    put("Flown before the sweep's file changed, not counted", std::to_string(sweep.unplanned), "");
   if (sweep.stale > 0) put("Flown by another build, not counted", std::to_string(sweep.stale), "");
   return items;
 }

@@ -292,4 +292,10 @@ std::size_t SweepStore::stale() const {
       [&] { return static_cast<std::size_t>(impl_->db->execAndGet("SELECT count(*) FROM stale").getInt64()); });
 }
 
+std::size_t SweepStore::unplanned() const {
+  constexpr const char* kCount =
+      "SELECT count(*) FROM flights WHERE id NOT IN (SELECT id FROM plan) AND id NOT IN (SELECT id FROM stale)";
+  return impl_->Guarded([&] { return static_cast<std::size_t>(impl_->db->execAndGet(kCount).getInt64()); });
+}
+
 }  // namespace touchdown::scenarios

@@ -55,6 +55,8 @@ class SweepStore {
   std::vector<SweepResult> Results() const;
   /// Rows that another build flew.
   std::size_t stale() const;
+  /// Rows that this build flew and the plan does not hold: the sweep's file was another then.
+  std::size_t unplanned() const;
 
  private:
   struct Impl;

@@ -195,7 +195,8 @@ SweepOutcome ReadOutcome(const SweepStore& store) {
           .results = store.Results(),
           .planned = store.planned(),
           .whole = store.whole(),
-          .stale = store.stale()};
+          .stale = store.stale(),
+          .unplanned = store.unplanned()};
 }
 
 SweepSummary Summarize(const SweepOutcome& sweep) {

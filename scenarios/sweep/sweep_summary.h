@@ -39,8 +39,9 @@ struct SweepOutcome {
   SweepTerms terms = {};
   std::vector<SweepResult> results = {};  ///< What is flown of the plan.
   std::size_t planned = 0;
-  std::size_t whole = 0;  ///< Flights of the whole sweep, of which those planned here may be a part.
-  std::size_t stale = 0;  ///< Flights of another build.
+  std::size_t whole = 0;      ///< Flights of the whole sweep, of which those planned here may be a part.
+  std::size_t stale = 0;      ///< Flights of another build.
+  std::size_t unplanned = 0;  ///< Flights of what the sweep's file was before.
 };
 
 /// Throws as SweepStore does.

@@ -82,6 +82,9 @@ TEST_F(SweepCommand, FliesEachFlightOnceHoweverManyAtATime) {
   PutSweep(4, "parameters: {camera.noise_sigma: [0, 3]}\n");
   const std::string longer = Csv("out");
   EXPECT_EQ(std::count(longer.begin(), longer.end(), '\n'), 9) << "two more";
+  PutSweep(4, "parameters: {camera.noise_sigma: [0]}\n");
+  EXPECT_THAT(Sweep().out,
+              AllOf(HasSubstr("4 of 4 flights"), HasSubstr("4 rows from before the sweep's file changed")));
 }
 
 TEST_F(SweepCommand, ListsTheFlightsWithoutFlying) {

@@ -11,6 +11,7 @@
 #include "scenarios/flight/scenario.h"
 #include "scenarios/report/flight_folder.h"
 #include "scenarios/report/flight_page.h"
+#include "scenarios/sweep/rows_csv.h"
 #include "scenarios/sweep/sweep_report.h"
 #include "tests/support/docs_picture.h"
 #include "tests/support/made_flight.h"
@@ -77,7 +78,7 @@ TEST_F(PageInABrowser, DoesWhatItsReaderAsksAndLooksAsInTheDocs) {
         PageOf("without_frames.html", scenario, without_frames), PageOf("nothing.html", scenario, nothing)});
 
   const std::string picture = (folder_ / "report.png").string();
-  Node("photograph_page.mjs", {(flight / "report.html").string(), picture});
+  Node("photograph_page.mjs", {(flight / "report.html").string(), picture, "1600", "1500"});
   tests::ExpectPicture("report.png", cv::imread(picture), kSameLayout);
 }
 
@@ -86,9 +87,23 @@ TEST_F(PageInABrowser, ShowsEveryFigureOfThePaperWholeInAnyWindow) {
 }
 
 TEST_F(PageInABrowser, ShowsEveryFigureOfASweepWholeInAnyWindow) {
-  const fs::path page = folder_.Put("report.html", SweepPage(tests::MadeSweep(), Summarize(tests::MadeSweep()), folder_.path()));
+  const fs::path page =
+      folder_.Put("report.html", SweepPage(tests::MadeSweep(), Summarize(tests::MadeSweep()), folder_.path()));
   // A pass rate over each of three parameters and each two of them, the touchdowns, and a histogram.
   Node("section_page_in_browser.mjs", {page.string(), "8"});
+}
+
+/// The page of the wind's sweep, from its rows in docs/sweeps.
+TEST_F(PageInABrowser, OfTheSweepOverTheWindLooksAsInTheDocs) {
+  const fs::path root = TOUCHDOWN_SOURCE_DIR;
+  const SweepFile file = LoadSweepFile(root / "scenarios/sweeps/wind.yaml");
+  SweepOutcome sweep{.terms = TermsOf(file), .results = ReadRowsCsv(root / "docs/sweeps/wind.csv").results};
+  sweep.planned = sweep.whole = sweep.results.size();
+  for (SweepResult& result : sweep.results) result.row.scenario_yaml = ScenarioYaml(LoadScenario(file.base));
+  const fs::path page = folder_.Put("report.html", SweepPage(sweep, Summarize(sweep), "out/wind"));
+  const std::string picture = (folder_ / "sweep.png").string();
+  Node("photograph_page.mjs", {page.string(), picture, "1200", "1290"});
+  tests::ExpectPicture("sweep.png", cv::imread(picture), 1.0);
 }
 
 }  // namespace

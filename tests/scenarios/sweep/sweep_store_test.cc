@@ -188,6 +188,9 @@ TEST_F(SweepStoreTest, KeepsAndDoesNotCountWhatIsNotOfThePlanOrOfAnotherBuild) {
   store.Put(Row("c"));
   EXPECT_EQ(store.Results().size(), 1u);
   EXPECT_EQ(store.stale(), 1u);
+  EXPECT_EQ(store.unplanned(), 0u);
+  store.SetPlan(Terms(), PlanOf({"d"}), "this");
+  EXPECT_EQ(store.unplanned(), 1u);
   EXPECT_TRUE(store.Find("a"));
 }
 
