@@ -68,7 +68,7 @@ void Move(const fs::path& from, const fs::path& to) {
 
 /// Leaves a row and its picture with the others, but no failure where another copy of the task has flown.
 void HandOver(const RowFolder& from, const RowFolder& to, const FlightRow& row) {
-  const std::optional<FlightRow> there = to.Find(row.id);
+  const std::optional<FlightRow> there = ReadRowOrSetAside(to.RowOf(row.id));
   if (there && there->end == RowEnd::kFlown && row.end != RowEnd::kFlown) return;
   if (fs::exists(from.PictureOf(row.id))) Move(from.PictureOf(row.id), to.PictureOf(row.id));
   Move(from.RowOf(row.id), to.RowOf(row.id));

@@ -10,11 +10,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kSchema = 1;
 
-FlightRow RowFrom(const Json& json) {
+std::optional<FlightRow> RowFrom(const Json& json) {
+  const std::optional<RowEnd> end = RowEndFrom(json.at("end").get<std::string>());
+  if (json.at("schema").get<int>() != kSchema || !end) return std::nullopt;
   FlightRow row;
-  const std::string end = json.at("end");
-  const auto found = std::find(kRowEndNames.begin(), kRowEndNames.end(), end);
-  row.end = static_cast<RowEnd>(found - kRowEndNames.begin());
+  row.end = *end;
   row.id = json.at("id");
   row.program = json.at("program");
   row.version = json.at("version");
@@ -33,6 +33,12 @@ FlightRow RowFrom(const Json& json) {
 }
 
 }  // namespace
+
+std::optional<RowEnd> RowEndFrom(std::string_view name) {
+  const auto found = std::find(kRowEndNames.begin(), kRowEndNames.end(), name);
+  if (found == kRowEndNames.end()) return std::nullopt;
+  return static_cast<RowEnd>(found - kRowEndNames.begin());
+}
 
 std::string RowJson(const FlightRow& row) {
   Json json{{"schema", kSchema},
@@ -57,10 +63,8 @@ std::string RowJson(const FlightRow& row) {
 }
 
 std::optional<FlightRow> RowFromJson(const std::string& text) {
-  const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object() || json.value("schema", 0) != kSchema) return std::nullopt;
   try {
-    return RowFrom(json);
+    return RowFrom(Json::parse(text));
   } catch (const Json::exception&) {
     return std::nullopt;
   }

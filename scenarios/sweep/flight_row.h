@@ -18,6 +18,8 @@ enum class RowEnd {
 };
 inline constexpr std::array<std::string_view, 4> kRowEndNames = {"flown", "crashed", "hung", "out_of_memory"};
 constexpr std::string_view Name(RowEnd end) { return kRowEndNames[static_cast<std::size_t>(end)]; }
+/// nullopt for what is no end's name.
+std::optional<RowEnd> RowEndFrom(std::string_view name);
 
 /// What is kept of a flight of a sweep.
 struct FlightRow {

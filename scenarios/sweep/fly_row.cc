@@ -61,6 +61,15 @@ std::optional<FlightRow> ReadRow(const fs::path& file) {
   }
 }
 
+std::optional<FlightRow> ReadRowOrSetAside(const fs::path& file) {
+  std::optional<FlightRow> row = ReadRow(file);
+  if (row || !fs::exists(file)) return row;
+  std::error_code error;
+  fs::rename(file, fs::path(file).replace_extension(".damaged"), error);
+  if (error) throw InputError(fmt::format("{}: is no row, and cannot be set aside", file.string()));
+  return std::nullopt;
+}
+
 RowFolder::RowFolder(const fs::path& folder) : rows_(folder / "rows"), pictures_(folder / "pictures") {
   MakeFolder(rows_);
   MakeFolder(pictures_);

@@ -10,6 +10,8 @@ namespace touchdown::scenarios {
 
 /// nullopt when there is no file, or what it holds is no whole row. Throws InputError when it cannot be read.
 std::optional<FlightRow> ReadRow(const std::filesystem::path& file);
+/// The same, and what it holds else is kept as ID.damaged. Throws InputError when that cannot be done, too.
+std::optional<FlightRow> ReadRowOrSetAside(const std::filesystem::path& file);
 
 /// A folder into which processes leave what they flew, each under its flight's id.
 class RowFolder {

@@ -111,13 +111,6 @@ bool IsAbandoned(const fs::directory_entry& entry) {
          fs::file_time_type::clock::now() - written > std::chrono::minutes(10);
 }
 
-/// A file that the machine's end left damaged: its flight is flown again.
-void SetAside(const fs::path& file) {
-  std::error_code error;
-  fs::rename(file, fs::path(file).replace_extension(".damaged"), error);
-  if (error) throw InputError(fmt::format("{}: is no row, and cannot be set aside", file.string()));
-}
-
 std::vector<fs::directory_entry> EntriesOf(const fs::path& folder) {
   std::error_code error;
   std::vector<fs::directory_entry> entries;
@@ -154,11 +147,9 @@ void TakeInRows(const fs::path& folder, SweepStore& store) {
   for (const auto& entry : EntriesOf(RowFolder(folder).rows())) {
     if (IsAbandoned(entry)) RemoveRow(entry.path());
     if (!IsRow(entry.path())) continue;
-    if (const std::optional<FlightRow> row = ReadRow(entry.path())) {
+    if (const std::optional<FlightRow> row = ReadRowOrSetAside(entry.path())) {
       store.Put(*row);
       RemoveRow(entry.path());
-    } else if (fs::exists(entry.path())) {
-      SetAside(entry.path());
     }
   }
 }

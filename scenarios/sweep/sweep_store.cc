@@ -40,17 +40,18 @@ CREATE VIEW stale AS
   SELECT * FROM flights WHERE program <> (SELECT value FROM sweep WHERE key = 'program');
 )";
 
-FlightRow RowFrom(const SQLite::Statement& query) {
+FlightRow RowFrom(const SQLite::Statement& query, const fs::path& file) {
   FlightRow row;
   const auto text = [&query](const char* column) { return query.getColumn(column).getString(); };
   row.id = text("id");
   row.program = text("program");
   row.version = text("version");
   row.host = text("host");
-  const std::string process = text("process");
-  for (std::size_t i = 0; i < kRowEndNames.size(); ++i) {
-    if (kRowEndNames[i] == process) row.end = static_cast<RowEnd>(i);
+  const std::optional<RowEnd> end = RowEndFrom(text("process"));
+  if (!end) {
+    throw InputError(fmt::format("{}: is damaged: flight {} ended as {}", file.string(), row.id, text("process")));
   }
+  row.end = *end;
   row.verdict = text("verdict");
   row.outcome = text("outcome");
   row.reason = text("reason");
@@ -225,7 +226,7 @@ std::optional<FlightRow> SweepStore::Find(const std::string& id) const {
     SQLite::Statement query(*impl_->db, "SELECT * FROM flights WHERE id = ?");
     query.bind(1, id);
     if (!query.executeStep()) return std::nullopt;
-    FlightRow row = RowFrom(query);
+    FlightRow row = RowFrom(query, impl_->file);
     row.metrics = impl_->MetricsOf(id);
     return row;
   });
@@ -279,7 +280,7 @@ std::vector<SweepResult> SweepStore::Results() const {
       SweepResult result{.seed = static_cast<std::uint64_t>(query.getColumn("seed").getInt64()),
                          .variant = query.getColumn("variant").getString(),
                          .values = Impl::ValuesIn(query, keys),
-                         .row = RowFrom(query)};
+                         .row = RowFrom(query, impl_->file)};
       result.row.metrics = impl_->MetricsOf(result.row.id);
       results.push_back(std::move(result));
     }

@@ -166,6 +166,16 @@ TEST_F(AnsweringSlurmTest, GoesOnWithWhatIsMissing) {
   EXPECT_EQ(CollectedCsv({"out"}), LocalCsv("here"));
 }
 
+TEST_F(AnsweringSlurmTest, KeepsADamagedRowBesideTheOneThatIsFlownForIt) {
+  PutSweep(1);
+  Submit();
+  const std::string id = nlohmann::json::parse(folder_.Content("out/tasks/0.json")).at("flights").at(0).at("id");
+  folder_.Put("out/rows/" + id + ".json", "half a row");
+  EXPECT_THAT(OutOf({"sweep-task", "out", "0"}), HasSubstr(id + " pass in "));
+  EXPECT_EQ(folder_.Content("out/rows/" + id + ".damaged"), "half a row");
+  EXPECT_EQ(Status("out").at("flown"), 1);
+}
+
 TEST_F(AnsweringSlurmTest, LeavesARowThatIsBeingWritten) {
   PutSweep(1);
   Submit();

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "models/error.h"
@@ -43,11 +44,18 @@ TEST_F(TakeInRowsTest, TakesWholeRowsAndSetsDamagedOnesAside) {
   RowFolder(folder_.path()).Leave(Row("whole"));
   folder_.Put("rows/empty.json", "");
   folder_.Put("rows/half.json", RowJson(Row("half")).substr(0, 40));
+  nlohmann::json other = nlohmann::json::parse(RowJson(Row("end")));
+  other["end"] = "flow";
+  folder_.Put("rows/end.json", other.dump());
+  other["end"] = "flown";
+  other["schema"] = "one";
+  folder_.Put("rows/schema.json", other.dump());
   folder_.Put("rows/.new.json.partial-1", "being written");
   folder_.Put("rows/.old.json.partial-2", "left by a program that was ended");
   for (const char* name : {"rows/half.json", "rows/.old.json.partial-2"}) MakeOld(name);
   TakeIn();
-  EXPECT_THAT(RowFiles(), UnorderedElementsAre("empty.damaged", "half.damaged", ".new.json.partial-1"));
+  EXPECT_THAT(RowFiles(), UnorderedElementsAre("empty.damaged", "half.damaged", "end.damaged", "schema.damaged",
+                                               ".new.json.partial-1"));
   const SweepStore store(folder_.path(), SweepStore::Access::kRead);
   EXPECT_TRUE(store.Find("whole"));
   EXPECT_FALSE(store.Find("half"));

@@ -218,6 +218,19 @@ TEST_F(SweepStoreTest, RefusesAnotherVersionAndADamagedFile) {
   EXPECT_EQ(folder_.Content("sweep.db").size(), whole.size() / 2) << "as it was";
 }
 
+TEST_F(SweepStoreTest, RefusesARowOfAnEndThatItDoesNotKnow) {
+  SweepStore store = Open();
+  store.SetPlan(Terms(), PlanOf({"a"}), "this");
+  store.Put(Row("a"));
+  SQLite::Database((folder_ / "sweep.db").string(), SQLite::OPEN_READWRITE).exec("UPDATE flights SET process = 'flow'");
+  try {
+    store.Results();
+    ADD_FAILURE() << "no InputError";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("sweep.db: is damaged: flight a ended as flow"));
+  }
+}
+
 TEST(RowsCsv, IsSortedByIdAndQuotesWhatMustBe) {
   SweepResult b{.seed = 2, .variant = "", .values = {"[0, 1]"}, .row = Row("b")};
   SweepResult a{.seed = 1, .variant = "", .values = {"[2, \"x\"]"}, .row = Row("a", "fail")};
