@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <string>
 #include <system_error>
@@ -24,9 +25,14 @@ struct Part {
   SweepPlan plan;
 };
 
+Part PartIn(const fs::path& folder, const SweepStore& store) {
+  return {folder, store.terms(), store.program(), store.Plan()};
+}
+
 Part ReadPart(const fs::path& folder) {
   const SweepStore store(folder, SweepStore::Access::kRead);
-  return {folder, store.terms(), store.program(), store.Plan()};
+  if (!store.has_plan()) throw InputError(fmt::format("{}: has no plan of a sweep yet", folder.string()));
+  return PartIn(folder, store);
 }
 
 /// All parts' flights, by position.
@@ -61,14 +67,22 @@ void RefuseOtherTerms(const std::vector<Part>& parts) {
   }
 }
 
-void TakeRows(const Part& part, SweepStore& store) {
+std::vector<FlightRow> RowsOf(const Part& part) {
   std::vector<FlightRow> rows = LeftRows(part.folder);
   for (SweepResult& result : SweepStore(part.folder, SweepStore::Access::kRead).Results()) {
     rows.push_back(std::move(result.row));
   }
-  for (const FlightRow& row : rows) {
-    if (row.program == part.program) store.Put(row);
-  }
+  std::erase_if(rows, [&](const FlightRow& row) { return row.program != part.program; });
+  return rows;
+}
+
+/// Parts of one sweep.
+std::vector<Part> ReadParts(const std::vector<fs::path>& folders) {
+  std::vector<Part> parts;
+  for (const fs::path& folder : folders) parts.push_back(ReadPart(folder));
+  Join(parts);
+  RefuseOtherTerms(parts);
+  return parts;
 }
 
 void CopyPictures(const fs::path& from, const fs::path& to) {
@@ -85,23 +99,22 @@ void CopyPictures(const fs::path& from, const fs::path& to) {
 }  // namespace
 
 void Collect(const fs::path& folder, const std::vector<fs::path>& from) {
-  std::vector<Part> parts;
-  for (const fs::path& each : from) parts.push_back(ReadPart(each));
-  if (from.empty() || fs::exists(folder / "sweep.db")) parts.push_back(ReadPart(folder));
-  const SweepPlan whole = Join(parts);
-  RefuseOtherTerms({parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(from.size())});
-
+  std::vector<Part> parts = ReadParts(from.empty() ? std::vector{folder} : from);
   ClaimFolder(folder);
   const FolderLock lock(folder);
   SweepStore store(folder, SweepStore::Access::kWrite);
+  if (!from.empty() && store.has_plan()) parts.push_back(PartIn(folder, store));
+  const SweepPlan whole = Join(parts);
   TakeInRows(folder, store);
   if (from.empty()) return;
-  store.SetPlan(parts.front().terms, whole, parts.front().program);
+  std::vector<FlightRow> rows;
   for (const Part& part : parts) {
     if (fs::equivalent(part.folder, folder)) continue;
-    TakeRows(part, store);
+    std::ranges::move(RowsOf(part), std::back_inserter(rows));
     CopyPictures(part.folder, folder);
   }
+  store.Put(rows);
+  store.SetPlan(parts.front().terms, whole, parts.front().program);
 }
 
 }  // namespace touchdown::scenarios

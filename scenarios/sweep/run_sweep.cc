@@ -144,14 +144,18 @@ std::vector<FlightRow> LeftRows(const fs::path& folder) {
 }
 
 void TakeInRows(const fs::path& folder, SweepStore& store) {
+  std::vector<FlightRow> rows;
+  std::vector<fs::path> files;
   for (const auto& entry : EntriesOf(RowFolder(folder).rows())) {
     if (IsAbandoned(entry)) RemoveRow(entry.path());
     if (!IsRow(entry.path())) continue;
-    if (const std::optional<FlightRow> row = ReadRowOrSetAside(entry.path())) {
-      store.Put(*row);
-      RemoveRow(entry.path());
+    if (std::optional<FlightRow> row = ReadRowOrSetAside(entry.path())) {
+      rows.push_back(std::move(*row));
+      files.push_back(entry.path());
     }
   }
+  store.Put(rows);
+  for (const fs::path& file : files) RemoveRow(file);
 }
 
 bool RunSweep(const SweepFile& file, const SweepPlan& plan, const fs::path& folder, const SweepOptions& options,

@@ -114,8 +114,13 @@ struct SweepStore::Impl {
     return values;
   }
 
-  void Put(const FlightRow& row) {
+  void Put(std::span<const FlightRow> rows) {
     SQLite::Transaction transaction(*db);
+    for (const FlightRow& row : rows) PutRow(row);
+    transaction.commit();
+  }
+
+  void PutRow(const FlightRow& row) {
     if (row.end != RowEnd::kFlown) {
       SQLite::Statement flown(*db, "SELECT 1 FROM flights WHERE id = ? AND process = ?");
       flown.bind(1, row.id);
@@ -140,7 +145,6 @@ struct SweepStore::Impl {
       put_metric.exec();
       put_metric.reset();
     }
-    transaction.commit();
   }
 
   Metrics MetricsOf(const std::string& id) {
@@ -205,14 +209,16 @@ void SweepStore::SetPlan(const SweepTerms& terms, const SweepPlan& plan, const s
   });
 }
 
-void SweepStore::Put(const FlightRow& row) {
-  impl_->Guarded([&] { impl_->Put(row); });
+void SweepStore::Put(const FlightRow& row) { Put({&row, 1}); }
+
+void SweepStore::Put(std::span<const FlightRow> rows) {
+  impl_->Guarded([&] { impl_->Put(rows); });
 }
 
 bool SweepStore::TryPut(const FlightRow& row) {
   return impl_->Guarded([&] {
     try {
-      impl_->Put(row);
+      impl_->Put({&row, 1});
       return true;
     } catch (const SQLite::Exception& error) {
       if (error.getErrorCode() == SQLITE_BUSY) return false;
@@ -231,6 +237,8 @@ std::optional<FlightRow> SweepStore::Find(const std::string& id) const {
     return row;
   });
 }
+
+bool SweepStore::has_plan() const { return !program().empty(); }
 
 std::string SweepStore::program() const {
   return impl_->Guarded([&] { return impl_->Value("program"); });

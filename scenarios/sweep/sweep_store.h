@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,11 +38,15 @@ class SweepStore {
 
   /// A row of the same id is replaced, but not a flown one by one whose process crashed, hung or ran out of memory.
   void Put(const FlightRow& row);
-  /// The same; false when another program reads the file for so long that it cannot be written now.
+  /// All of them, or none.
+  void Put(std::span<const FlightRow> rows);
+  /// As Put; false when another program reads the file for so long that it cannot be written now.
   bool TryPut(const FlightRow& row);
 
   std::optional<FlightRow> Find(const std::string& id) const;
 
+  /// Whether one was ever set.
+  bool has_plan() const;
   /// Of the plan that was set last.
   SweepTerms terms() const;
   /// Digest of the program that planned.

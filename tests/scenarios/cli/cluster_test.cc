@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "scenarios/sweep/sweep_store.h"
 #include "tests/support/program_fixture.h"
 #include "tests/support/short_sweep.h"
 
@@ -86,6 +87,21 @@ TEST_F(ClusterTest, PartsTogetherHaveTheRowsOfTheWhole) {
   EXPECT_TRUE(fs::exists(folder_ / "all/pictures/0123.png"));
   EXPECT_THAT(folder_.Content("all/report.html"), HasSubstr("camera.noise_sigma"));
   EXPECT_EQ(Status("all").at("flown"), 8);
+}
+
+TEST_F(ClusterTest, CollectsIntoWhatAKilledCollectLeft) {
+  PutSweep(2);
+  const std::string whole = LocalCsv("whole");
+  for (const std::string part : {"1", "2"}) {
+    OutOf({"sweep", "sweep.yaml", "--out", "part" + part, "--shard", part + "/2", "--quiet"});
+  }
+  folder_.Put("empty/sweep.db", "");
+  fs::create_directories(folder_ / "planless");
+  SweepStore(folder_ / "planless", SweepStore::Access::kWrite);
+  EXPECT_THAT(ErrorOf({"collect", "all", "part1", "planless"}), HasSubstr("planless: has no plan of a sweep yet"));
+  EXPECT_EQ(CollectedCsv({"empty", "part1", "part2"}), whole);
+  EXPECT_EQ(CollectedCsv({"planless", "part1", "part2"}), whole);
+  EXPECT_EQ(Status("planless").at("planned"), 2);
 }
 
 TEST_F(ClusterTest, RefusesPartsOfAnotherSweepOrBuild) {

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "models/error.h"
 #include "scenarios/sweep/rows_csv.h"
 #include "tests/support/temporary_folder.h"
@@ -146,6 +148,19 @@ TEST_F(SweepStoreTest, KeepsAFlownRowWhenAnotherProcessOfTheSameFlightFails) {
   EXPECT_EQ(store.Find("a")->end, RowEnd::kFlown) << "it was flown after all";
   store.Put(crashed);
   EXPECT_EQ(RowJson(store.Find("a").value()), RowJson(Row("a")));
+}
+
+TEST_F(SweepStoreTest, TakesRowsAllOrNone) {
+  SweepStore store = Open();
+  FlightRow crashed = Row("a", "error");
+  crashed.end = RowEnd::kCrashed;
+  FlightRow numberless = Row("c");
+  numberless.metrics["flight.sim_time_s"] = std::nan("");
+  EXPECT_THROW(store.Put(std::vector{Row("b"), numberless}), InputError) << "SQLite takes it for NULL";
+  EXPECT_FALSE(store.Find("b"));
+  store.Put(std::vector{Row("a"), crashed, Row("b")});
+  EXPECT_EQ(store.Find("a")->end, RowEnd::kFlown);
+  EXPECT_TRUE(store.Find("b"));
 }
 
 TEST_F(SweepStoreTest, LeavesARowForLaterWhileAnotherProgramReads) {
