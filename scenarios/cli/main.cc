@@ -45,7 +45,8 @@ AddCommand* const kCommands[] = {
 int RunAndExplain(const Run& run) {
   try {
     const int status = run();
-    if (std::fflush(stdout) != 0) throw std::runtime_error("the standard output cannot be written");
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+      throw std::runtime_error("the standard output cannot be written");
     return status;
   } catch (const touchdown::InputError& error) {
     spdlog::error("{}", error.what());

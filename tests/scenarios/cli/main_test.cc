@@ -44,10 +44,13 @@ TEST_F(Program, ExitsWithTwoOnBadUsage) {
 
 TEST_F(Program, ExitsWithThreeWhenItsOutputCannotBeWritten) {
   folder_.Put("short.yaml", kTakeoffAndLanding + "time_limit_s: 0.01\n");
-  const ProgramRun run = tests::RunProgram(
-      "/bin/sh", {"-c", "exec \"$0\" fly short.yaml --out result > /dev/full", TOUCHDOWN_PROGRAM}, folder_.path());
-  EXPECT_EQ(run.status, 3);
-  EXPECT_EQ(run.err, "error: internal error: the standard output cannot be written\n");
+  folder_.Put("sweep.yaml", "base: short.yaml\nseeds: {count: 1}\n");
+  for (const std::string command : {"fly short.yaml --out result", "sweep sweep.yaml --out rows --json"}) {
+    const ProgramRun run = tests::RunProgram(
+        "/bin/sh", {"-c", "exec \"$0\" " + command + " > /dev/full", TOUCHDOWN_PROGRAM}, folder_.path());
+    EXPECT_EQ(run.status, 3) << command;
+    EXPECT_EQ(run.err, "error: internal error: the standard output cannot be written\n");
+  }
 }
 
 }  // namespace
