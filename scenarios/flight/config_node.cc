@@ -12,6 +12,8 @@
 #include <sstream>
 #include <unordered_map>
 
+#include "scenarios/flight/utf8.h"
+
 namespace touchdown::scenarios {
 namespace {
 
@@ -129,6 +131,11 @@ class TreeBuilder : public YAML::EventHandler {
 
 ConfigNode Parse(const std::string& text, const OriginOf& origin_of) {
   if (text.find('\0') != std::string::npos) throw ConfigError(origin_of(YAML::Mark()), "", "is not a text file");
+  if (const std::size_t valid = Utf8Bytes(text); valid < text.size()) {
+    YAML::Mark mark;
+    mark.line = static_cast<int>(std::ranges::count(std::string_view(text).substr(0, valid), '\n'));
+    throw ConfigError(origin_of(mark), "", "is not UTF-8");
+  }
   std::istringstream stream(text);
   TreeBuilder builder(origin_of);
   try {
@@ -181,6 +188,8 @@ ConfigNode ReadConfigFile(const std::filesystem::path& file) {
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) throw ConfigError(origin, "", "no such file");
   if (std::filesystem::is_directory(status)) throw ConfigError(origin, "", "is a folder, not a file");
+  const std::string name = file.filename().string();
+  if (Utf8Bytes(name) < name.size()) throw ConfigError(origin, "", "its name is not UTF-8");
   std::ifstream stream(file, std::ios::binary);
   std::string text(kLargestFile + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));

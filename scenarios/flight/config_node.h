@@ -45,7 +45,8 @@ struct ConfigEntry {
 InputError ConfigError(const Origin& origin, std::string_view path, std::string_view message);
 
 /// Reads a YAML file of one document whose root is a map. Throws InputError for a file that is missing, a folder, not
-/// text or over 1 MiB; for text that is empty or not YAML; and for duplicate keys, anchors, tags, and nesting over 32.
+/// UTF-8 in text or name, or over 1 MiB; for text that is empty or not YAML; and for duplicate keys, anchors, tags, and
+/// nesting over 32.
 ConfigNode ReadConfigFile(const std::filesystem::path& file);
 
 /// Parses YAML text as of a file named `name`. Throws as ReadConfigFile does.

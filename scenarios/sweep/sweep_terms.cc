@@ -97,8 +97,7 @@ std::string TermsJson(const SweepTerms& terms) {
                       {"max", terms.sought->max},
                       {"pass_rate", terms.sought->pass_rate}};
   }
-  // A description may be no UTF-8.
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json.dump();
 }
 
 SweepTerms TermsFromJson(const std::string& text) {

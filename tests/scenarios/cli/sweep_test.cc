@@ -289,6 +289,8 @@ TEST_F(SweepCommand, RefusesBadInputAndLeavesNothing) {
   const std::set<std::string> before = Names();
   EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--out", "out"}),
               HasSubstr("sweep.yaml:3: camera.noise_sigm: unknown key"));
+  PutSweep(2, "description: caf\xe9\n");
+  EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--out", "out"}), HasSubstr("sweep.yaml:3: is not UTF-8"));
   EXPECT_THAT(ErrorOf({"sweep", "none.yaml", "--out", "out"}), HasSubstr("none.yaml"));
   PutSweep(2);
   EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml"}), HasSubstr("--out"));

@@ -127,6 +127,13 @@ TEST_F(ConfigFile, NamesAFileThatIsMissingAFolderOrNoText) {
   EXPECT_THAT(ErrorOf([&] { ReadConfigFile(huge); }), HasSubstr("larger than 1 MiB"));
 }
 
+TEST_F(ConfigFile, IsUtf8) {
+  EXPECT_EQ(ParseConfig("a: caf\u00e9 \U0001f681\nb: \"\\xe9\"\n", "f.yaml", "").Find("b")->text, "\u00e9");
+  EXPECT_EQ(ParseError("a: 1\n\nb: caf\xe9\n"), "f.yaml:3: is not UTF-8");
+  EXPECT_EQ(ErrorOf([] { ParseOverride("a=caf\xe9", "--set a"); }), "--set a: is not UTF-8");
+  EXPECT_THAT(ErrorOf([&] { ReadConfigFile(Put("caf\xe9.yaml", "a: 1\n")); }), HasSubstr("its name is not UTF-8"));
+}
+
 TEST_F(ConfigFile, SurvivesAnyBytes) {
   for (int seed = 0; seed < 300; ++seed) {
     std::string bytes;
