@@ -2,6 +2,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include <new>
 #include <utility>
 
 namespace touchdown::sim {
@@ -14,7 +15,10 @@ void KeepWarning(const char* message) {
 }
 
 // MuJoCo's callers go on as if nothing had happened when this returns.
-[[noreturn]] void ThrowError(const char* message) { throw SimulationError(std::string("MuJoCo: ") + message); }
+[[noreturn]] void ThrowError(const char* message) {
+  RefuseLackOfMemory(message);
+  throw SimulationError(std::string("MuJoCo: ") + message);
+}
 
 }  // namespace
 
@@ -24,6 +28,11 @@ void InstallMujocoHandlers() {
     mju_user_error = ThrowError;
     return true;
   }();
+}
+
+void RefuseLackOfMemory(std::string_view message) {
+  // "Could not allocate memory", "could not allocate buffers in hfield", ...
+  if (message.find("ould not allocate") != std::string_view::npos) throw std::bad_alloc();
 }
 
 std::optional<std::string> TakeMujocoWarning() { return std::exchange(first_warning, std::nullopt); }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace touchdown::sim {
 
@@ -14,8 +15,11 @@ class SimulationError : public std::runtime_error {
 };
 
 /// Takes over MuJoCo's process-wide handlers, once: instead of writing MUJOCO_LOG.TXT and going on, a warning is kept
-/// for TakeMujocoWarning, and instead of ending the process, an error throws SimulationError.
+/// for TakeMujocoWarning, and instead of ending the process, an error throws SimulationError, or std::bad_alloc.
 void InstallMujocoHandlers();
+
+/// Throws std::bad_alloc when that is what MuJoCo says.
+void RefuseLackOfMemory(std::string_view message);
 
 /// The first warning that MuJoCo raised on this thread since the last call; nullopt when there was none.
 std::optional<std::string> TakeMujocoWarning();

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstring>
+#include <new>
 #include <stdexcept>
 
 #include "sim/mujoco_errors.h"
@@ -40,13 +41,14 @@ MujocoModel LoadModel(const std::string& mjcf) {
   const auto vfs = VfsWith(kName, mjcf);
   std::array<char, 1024> error{};
   MujocoModel model(mj_loadXML(kName, vfs.get(), error.data(), static_cast<int>(error.size())));
+  RefuseLackOfMemory(error.data());
   if (!model || error[0] != '\0') throw std::runtime_error(std::string("MuJoCo: ") + error.data());
   return model;
 }
 
 MujocoData MakeData(const mjModel_& model) {
   MujocoData data(mj_makeData(&model));
-  if (!data) throw std::runtime_error("MuJoCo cannot allocate the state of the model");
+  if (!data) throw std::bad_alloc();
   mj_forward(&model, data.get());
   return data;
 }

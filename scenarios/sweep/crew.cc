@@ -6,6 +6,8 @@
 
 #include <chrono>
 #include <list>
+#include <new>
+#include <opencv2/core.hpp>
 #include <optional>
 #include <thread>
 
@@ -19,6 +21,7 @@ namespace touchdown::scenarios {
 namespace {
 
 constexpr int kUnusableFolderStatus = 2;
+constexpr int kOutOfMemoryStatus = 5;
 
 struct Flying {
   const FlightTask* task;
@@ -43,6 +46,9 @@ FlightRow RowWithoutFlight(const Flying& flying, const WorkerEnd& end) {
   } else if (end.signal == SIGKILL) {
     row.end = RowEnd::kOutOfMemory;
     row.reason = "killed by the system, as it does when memory runs out";
+  } else if (end.exit_status == kOutOfMemoryStatus) {
+    row.end = RowEnd::kOutOfMemory;
+    row.reason = "needs more memory than its limit";
   } else if (end.signal != 0) {
     row.end = RowEnd::kCrashed;
     row.reason = fmt::format("the program crashed: {}", strsignal(end.signal));
@@ -66,6 +72,11 @@ int FlyAndExplain(const CrewOptions& options, const FlightTask& task) {
   } catch (const InputError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return kUnusableFolderStatus;
+  } catch (const std::bad_alloc&) {
+    return kOutOfMemoryStatus;
+  } catch (const cv::Exception& error) {
+    if (error.code != cv::Error::StsNoMem) throw;
+    return kOutOfMemoryStatus;
   }
 }
 

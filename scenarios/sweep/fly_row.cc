@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <new>
 #include <system_error>
 
 #include "models/error.h"
@@ -89,9 +88,6 @@ void FlyRow(const std::string& scenario_yaml, const std::string& id, const RowFo
   FlightObserver* const observers[] = {&sheet};
   try {
     TellResult(scenario, FlyClosedLoop(scenario, observers, nullptr), row);
-  } catch (const std::bad_alloc&) {
-    row.end = RowEnd::kOutOfMemory;
-    row.reason = "needs more memory than its limit";
   } catch (const InputError& error) {
     row.end = RowEnd::kFlown;
     row.reason = error.what();

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
+#include <new>
 #include <stdexcept>
+#include <string>
 
 namespace touchdown::sim {
 namespace {
@@ -22,6 +24,15 @@ TEST(LoadModel, PassesOnWhatMujocoSaysOfABadDocument) {
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("colour"));
   }
+}
+
+TEST(MakeData, SaysThatMemoryRanOutAsLoadModelDoes) {
+  const std::string mjcf = "<mujoco><worldbody><geom size='0.5'/></worldbody></mujoco>";
+  const MujocoModel model = LoadModel(mjcf);
+  mju_user_malloc = [](std::size_t) -> void* { return nullptr; };
+  EXPECT_THROW(LoadModel(mjcf), std::bad_alloc);
+  EXPECT_THROW(MakeData(*model), std::bad_alloc);
+  mju_user_malloc = nullptr;
 }
 
 TEST(MakeData, HasKinematicsComputed) {

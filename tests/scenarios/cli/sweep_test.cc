@@ -252,9 +252,14 @@ TEST_F(SweepCommand, TellsOfFlightsWhoseProcessCrashedOrHung) {
 }
 
 TEST_F(SweepCommand, TellsOfAFlightThatNeedsTooMuchMemory) {
-  PutSweep(1, "limits: {memory_mb: 256}\n");
-  EXPECT_EQ(Sweep({"--csv", "rows.csv"}).status, 0);
-  EXPECT_THAT(folder_.Content("rows.csv"), HasSubstr(",error,out_of_memory,"));
+  for (const std::string limit : {"256", "400", "500"}) {
+    PutSweep(1, "limits: {memory_mb: " + limit + "}\n");
+    ASSERT_EQ(Run({"sweep", "sweep.yaml", "--out", limit, "--csv", limit + ".csv"}).status, 0);
+    EXPECT_THAT(folder_.Content(limit + ".csv"), HasSubstr(",error,out_of_memory,"));
+    const SweepResult result = SweepStore(folder_ / limit, SweepStore::Access::kRead).Results().at(0);
+    EXPECT_EQ(result.row.end, RowEnd::kOutOfMemory) << limit << " MB: " << result.row.reason;
+    EXPECT_EQ(result.row.verdict, "error");
+  }
 }
 
 TEST_F(SweepCommand, KeepsItsRowsOnAFullOrReadOnlyDisk) {

@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <new>
+#include <opencv2/core.hpp>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -28,6 +30,9 @@ void Pretend(const FlightTask& task, const RowFolder& folder) {
   std::cerr << task.id << " flies\n";
   if (is("crash")) raise(SIGSEGV);
   if (is("memory")) raise(SIGKILL);
+  if (is("alloc")) throw std::bad_alloc();
+  if (is("picture")) throw cv::Exception(cv::Error::StsNoMem, "no memory", "", "", 0);
+  if (is("opencv")) throw cv::Exception(cv::Error::StsAssert, "at fault", "", "", 0);
   if (is("hang")) std::this_thread::sleep_for(std::chrono::seconds(100));
   if (is("silent")) return;
   if (is("status")) _exit(4);
@@ -85,6 +90,14 @@ TEST_F(CrewTest, GoesOnWhenProcessesFailAndSaysWhatBecameOfThem) {
     EXPECT_EQ(rows_[id].verdict, "error");
     EXPECT_TRUE(fs::exists(folder_ / "rows" / (std::string(id) + ".json"))) << "left for whoever collects";
   }
+}
+
+TEST_F(CrewTest, TellsWhatNeedsTooMuchMemoryFromOtherFaults) {
+  Fly({"alloc", "picture", "opencv"}, 2);
+  EXPECT_EQ(rows_["alloc"].end, RowEnd::kOutOfMemory);
+  EXPECT_EQ(rows_["picture"].end, RowEnd::kOutOfMemory);
+  EXPECT_EQ(rows_["picture"].reason, "needs more memory than its limit");
+  EXPECT_EQ(rows_["opencv"].end, RowEnd::kCrashed);
 }
 
 TEST_F(CrewTest, EndsWhatHangs) {
