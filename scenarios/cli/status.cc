@@ -17,30 +17,33 @@ struct Options {
 };
 
 nlohmann::ordered_json StatusJson(const SweepStatus& status) {
-  nlohmann::ordered_json json{{"sweep", status.name},
-                              {"planned", status.planned},
-                              {"flown", status.flown},
-                              {"passed", status.passed},
-                              {"failed", status.flown - status.passed},
-                              {"stale", status.stale}};
+  nlohmann::ordered_json json{{"sweep", status.name},          {"planned", status.planned},
+                              {"whole", status.whole},         {"flown", status.flown},
+                              {"passed", status.passed},       {"failed", status.flown - status.passed},
+                              {"processes", status.processes}, {"stale", status.stale}};
   if (status.slurm_job) json["slurm_job"] = *status.slurm_job;
   if (status.slurm_tasks) json["slurm_tasks"] = *status.slurm_tasks;
   return json;
 }
 
-std::string SlurmWords(const SweepStatus& status) {
-  if (!status.slurm_tasks) return "squeue does not tell";
-  if (status.slurm_tasks->empty()) return "is over";
+/// "2 PENDING, 1 RUNNING"
+template <typename Counts>
+std::string CountWords(const Counts& counts) {
   std::string words;
-  for (const auto& [state, tasks] : *status.slurm_tasks) {
-    words += fmt::format("{}{} {}", words.empty() ? "tasks: " : ", ", tasks, state);
-  }
+  for (const auto& [name, count] : counts) words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, name);
   return words;
 }
 
+std::string SlurmWords(const SweepStatus& status) {
+  if (!status.slurm_tasks) return "squeue does not tell";
+  return status.slurm_tasks->empty() ? "is over" : "tasks: " + CountWords(*status.slurm_tasks);
+}
+
 void PrintStatus(const SweepStatus& status) {
-  fmt::print("{}: {} of {} flights\n", status.name, status.flown, status.planned);
-  fmt::print("  passed {}\n  failed {}\n", status.passed, status.flown - status.passed);
+  fmt::print("{}: {} of {} flights{}\n", status.name, status.flown, status.planned,
+             status.whole == status.planned ? "" : fmt::format(", of {} in the whole sweep", status.whole));
+  fmt::print("  passed {}\n  failed {}{}\n", status.passed, status.flown - status.passed,
+             status.processes.empty() ? "" : fmt::format(" ({})", CountWords(status.processes)));
   if (status.stale > 0) fmt::print("  stale  {} (flown by another build)\n", status.stale);
   if (status.slurm_job) fmt::print("Slurm job {}: {}\n", *status.slurm_job, SlurmWords(status));
 }

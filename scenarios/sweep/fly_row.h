@@ -35,8 +35,8 @@ class RowFolder {
 };
 
 /// Flies a resolved scenario and leaves its row under `id`; of a flight that did not pass, a contact sheet too. What
-/// goes wrong in the flight is a row that says so. Throws InputError when the row cannot be written or the scenario is
-/// none.
+/// goes wrong in the flight is a row that says so, but for a lack of memory, which is thrown on. Throws InputError when
+/// the row cannot be written or the scenario is none.
 void FlyRow(const std::string& scenario_yaml, const std::string& id, const RowFolder& folder);
 
 }  // namespace touchdown::scenarios

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <map>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "scenarios/flight/program_digest.h"
 #include "scenarios/sweep/flight_chunk.h"
 #include "scenarios/sweep/folder_lock.h"
+#include "scenarios/sweep/folder_rows.h"
 #include "scenarios/sweep/run_sweep.h"
 #include "scenarios/sweep/shell_word.h"
 
@@ -28,17 +28,13 @@ constexpr const char* kJobMark = "slurm_job: ";
 
 /// The planned flights that have no row in `folder`, or with `retry` one without a flight.
 std::vector<const PlannedFlight*> MissingFlights(const SweepPlan& plan, const fs::path& folder, bool retry) {
-  std::map<std::string, RowEnd> left;
   std::optional<SweepStore> store;
   if (fs::exists(folder / "sweep.db")) store.emplace(folder, SweepStore::Access::kRead);
-  for (const FlightRow& row : LeftRows(folder)) left[row.id] = row.end;
+  const FolderRows rows(folder, store ? &*store : nullptr);
   std::vector<const PlannedFlight*> missing;
   for (const PlannedFlight& flight : plan.flights) {
-    const auto in_folder = left.find(flight.id);
-    std::optional<RowEnd> end;
-    if (in_folder != left.end()) end = in_folder->second;
-    if (const auto row = store ? store->Find(flight.id) : std::nullopt; row && end != RowEnd::kFlown) end = row->end;
-    if (!end || (retry && *end != RowEnd::kFlown)) missing.push_back(&flight);
+    const std::optional<FlightRow> row = rows.Find(flight.id);
+    if (!row || (retry && row->end != RowEnd::kFlown)) missing.push_back(&flight);
   }
   return missing;
 }

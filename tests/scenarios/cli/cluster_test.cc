@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 using std::chrono::steady_clock;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 using tests::ProgramRun;
 
 /// An environment variable, as it was again at the end.
@@ -77,6 +78,7 @@ TEST_F(ClusterTest, PartsTogetherHaveTheRowsOfTheWhole) {
   for (const std::string part : {"1", "2", "3"}) {
     OutOf({"sweep", "sweep.yaml", "--out", "part" + part, "--shard", part + "/3", "--quiet"});
   }
+  EXPECT_THAT(OutOf({"status", "part1"}), StartsWith("sweep: 3 of 3 flights, of 8 in the whole sweep\n"));
   folder_.Put("part2/pictures/0123.png", "PNG");
   const ProgramRun incomplete = Run({"collect", "all", "part1"});
   EXPECT_EQ(incomplete.status, 1) << "not all is there";
@@ -190,6 +192,21 @@ TEST_F(AnsweringSlurmTest, KeepsADamagedRowBesideTheOneThatIsFlownForIt) {
   EXPECT_THAT(OutOf({"sweep-task", "out", "0"}), HasSubstr(id + " pass in "));
   EXPECT_EQ(folder_.Content("out/rows/" + id + ".damaged"), "half a row");
   EXPECT_EQ(Status("out").at("flown"), 1);
+}
+
+TEST_F(AnsweringSlurmTest, TellsWhatWasFlownForARowWhoseProcessCrashed) {
+  PutSweep(2);
+  Submit();
+  {
+    SweepStore store(folder_ / "out", SweepStore::Access::kWrite);
+    for (const PlannedFlight& flight : store.Plan().flights) store.Put({.id = flight.id, .program = store.program()});
+  }
+  EXPECT_THAT(OutOf({"status", "out"}), StartsWith("sweep: 2 of 2 flights\n  passed 0\n  failed 2 (2 crashed)\nSlurm"));
+  EXPECT_EQ(Status("out").at("processes").at("crashed"), 2);
+  EXPECT_EQ(Submit({"--retry", "--chunk", "1"}), "Slurm job 7: 2 flights in 2 tasks\n");
+  OutOf({"sweep-task", "out", "0"});
+  EXPECT_THAT(OutOf({"status", "out"}), HasSubstr("  passed 1\n  failed 1 (1 crashed)\n"));
+  EXPECT_EQ(Submit({"--retry"}), "Slurm job 7: 1 flights in 1 task\n");
 }
 
 TEST_F(AnsweringSlurmTest, LeavesARowThatIsBeingWritten) {
