@@ -39,15 +39,25 @@ int MostSlurmTasks() {
   return most;
 }
 
-std::string SubmitScript(const std::filesystem::path& script, const std::filesystem::path& folder,
-                         const SlurmSite& site) {
-  std::vector<std::string> arguments{"sbatch", "--parsable", "--chdir=" + folder.string()};
+std::string SubmitHeld(const std::filesystem::path& script, const std::filesystem::path& folder,
+                       const SlurmSite& site) {
+  std::vector<std::string> arguments{"sbatch", "--parsable", "--hold", "--chdir=" + folder.string()};
   if (site.partition) arguments.push_back("--partition=" + *site.partition);
   if (site.account) arguments.push_back("--account=" + *site.account);
   if (site.time) arguments.push_back("--time=" + *site.time);
   arguments.push_back(script.string());
   const std::string out = Ask(arguments);  // "7", or "7;cluster".
   return out.substr(0, out.find_first_of(";\n"));
+}
+
+void ReleaseJob(const std::string& job) {
+  try {
+    Ask({"scontrol", "release", job});
+  } catch (const InputError& error) {
+    throw InputError(
+        fmt::format("{}; Slurm job {} is submitted and held: scontrol release {} lets it go, scancel {} ends it",
+                    error.what(), job, job, job));
+  }
 }
 
 std::optional<std::map<std::string, int>> TasksInQueue(const std::string& job) {

@@ -17,10 +17,12 @@ struct SlurmSite {
 /// How many tasks an array may have at this site. Throws InputError when there is no Slurm, or it does not answer.
 int MostSlurmTasks();
 
-/// Submits a script that runs in `folder`, and returns the job's id. Throws InputError, with what Slurm said, when it
-/// is refused.
-std::string SubmitScript(const std::filesystem::path& script, const std::filesystem::path& folder,
-                         const SlurmSite& site);
+/// Submits a script that is to run in `folder`, once ReleaseJob is told the job's id, which it returns. Throws
+/// InputError, with what Slurm said, when it is refused.
+std::string SubmitHeld(const std::filesystem::path& script, const std::filesystem::path& folder, const SlurmSite& site);
+
+/// Throws InputError, with what Slurm said and what is to be done, when the job stays held.
+void ReleaseJob(const std::string& job);
 
 /// How many tasks of a job are in which state, in Slurm's words; none once it is over. nullopt when Slurm is not there
 /// or does not answer.

@@ -89,6 +89,15 @@ void RefuseWhileQueued(const fs::path& folder) {
                           *job));
 }
 
+/// Before the job may run: one that the folder does not know would lose its tasks to the next.
+void WriteJob(const fs::path& folder, const std::string& job) {
+  try {
+    WriteOutputFile(JobFile(folder), kJobMark + job + "\n", kJobMark);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}; Slurm job {} is submitted and held: scancel {} ends it", error.what(), job, job));
+  }
+}
+
 /// Writes what the tasks read, in place of an earlier job's.
 void WriteTasks(const fs::path& folder, const std::vector<FlightChunk>& chunks) {
   std::error_code error;
@@ -121,8 +130,9 @@ SlurmSweep SubmitSweep(const SweepFile& file, const SweepPlan& plan, const fs::p
   const std::vector<FlightChunk> chunks = Chunks(file, missing, ChunkSize(missing, options, most));
   WriteTasks(folder, chunks);
   WriteOutputFile(folder / "slurm.sh", Script(chunks.size()), kScriptMark);
-  const std::string job = SubmitScript(folder / "slurm.sh", fs::absolute(folder), options.site);
-  WriteOutputFile(JobFile(folder), kJobMark + job + "\n", kJobMark);
+  const std::string job = SubmitHeld(folder / "slurm.sh", fs::absolute(folder), options.site);
+  WriteJob(folder, job);
+  ReleaseJob(job);
   return {.job = job, .tasks = chunks.size(), .flights = missing.size()};
 }
 

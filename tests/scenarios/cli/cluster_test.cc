@@ -133,7 +133,8 @@ TEST_F(ClusterTest, RefusesPartsOfAnotherSweepOrBuild) {
 class AnsweringSlurmTest : public ClusterTest {
  protected:
   AnsweringSlurmTest() {
-    PutTool("scontrol", "echo 'MaxArraySize            = 3'");
+    PutTool("scontrol",
+            "[ $1 = release ] && cat ../out/slurm/job.yaml >../released; echo 'MaxArraySize            = 3'");
     PutTool("sbatch", "echo \"$@\" >>../submitted; echo '7;here'");
     PutTool("squeue", "");
   }
@@ -159,6 +160,8 @@ TEST_F(AnsweringSlurmTest, SubmitsTasksThatFitTheSite) {
             "Slurm job 7: 7 flights in 3 tasks\n");
   EXPECT_THAT(folder_.Content("submitted"), AllOf(HasSubstr("--partition=fast --account=us --time=10 out/slurm.sh"),
                                                   HasSubstr("--chdir=" + (folder_ / "out").string())));
+  EXPECT_THAT(folder_.Content("submitted"), HasSubstr("--hold"));
+  EXPECT_EQ(folder_.Content("released"), "slurm_job: 7\n") << "once the folder knew it";
   EXPECT_THAT(folder_.Content("out/slurm.sh"), AllOf(HasSubstr("--array=0-2\n"), HasSubstr("--requeue\n")));
   EXPECT_EQ(CountIn("out/tasks"), 3u);
 }
@@ -235,6 +238,19 @@ TEST_F(AnsweringSlurmTest, SaysWhyItCannotSubmit) {
   const SetVariable no_tools("PATH", "/nowhere");
   EXPECT_THAT(ErrorOf(submit), HasSubstr("there is no scontrol on this machine"));
   EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
+TEST_F(AnsweringSlurmTest, SaysWhatBecomesOfAJobThatItCannotRecordOrRelease) {
+  PutSweep(2);
+  const std::vector<std::string> submit{"sweep", "sweep.yaml", "--slurm", "--out", "out"};
+  PutTool("sbatch", "mkdir ../out/slurm/job.yaml; echo 7");
+  EXPECT_THAT(ErrorOf(submit), AllOf(HasSubstr("out/slurm/job.yaml"), HasSubstr("scancel 7 ends it")));
+  EXPECT_FALSE(fs::exists(folder_ / "released"));
+  fs::remove(folder_ / "out/slurm/job.yaml");
+  PutTool("sbatch", "echo 7");
+  PutTool("scontrol", "[ $1 = show ] && echo 'MaxArraySize = 3' && exit; echo 'no connection' >&2; exit 1");
+  EXPECT_THAT(ErrorOf(submit), AllOf(HasSubstr("scontrol refuses: no connection"), HasSubstr("scontrol release 7")));
+  EXPECT_EQ(folder_.Content("out/slurm/job.yaml"), "slurm_job: 7\n");
 }
 
 TEST_F(AnsweringSlurmTest, RefusesTasksThatAnotherBuildPlanned) {
