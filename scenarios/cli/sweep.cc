@@ -36,10 +36,17 @@ struct Options {
   double level = 0.5;
   int flights = 60;
   bool slurm = false;
-  SlurmOptions on_slurm;
+  std::optional<int> chunk;
+  SlurmSite site;
   bool retry = false;
   Talk talk;
 };
+
+void RefuseToSplit(const SweepFile& file, const char* option) {
+  if (!file.stop_when) return;
+  throw InputError(
+      fmt::format("{}: a sweep with stop_when cannot be split, since each flight may be the last", option));
+}
 
 /// "3/8": the third of eight.
 SweepPlan TakeShard(const SweepFile& file, const SweepPlan& plan, const std::string& text) {
@@ -48,8 +55,7 @@ SweepPlan TakeShard(const SweepFile& file, const SweepPlan& plan, const std::str
   if (std::sscanf(text.c_str(), "%d/%d%c", &number, &shards, &rest) != 2 || number < 1 || number > shards) {
     throw InputError(fmt::format("--shard {}: must be I/N with I from 1 to N", text));
   }
-  if (file.stop_when)
-    throw InputError("--shard: a sweep with stop_when cannot be split, since each flight may be the last");
+  RefuseToSplit(file, "--shard");
   return ShardOf(plan, number - 1, shards);
 }
 
@@ -97,15 +103,13 @@ std::string TaskWords(const SlurmSweep& sweep) {
 
 int SweepOnSlurm(const SweepFile& file, const SweepPlan& plan, const Options& options) {
   if (!options.out) throw InputError("--out: name a folder that all nodes share");
-  if (file.stop_when)
-    throw InputError("--slurm: a sweep with stop_when cannot be split, since each flight may be the last");
+  RefuseToSplit(file, "--slurm");
+  const SlurmOptions on_slurm{.chunk = options.chunk, .site = options.site, .retry = options.retry};
   if (options.dry_run) {
-    const SlurmSweep planned = PlanTasks(file, plan, *options.out, options.on_slurm);
+    const SlurmSweep planned = PlanTasks(file, plan, *options.out, on_slurm);
     fmt::print("{}\n", TaskWords(planned));
     return kPassed;
   }
-  SlurmOptions on_slurm = options.on_slurm;
-  on_slurm.retry = options.retry;
   const SlurmSweep submitted = SubmitSweep(file, plan, *options.out, on_slurm);
   if (options.talk.quiet) return kPassed;
   if (submitted.flights == 0) {
@@ -125,11 +129,10 @@ void AddSlurmOptions(CLI::App& command, Options& options) {
   const auto add = [&](const char* name, auto& value, const char* type, const char* text) {
     return command.add_option(name, value, text)->type_name(type)->group(kGroup)->needs(slurm);
   };
-  add("--chunk", options.on_slurm.chunk, "K", "Flights in a task (default: some minutes' worth)")
-      ->check(CLI::Range(1, 1000000));
-  add("--partition", options.on_slurm.site.partition, "P", "As of sbatch");
-  add("--account", options.on_slurm.site.account, "A", "As of sbatch");
-  add("--time", options.on_slurm.site.time, "T", "A task's time limit, as of sbatch");
+  add("--chunk", options.chunk, "K", "Flights in a task (default: some minutes' worth)")->check(CLI::Range(1, 1000000));
+  add("--partition", options.site.partition, "P", "As of sbatch");
+  add("--account", options.site.account, "A", "As of sbatch");
+  add("--time", options.site.time, "T", "A task's time limit, as of sbatch");
 }
 
 /// Flies the plan, or seeks the boundary, and tells of it.

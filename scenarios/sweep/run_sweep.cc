@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <map>
-#include <set>
 #include <system_error>
 
 #include "models/error.h"
@@ -22,13 +21,14 @@ class Agenda {
  public:
   Agenda(const SweepFile& file, const SweepPlan& plan, const SweepStore& store, bool retry) : plan_(plan) {
     if (file.stop_when) test_.emplace(*file.stop_when);
+    progress_.planned = static_cast<int>(plan.flights.size());
     for (const PlannedFlight& flight : plan.flights) {
+      expected_s_[flight.id] = flight.expected_s;
       whole_s_ += flight.expected_s;
-      if (passed_.contains(flight.id)) continue;
       const auto row = store.Find(flight.id);
       if (row && !(retry && row->end != RowEnd::kFlown)) {
-        passed_[flight.id] = row->passed();
-      } else if (wanted_.insert(flight.id).second) {
+        Count(*row);
+      } else {
         tasks_.push_back({flight.id, flight.scenario_yaml, flight.limit_s, file.limits.memory_mb});
       }
     }
@@ -37,38 +37,37 @@ class Agenda {
 
   const FlightTask* Next() {
     if (!HasNext()) return nullptr;
-    ++flying_;
+    ++progress_.flying;
     return &tasks_[next_++];
   }
 
   bool HasNext() const { return !IsDecided() && next_ < tasks_.size(); }
 
   void Take(const FlightRow& row) {
-    --flying_;
-    passed_[row.id] = row.passed();
+    --progress_.flying;
+    Count(row);
     Decide();
   }
 
   bool IsDecided() const { return test_ && test_->decision() != SequentialTest::Decision::kOpen; }
   /// As many flights, from the plan's start, as the decision took; all without one.
   std::size_t counted() const { return IsDecided() ? static_cast<std::size_t>(test_->taken()) : plan_.flights.size(); }
-  bool IsDone() const { return IsDecided() || Progress().done == Progress().planned; }
+  bool IsDone() const { return IsDecided() || progress_.done == progress_.planned; }
 
   SweepProgress Progress() const {
-    SweepProgress progress{.planned = static_cast<int>(plan_.flights.size()), .flying = flying_};
-    double done_s = 0.0;
-    for (const PlannedFlight& flight : plan_.flights) {
-      const auto found = passed_.find(flight.id);
-      if (found == passed_.end()) continue;
-      ++progress.done;
-      progress.passed += found->second ? 1 : 0;
-      done_s += flight.expected_s;
-    }
-    progress.share = whole_s_ > 0.0 ? done_s / whole_s_ : 1.0;
+    SweepProgress progress = progress_;
+    progress.share = whole_s_ > 0.0 ? done_s_ / whole_s_ : 1.0;
     return progress;
   }
 
  private:
+  void Count(const FlightRow& row) {
+    passed_[row.id] = row.passed();
+    ++progress_.done;
+    progress_.passed += row.passed() ? 1 : 0;
+    done_s_ += expected_s_.at(row.id);
+  }
+
   /// Gives the test the outcomes that there are without a gap.
   void Decide() {
     if (!test_) return;
@@ -81,12 +80,12 @@ class Agenda {
 
   const SweepPlan& plan_;
   std::optional<SequentialTest> test_;
+  std::map<std::string, double> expected_s_;
   std::map<std::string, bool> passed_;
-  std::set<std::string> wanted_;
   std::vector<FlightTask> tasks_;
   std::size_t next_ = 0, decided_ = 0;
-  int flying_ = 0;
-  double whole_s_ = 0.0;
+  SweepProgress progress_;
+  double done_s_ = 0.0, whole_s_ = 0.0;
 };
 
 SweepPlan FirstOf(const SweepPlan& plan, std::size_t count) {
