@@ -58,7 +58,7 @@ TEST_F(TestCommand, AStoredBaselineGatesAChangeThatMakesFlightsWorse) {
   ASSERT_EQ(Run({"sweep", "sweep.yaml", "--out", "after", "--quiet"}).status, 0);
   const ProgramRun run = Run({"compare", "baseline.csv", "after"});
   EXPECT_EQ(run.status, 1) << run.out << run.err;
-  EXPECT_THAT(run.out, AllOf(HasSubstr("8 pairs; 0 flights only in baseline.csv"), HasSubstr("worse: pass_rate")));
+  EXPECT_THAT(run.out, AllOf(HasSubstr("8 pairs of 8 seeds; 0 flights only in baseline.csv"), HasSubstr("worse: pass_rate")));
   EXPECT_EQ(Run({"compare", "baseline.csv", "before", "--margin", "pass_rate=0.1"}).status, 0);
   EXPECT_THAT(Run({"compare", "baseline.csv", "before", "--margin", "pass_rate=0.1"}).out, HasSubstr("fly more seeds"));
   EXPECT_THAT(ErrorOf({"compare", "baseline.csv"}), HasSubstr("name two sweeps, or one and --variants"));
