@@ -1,6 +1,7 @@
 #include "scenarios/cli/compare.h"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <charconv>
 #include <cmath>
@@ -105,6 +106,9 @@ int CompareBoth(const Options& options) {
   for (const std::string& text : options.margins) margins.push_back(MarginFrom(text));
   const Sides sides = Load(options);
   const Comparison comparison = Compare(sides.a, sides.b, margins);
+  if (comparison.only_a > 0) {
+    spdlog::warn("{} lacks flights of {}: {} not compared", sides.name_b, sides.name_a, comparison.only_a);
+  }
   if (options.talk.json) fmt::print("{}", ComparisonJson(comparison));
   if (options.talk.ForPeople()) Print(comparison, sides);
   return comparison.is_worse() ? kFailed : kPassed;

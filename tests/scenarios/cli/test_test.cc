@@ -58,9 +58,15 @@ TEST_F(TestCommand, AStoredBaselineGatesAChangeThatMakesFlightsWorse) {
   ASSERT_EQ(Run({"sweep", "sweep.yaml", "--out", "after", "--quiet"}).status, 0);
   const ProgramRun run = Run({"compare", "baseline.csv", "after"});
   EXPECT_EQ(run.status, 1) << run.out << run.err;
-  EXPECT_THAT(run.out, AllOf(HasSubstr("8 pairs of 8 seeds; 0 flights only in baseline.csv"), HasSubstr("worse: pass_rate")));
+  EXPECT_THAT(run.out,
+              AllOf(HasSubstr("8 pairs of 8 seeds; 0 flights only in baseline.csv"), HasSubstr("worse: pass_rate")));
   EXPECT_EQ(Run({"compare", "baseline.csv", "before", "--margin", "pass_rate=0.1"}).status, 0);
   EXPECT_THAT(Run({"compare", "baseline.csv", "before", "--margin", "pass_rate=0.1"}).out, HasSubstr("fly more seeds"));
+  std::string csv = folder_.Content("baseline.csv");
+  csv.resize(csv.rfind('\n', csv.size() - 2) + 1);
+  folder_.Put("part.csv", csv);
+  EXPECT_THAT(Run({"compare", "baseline.csv", "part.csv"}).err,
+              HasSubstr("part.csv lacks flights of baseline.csv: 1 not compared"));
   EXPECT_THAT(ErrorOf({"compare", "baseline.csv"}), HasSubstr("name two sweeps, or one and --variants"));
   EXPECT_THAT(ErrorOf({"compare", "before", "--variants", "old", "new"}), HasSubstr("has no flight of a variant old"));
   EXPECT_THAT(ErrorOf({"compare", "baseline.csv", "none.csv"}), HasSubstr("none.csv: cannot be read"));
