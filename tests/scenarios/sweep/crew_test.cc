@@ -28,7 +28,7 @@ using testing::HasSubstr;
 void Pretend(const FlightTask& task, const RowFolder& folder) {
   const auto is = [&task](const char* what) { return task.id.find(what) != std::string::npos; };
   std::cerr << task.id << " flies\n";
-  if (is("crash")) raise(SIGSEGV);
+  if (is("crash")) raise(SIGABRT);
   if (is("memory")) raise(SIGKILL);
   if (is("alloc")) throw std::bad_alloc();
   if (is("picture")) throw cv::Exception(cv::Error::StsNoMem, "no memory", "", "", 0);
@@ -79,7 +79,7 @@ TEST_F(CrewTest, GoesOnWhenProcessesFailAndSaysWhatBecameOfThem) {
   EXPECT_TRUE(rows_["a"].passed());
   EXPECT_TRUE(rows_["b"].passed());
   EXPECT_EQ(rows_["crash"].end, RowEnd::kCrashed);
-  EXPECT_THAT(rows_["crash"].reason, HasSubstr("Segmentation fault"));
+  EXPECT_THAT(rows_["crash"].reason, HasSubstr("Aborted"));
   EXPECT_EQ(rows_["crash"].complaint, "crash flies\n");
   EXPECT_EQ(rows_["crash"].scenario_yaml, "scenario of crash");
   EXPECT_EQ(rows_["memory"].end, RowEnd::kOutOfMemory);
