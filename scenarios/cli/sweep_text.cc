@@ -136,7 +136,7 @@ std::string SummaryText(const SweepOutcome& sweep, const SweepSummary& summary, 
                         check.limit, IntervalText(interval));
   }
   if (const std::string lost = LostProcesses(sweep.results); !lost.empty()) {
-    text += fmt::format("  {}: --retry flies them again\n", lost);
+    text += fmt::format("  {}{}\n", lost, sweep.terms.sought ? "" : ": --retry flies them again");
   }
   if (sweep.whole > sweep.planned) {
     text += fmt::format("  {} more flights are in parts of the sweep that are not here\n", sweep.whole - sweep.planned);
@@ -157,7 +157,8 @@ std::string SummaryJson(const SweepOutcome& sweep, const SweepSummary& summary, 
   json["hung"] = CountEnds(sweep.results, RowEnd::kHung);
   json["out_of_memory"] = CountEnds(sweep.results, RowEnd::kOutOfMemory);
   // A part, or what is flown so far, is not judged.
-  json["pass"] = summary.is_whole ? Json(summary.keeps_criteria()) : Json();
+  const bool passes = sweep.terms.sought ? summary.finds_edge() : summary.keeps_criteria();
+  json["pass"] = summary.is_whole ? Json(passes) : Json();
   json["parameters"] = Json::array();
   for (const PassCountOf& each : summary.by_value) {
     Json value{{"key", each.key}, {"value", ParameterJson(each.value)}};

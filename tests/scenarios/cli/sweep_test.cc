@@ -203,6 +203,11 @@ TEST_F(SweepCommand, SeeksTheValueAtWhichFlightsBeginToFail) {
       Run({"sweep", "sweep.yaml", "--boundary", "script.0.duration_s", "--flights", "6", "--out", "alike"});
   EXPECT_EQ(alike.status, 1) << alike.err;
   EXPECT_THAT(alike.out, HasSubstr("no value of script.0.duration_s from 0.05 to 0.25 found at which 50 % pass"));
+  const auto json = nlohmann::json::parse(
+      Run({"sweep", "sweep.yaml", "--boundary", "script.0.duration_s", "--flights", "6", "--out", "alike", "--json"})
+          .out);
+  EXPECT_EQ(json.at("pass"), false);
+  EXPECT_FALSE(json.at("edges").at(0).contains("value"));
   PutSweep(1,
            "parameters: {script.0.duration_s: [0.1, 0.2]}\n"
            "variants: [{name: a}, {name: b, set: {start.yaw_deg: 5}}]\n");
