@@ -2,13 +2,14 @@
 include(CMakePackageConfigHelpers)
 
 set(TOUCHDOWN_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/Touchdown)
-set(TOUCHDOWN_HEADER_DIR ${CMAKE_INSTALL_INCLUDEDIR}/touchdown)
 
-install(TARGETS touchdown_models touchdown_estimator touchdown_controller EXPORT TouchdownTargets)
+install(TARGETS touchdown_models touchdown_estimator_base touchdown_estimator_pad touchdown_estimator_paper
+  touchdown_estimator_calibration touchdown_estimator touchdown_controller EXPORT TouchdownTargets
+  INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT TouchdownTargets NAMESPACE touchdown:: DESTINATION ${TOUCHDOWN_PACKAGE_DIR})
-install(DIRECTORY models controller DESTINATION ${TOUCHDOWN_HEADER_DIR} FILES_MATCHING PATTERN "*.h")
-install(DIRECTORY estimator DESTINATION ${TOUCHDOWN_HEADER_DIR} FILES_MATCHING PATTERN "*.h" PATTERN paper EXCLUDE)
-install(FILES estimator/paper/paper_options.h DESTINATION ${TOUCHDOWN_HEADER_DIR}/estimator/paper)
+install(CODE "execute_process(COMMAND ${CMAKE_COMMAND} -D SOURCE_DIR=${PROJECT_SOURCE_DIR}
+  -D DESTINATION=\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}
+  -P ${CMAKE_CURRENT_LIST_DIR}/install_headers.cmake COMMAND_ERROR_IS_FATAL ANY)")
 
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/TouchdownConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_LIST_DIR}/TouchdownConfig.cmake ${PROJECT_BINARY_DIR}/TouchdownConfigVersion.cmake

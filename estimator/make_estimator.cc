@@ -13,9 +13,9 @@ namespace {
 using Maker = std::function<std::unique_ptr<Estimator>(const EstimatorConfig&, const EstimatorSetup&)>;
 
 std::unique_ptr<Estimator> MakePaperEstimator(const EstimatorConfig& config, const EstimatorSetup& setup) {
-  PaperEstimatorConfig paper;
+  paper::PaperEstimatorConfig paper;
   paper.search.edges.contour_points = config.paper.contour_points;
-  return std::make_unique<PaperEstimator>(setup, paper);
+  return std::make_unique<paper::PaperEstimator>(setup, paper);
 }
 
 const std::vector<std::pair<std::string, Maker>>& Makers() {

@@ -13,7 +13,7 @@ namespace touchdown::estimator {
 /// count.
 struct EstimatorConfig {
   std::string name = "paper";
-  PaperOptions paper;
+  paper::PaperOptions paper;
 
   /// Throws InputError for a name that is not among EstimatorNames(); the message lists them.
   void Validate() const;

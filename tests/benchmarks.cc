@@ -14,9 +14,9 @@
 #include "estimator/make_estimator.h"
 #include "models/angles.h"
 #include "models/random_stream.h"
-#include "scenarios/paper/april_tag.h"
-#include "sim/camera.h"
-#include "sim/world.h"
+#include "scenarios/experiments/april_tag.h"
+#include "sim/dynamics/world.h"
+#include "sim/sensors/camera.h"
 
 namespace {
 
@@ -94,7 +94,7 @@ BENCHMARK_CAPTURE(Vision, footage_without_pad, false, estimator::FrameOrder::kUn
 
 void AprilTag(benchmark::State& state, float decimate) {
   const auto& views = Views();
-  scenarios::AprilTagDetector detector(decimate);
+  experiments::AprilTagDetector detector(decimate);
   int frames = 0;
   for (auto _ : state) {
     benchmark::DoNotOptimize(detector.Detect(views[static_cast<std::size_t>(frames++) % kFrames].image.View()));

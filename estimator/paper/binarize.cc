@@ -8,7 +8,7 @@
 
 #include "models/error.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 namespace {
 
 constexpr int kLargestWindow_px = 255;
@@ -103,4 +103,4 @@ models::Image Binarize(const models::ImageView& image, const BinarizeConfig& con
   return dark;
 }
 
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

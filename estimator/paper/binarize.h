@@ -2,7 +2,7 @@
 
 #include "models/signals.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 
 /// Sec. IV-A.1.
 struct BinarizeConfig {
@@ -23,4 +23,4 @@ struct BinarizeConfig {
 /// where dark, 0 elsewhere. At the borders the mean is over the part of the window inside the image.
 models::Image Binarize(const models::ImageView& image, const BinarizeConfig& config = {});
 
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

@@ -5,7 +5,7 @@
 #include "estimator/paper/classifier_weights.h"
 #include "estimator/paper/components.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 namespace {
 
 /// Adds `weight` times the share of every cell that [begin, end), in cells, covers.
@@ -56,4 +56,4 @@ Classification Classify(const ComponentSet& set, const Component& component, mod
   return Classify(PatternOf(set, component), letter);
 }
 
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

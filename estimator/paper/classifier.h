@@ -5,7 +5,7 @@
 #include "estimator/estimator.h"
 #include "models/landing_pad.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 
 struct Component;
 struct ComponentSet;
@@ -34,4 +34,4 @@ Classification Classify(const Pattern& pattern, models::PadLetter letter);
 /// Classify(PatternOf(set, component), letter).
 Classification Classify(const ComponentSet& set, const Component& component, models::PadLetter letter);
 
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

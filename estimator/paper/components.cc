@@ -7,7 +7,7 @@
 
 #include "models/error.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 namespace {
 
 /// He et al.'s equivalent label sets: every provisional label knows its set's representative (the smallest label), and
@@ -143,4 +143,4 @@ ComponentSet ExtractComponents(const models::ImageView& dark, const ComponentsCo
   return result;
 }
 
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

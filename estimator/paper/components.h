@@ -6,7 +6,7 @@
 
 #include "models/signals.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 
 /// Dark pixels side by side in row `v`, columns [u_begin, u_end).
 struct Run {
@@ -56,4 +56,4 @@ struct ComponentsConfig {
 /// labelling (He, Chao, Suzuki: A run-based two-scan labeling algorithm, IEEE Trans. Image Processing 17(5), 2008).
 ComponentSet ExtractComponents(const models::ImageView& dark, const ComponentsConfig& config = {});
 
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimator/paper/letter_outline.h"
+#include "estimator/pad/letter_outline.h"
 #include "models/angles.h"
 #include "models/error.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 namespace {
 
-Ellipse FittedTo(const models::LandingPad& pad) {
+pad::Ellipse FittedTo(const models::LandingPad& pad) {
   pad.Validate();
   constexpr double kSpacing_m = 0.001;
-  const auto ellipse = FitEllipse(LetterOutline(pad, std::min(kSpacing_m, 0.1 * pad.h_stroke_m)));
+  const auto ellipse = pad::FitEllipse(pad::LetterOutline(pad, std::min(kSpacing_m, 0.1 * pad.h_stroke_m)));
   if (!ellipse) throw InputError("the pad's H is too thin to be seen as an ellipse");
   return *ellipse;
 }
@@ -29,7 +29,7 @@ bool LetterEllipse::HasDirection() const {
   return in_pad_.semi_axes.x() >= kLeastElongation * in_pad_.semi_axes.y();
 }
 
-double LetterEllipse::StrokeAngle(const Ellipse& seen) const {
+double LetterEllipse::StrokeAngle(const pad::Ellipse& seen) const {
   const bool major_axis_is_along_strokes = std::abs(std::cos(in_pad_.angle)) > std::abs(std::sin(in_pad_.angle));
   return major_axis_is_along_strokes ? seen.angle : models::WrapToHalfPi(seen.angle + models::kPi / 2.0);
 }
@@ -44,9 +44,9 @@ std::optional<double> LetterEllipse::StrokeAngleSeenFrom(const Eigen::Isometry3d
   Eigen::Matrix3d image_from_plane;
   image_from_plane << X_CW.linear().leftCols<2>(), X_CW.translation();
   const Eigen::Matrix3d plane_from_image = image_from_plane.inverse();
-  const auto seen = Ellipse::FromConic(plane_from_image.transpose() * in_pad_.Conic() * plane_from_image);
+  const auto seen = pad::Ellipse::FromConic(plane_from_image.transpose() * in_pad_.Conic() * plane_from_image);
   if (!seen) return std::nullopt;
   return StrokeAngle(*seen);
 }
 
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

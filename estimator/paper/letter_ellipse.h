@@ -4,10 +4,10 @@
 #include <Eigen/Geometry>
 #include <optional>
 
-#include "estimator/paper/ellipse_fit.h"
+#include "estimator/pad/ellipse_fit.h"
 #include "models/landing_pad.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 
 /// The ellipse that the direct fit gives for the outline of the pad's letter H, and what its major axis tells of the H
 /// (Sec. IV-C.3).
@@ -22,7 +22,7 @@ class LetterEllipse {
   /// Direction of the H's long strokes in the image, from the major axis of the ellipse fitted to the H there: the same
   /// for an H that is higher than wide, across it for a wider one. From the first coordinate's axis towards the
   /// second's, (-pi/2, pi/2].
-  double StrokeAngle(const Ellipse& seen) const;
+  double StrokeAngle(const pad::Ellipse& seen) const;
 
   /// The StrokeAngle of the H in the normalized image of a camera at X_CW: what Sec. IV-C.3 takes for the direction of
   /// the strokes, perspective and all; where the ellipse has no direction, that of the H's X axis.
@@ -31,7 +31,7 @@ class LetterEllipse {
 
  private:
   double half_height_m_;
-  Ellipse in_pad_;  // In the plane of W, m.
+  pad::Ellipse in_pad_;  // In the plane of W, m.
 };
 
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

@@ -6,7 +6,7 @@
 
 #include "models/error.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 namespace {
 
 struct Candidate {
@@ -103,4 +103,4 @@ PadDetector::Result PadDetector::Detect(const ComponentSet& components) const {
   return result;
 }
 
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

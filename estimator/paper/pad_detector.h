@@ -10,7 +10,7 @@
 #include "estimator/paper/components.h"
 #include "models/landing_pad.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 
 /// Labels one component of a set: the network, or in tests the truth.
 using ComponentClassifier = std::function<Classification(const ComponentSet&, const Component&)>;
@@ -61,4 +61,4 @@ class PadDetector {
   double smallest_size_ratio_, largest_size_ratio_;
 };
 
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

@@ -4,7 +4,7 @@
 
 #include "models/angles.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 namespace {
 
 /// From a levelled camera L, which looks straight down with the image's up towards X_W, to W.
@@ -20,11 +20,11 @@ Eigen::Vector3d ReferenceNormal(const Eigen::Vector3d& gravity_B, const Eigen::M
   return R_BC.transpose() * -gravity_B;
 }
 
-std::size_t ResolveByGravity(const std::array<CirclePose, 2>& poses, const Eigen::Vector3d& z_C) {
+std::size_t ResolveByGravity(const std::array<pad::CirclePose, 2>& poses, const Eigen::Vector3d& z_C) {
   return models::AngleBetween(poses[0].n_C, z_C) <= models::AngleBetween(poses[1].n_C, z_C) ? 0 : 1;
 }
 
-double WrongBranchProbability(const std::array<CirclePose, 2>& poses, const Eigen::Vector3d& z_C,
+double WrongBranchProbability(const std::array<pad::CirclePose, 2>& poses, const Eigen::Vector3d& z_C,
                               double reference_sigma) {
   const double angle1 = models::AngleBetween(poses[0].n_C, z_C), angle2 = models::AngleBetween(poses[1].n_C, z_C);
   const double log_ratio = 0.5 * std::abs(angle2 * angle2 - angle1 * angle1) / (reference_sigma * reference_sigma);
@@ -49,4 +49,4 @@ Eigen::Isometry3d BodyPose(const Eigen::Matrix3d& R_WC, const Eigen::Vector3d& p
   return X_WB;
 }
 
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

@@ -5,21 +5,21 @@
 #include <array>
 #include <cstddef>
 
-#include "estimator/paper/conic_pose.h"
+#include "estimator/pad/conic_pose.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 
 /// Z_W in C as the IMU has it, the reference vector of Eqs. 12 and 13. `gravity_B` is the unit vector pointing down in
 /// B; roll and pitch enter through it, and yaw, which Eq. 12 sets to 0, does not.
 Eigen::Vector3d ReferenceNormal(const Eigen::Vector3d& gravity_B, const Eigen::Matrix3d& R_BC);
 
 /// Index of the pose whose normal makes the smaller angle with the reference vector z_C (Eq. 14).
-std::size_t ResolveByGravity(const std::array<CirclePose, 2>& poses, const Eigen::Vector3d& z_C);
+std::size_t ResolveByGravity(const std::array<pad::CirclePose, 2>& poses, const Eigen::Vector3d& z_C);
 
 /// The probability that Eq. 14 took the wrong one of `poses` when each of the reference's two angles to z_C has the
 /// 1-sigma error `reference_sigma`, rad, and both poses were as likely before: 0.5 where they are equally far from the
 /// reference, nearly 0 where the other one is several sigma further off.
-double WrongBranchProbability(const std::array<CirclePose, 2>& poses, const Eigen::Vector3d& z_C,
+double WrongBranchProbability(const std::array<pad::CirclePose, 2>& poses, const Eigen::Vector3d& z_C,
                               double reference_sigma);
 
 /// The camera's yaw psi_C from the direction of the H's long strokes in the undistorted image, not rectified
@@ -38,4 +38,4 @@ Eigen::Matrix3d CameraRotation(const Eigen::Vector3d& n_C, double psi_C);
 /// X_WB from R_WC, the pad's place p_CW and the camera's mounting (Eqs. 17 and 18).
 Eigen::Isometry3d BodyPose(const Eigen::Matrix3d& R_WC, const Eigen::Vector3d& p_CW, const Eigen::Isometry3d& X_BC);
 
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

@@ -7,10 +7,10 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
-#include "estimator/paper/letter_outline.h"
+#include "estimator/pad/letter_outline.h"
 #include "models/angles.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 namespace {
 
 using Eigen::Vector2d;
@@ -38,14 +38,14 @@ PixelBox Scaled(const PixelBox& box, int n) { return {n * box.u, n * box.v, n * 
 
 PixelBox BoxOf(const Component& c) { return {c.u, c.v, c.width, c.height}; }
 
-PixelBox BoxOf(const Ellipse& ellipse) {
+PixelBox BoxOf(const pad::Ellipse& ellipse) {
   const Vector2d half = ellipse.Shape().diagonal().cwiseSqrt();
   const Eigen::Vector2i low = (ellipse.center - half).array().floor().cast<int>();
   const Eigen::Vector2i high = (ellipse.center + half).array().ceil().cast<int>();
   return {low.x(), low.y(), high.x() - low.x() + 1, high.y() - low.y() + 1};
 }
 
-std::vector<Vector2d> PointsOn(const Ellipse& ellipse) {
+std::vector<Vector2d> PointsOn(const pad::Ellipse& ellipse) {
   constexpr int kPoints = 60;
   const Eigen::Rotation2Dd from_axes(ellipse.angle);
   std::vector<Vector2d> points;
@@ -119,21 +119,21 @@ PadSearch::Result PadSearch::ByComponents(const Reduced& seen) const {
 
 std::optional<FoundPad> PadSearch::Fit(const Reduced& seen, const ComponentSet& components,
                                        const DetectedPad& detected) const {
-  PadContours contours = FindContours(seen.image, components, detected, pad_, config_.edges);
+  pad::PadContours contours = FindContours(seen.image, components, detected, pad_, config_.edges);
   Undistort(seen.view, contours);
-  const auto ring_outer = FitRing(contours.ring_outer, config_.ring_fit);
-  const auto letter = FitEllipse(contours.letter);
+  const auto ring_outer = pad::FitRing(contours.ring_outer, config_.ring_fit);
+  const auto letter = pad::FitEllipse(contours.letter);
   if (!ring_outer || !letter) return std::nullopt;
-  const auto ring_poses = PosesOfCircle(NormalizedConic(*ring_outer, camera_), pad_.outer_radius_m);
-  const auto normalized_letter = Ellipse::FromConic(NormalizedConic(*letter, camera_));
+  const auto ring_poses = pad::PosesOfCircle(pad::NormalizedConic(*ring_outer, camera_), pad_.outer_radius_m);
+  const auto normalized_letter = pad::Ellipse::FromConic(pad::NormalizedConic(*letter, camera_));
   if (!ring_poses || !normalized_letter) return std::nullopt;
-  const bool is_the_letter = std::any_of(ring_poses->begin(), ring_poses->end(), [&](const CirclePose& pose) {
+  const bool is_the_letter = std::any_of(ring_poses->begin(), ring_poses->end(), [&](const pad::CirclePose& pose) {
     return IsPrintUnder(*normalized_letter, seen, pose);
   });
   // Else its component is not the H alone, or not the whole H.
   if (!is_the_letter) return ByPrint(seen, seen, BoxOf(detected.ring), *ring_poses);
   return FoundPad{*ring_outer,
-                  FitEllipse(contours.ring_inner),
+                  pad::FitEllipse(contours.ring_inner),
                   *letter,
                   letter_.StrokeAngle(*normalized_letter),
                   std::move(contours),
@@ -141,12 +141,13 @@ std::optional<FoundPad> PadSearch::Fit(const Reduced& seen, const ComponentSet& 
 }
 
 /// Whether the letter's ellipse tells where the print is, on the plane of this pose.
-bool PadSearch::IsPrintUnder(const Ellipse& normalized_letter, const Reduced& seen, const CirclePose& ring_pose) const {
+bool PadSearch::IsPrintUnder(const pad::Ellipse& normalized_letter, const Reduced& seen,
+                             const pad::CirclePose& ring_pose) const {
   if (!letter_.HasDirection()) return false;
-  const SeenPlane plane(ring_pose, seen.view);
+  const pad::SeenPlane plane(ring_pose, seen.view);
   std::vector<Vector2d> on_plane;
   for (const Vector2d& point : PointsOn(normalized_letter)) on_plane.push_back(plane.PointAlong(point));
-  const auto letter = FitEllipse(on_plane);
+  const auto letter = pad::FitEllipse(on_plane);
   if (!letter) return false;
   const double angle = letter_.StrokeAngle(*letter);
   const auto is_at = [&](double turned) { return print_.IsAt(seen.image, plane, {.angle = turned}); };
@@ -154,8 +155,9 @@ bool PadSearch::IsPrintUnder(const Ellipse& normalized_letter, const Reduced& se
 }
 
 std::optional<FoundPad> PadSearch::ByEdges(const Reduced& searched, const Reduced& measured) const {
-  for (const Ellipse& ring : FindRings(searched.image, config_.ring_search)) {
-    const auto poses = PosesOfCircle(NormalizedConic(Undistorted(ring, searched.view), camera_), pad_.outer_radius_m);
+  for (const pad::Ellipse& ring : pad::FindRings(searched.image, config_.ring_search)) {
+    const auto poses =
+        pad::PosesOfCircle(pad::NormalizedConic(Undistorted(ring, searched.view), camera_), pad_.outer_radius_m);
     if (!poses) continue;
     const PixelBox box = Scaled(BoxOf(ring), searched.view.reduction / measured.view.reduction);
     if (auto pad = ByPrint(searched, measured, box, *poses)) return pad;
@@ -164,58 +166,59 @@ std::optional<FoundPad> PadSearch::ByEdges(const Reduced& searched, const Reduce
 }
 
 std::optional<FoundPad> PadSearch::ByPrint(const Reduced& searched, const Reduced& measured, const PixelBox& ring_box,
-                                           const std::array<CirclePose, 2>& ring_poses) const {
-  std::vector<std::pair<PrintMatch::Found, CirclePose>> prints;
-  for (const CirclePose& pose : ring_poses) {
-    if (const auto found = print_.Find(searched.image, SeenPlane(pose, searched.view)))
+                                           const std::array<pad::CirclePose, 2>& ring_poses) const {
+  std::vector<std::pair<pad::PrintMatch::Found, pad::CirclePose>> prints;
+  for (const pad::CirclePose& pose : ring_poses) {
+    if (const auto found = print_.Find(searched.image, pad::SeenPlane(pose, searched.view)))
       prints.emplace_back(*found, pose);
   }
   std::stable_sort(prints.begin(), prints.end(),
                    [](const auto& a, const auto& b) { return a.first.likeness > b.first.likeness; });
   for (const auto& [found, pose] : prints) {
-    if (auto pad = Measure(measured, ring_box, SeenPlane(pose, measured.view), found.place)) return pad;
+    if (auto pad = Measure(measured, ring_box, pad::SeenPlane(pose, measured.view), found.place)) return pad;
   }
   return std::nullopt;
 }
 
-std::optional<FoundPad> PadSearch::Measure(const Reduced& seen, const PixelBox& ring_box, const SeenPlane& plane,
-                                           const PrintPlace& place) const {
-  PadContours contours = FindContours(seen.image, ring_box, plane, place, pad_, config_.edges);
+std::optional<FoundPad> PadSearch::Measure(const Reduced& seen, const PixelBox& ring_box, const pad::SeenPlane& plane,
+                                           const pad::PrintPlace& place) const {
+  pad::PadContours contours = pad::FindContours(seen.image, ring_box, plane, place, pad_, config_.edges);
   Undistort(seen.view, contours);
-  RingFitConfig broken = config_.ring_fit;
+  pad::RingFitConfig broken = config_.ring_fit;
   broken.least_coverage = config_.ring_search.least_coverage;
-  const auto ring_outer = FitRing(contours.ring_outer, broken);
+  const auto ring_outer = pad::FitRing(contours.ring_outer, broken);
   if (!ring_outer) return std::nullopt;
   constexpr double kSpacing = 0.1;  // Of a stroke.
   std::vector<Vector2d> outline;
-  for (const Vector2d& p_W : LetterOutline(pad_, kSpacing * pad_.h_stroke_m)) {
+  for (const Vector2d& p_W : pad::LetterOutline(pad_, kSpacing * pad_.h_stroke_m)) {
     outline.push_back(camera_.PixelFromNormalized(plane.InCamera(place.OnPlane(p_W)).hnormalized()));
   }
-  const auto letter = FitEllipse(outline);
+  const auto letter = pad::FitEllipse(outline);
   if (!letter) return std::nullopt;
   return FoundPad{
-      *ring_outer,         FitEllipse(contours.ring_inner),      *letter, StrokeAngle(plane, place, *letter),
+      *ring_outer,         pad::FitEllipse(contours.ring_inner), *letter, StrokeAngle(plane, place, *letter),
       std::move(contours), Scaled(ring_box, seen.view.reduction)};
 }
 
-void PadSearch::Undistort(const ReducedView& view, PadContours& contours) const {
+void PadSearch::Undistort(const pad::ReducedView& view, pad::PadContours& contours) const {
   for (auto* contour : {&contours.ring_outer, &contours.ring_inner, &contours.letter}) {
     for (Vector2d& point : *contour) point = undistort_.At(view.CameraPixel(point));
   }
 }
 
-Ellipse PadSearch::Undistorted(const Ellipse& raw, const ReducedView& view) const {
+pad::Ellipse PadSearch::Undistorted(const pad::Ellipse& raw, const pad::ReducedView& view) const {
   std::vector<Vector2d> points = PointsOn(raw);
   for (Vector2d& point : points) point = undistort_.At(view.CameraPixel(point));
-  return FitEllipse(points).value_or(raw);
+  return pad::FitEllipse(points).value_or(raw);
 }
 
-double PadSearch::StrokeAngle(const SeenPlane& plane, const PrintPlace& place, const Ellipse& letter) const {
-  const auto normalized_letter = Ellipse::FromConic(NormalizedConic(letter, camera_));
+double PadSearch::StrokeAngle(const pad::SeenPlane& plane, const pad::PrintPlace& place,
+                              const pad::Ellipse& letter) const {
+  const auto normalized_letter = pad::Ellipse::FromConic(pad::NormalizedConic(letter, camera_));
   if (normalized_letter && letter_.HasDirection()) return letter_.StrokeAngle(*normalized_letter);
   const Vector2d from = plane.InCamera(place.OnPlane({-pad_.h_height_m / 2.0, 0.0})).hnormalized();
   const Vector2d to = plane.InCamera(place.OnPlane({pad_.h_height_m / 2.0, 0.0})).hnormalized();
   return models::WrapToHalfPi(std::atan2(to.y() - from.y(), to.x() - from.x()));
 }
 
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

@@ -6,29 +6,30 @@
 #include <vector>
 
 #include "estimator/estimator.h"
+#include "estimator/pad/edges.h"
+#include "estimator/pad/ellipse_fit.h"
+#include "estimator/pad/print_match.h"
+#include "estimator/pad/ring_search.h"
+#include "estimator/pad/seen_plane.h"
+#include "estimator/pad/undistort_table.h"
 #include "estimator/paper/binarize.h"
 #include "estimator/paper/components.h"
-#include "estimator/paper/edges.h"
-#include "estimator/paper/ellipse_fit.h"
 #include "estimator/paper/letter_ellipse.h"
+#include "estimator/paper/pad_contours.h"
 #include "estimator/paper/pad_detector.h"
-#include "estimator/paper/print_match.h"
-#include "estimator/paper/ring_search.h"
-#include "estimator/paper/seen_plane.h"
-#include "estimator/paper/undistort_table.h"
 #include "models/camera_model.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 
 /// The settings of Secs. IV-A and IV-B.
 struct PadSearchConfig {
   BinarizeConfig binarize;
   ComponentsConfig components;
   PadDetectorConfig pad_detector;
-  EdgeConfig edges;
-  RingFitConfig ring_fit;
-  PrintMatchConfig print_match;
-  RingSearchConfig ring_search;
+  pad::EdgeConfig edges;
+  pad::RingFitConfig ring_fit;
+  pad::PrintMatchConfig print_match;
+  pad::RingSearchConfig ring_search;
 
   /// Throws InputError when a setting is impossible.
   void Validate() const;
@@ -37,11 +38,11 @@ struct PadSearchConfig {
 /// The pad's contours and their ellipses, undistorted px. Where the letter is no component of its own, its ellipse is
 /// that of the described outline where the print was found.
 struct FoundPad {
-  Ellipse ring_outer;
-  std::optional<Ellipse> ring_inner;
-  Ellipse letter;
+  pad::Ellipse ring_outer;
+  std::optional<pad::Ellipse> ring_inner;
+  pad::Ellipse letter;
   double stroke_angle;  ///< In the normalized image.
-  PadContours contours;
+  pad::PadContours contours;
   PixelBox ring_box;  ///< Raw px.
 };
 
@@ -68,7 +69,7 @@ class PadSearch {
   /// An image in which one pixel is a square of so many pixels of the camera.
   struct Reduced {
     models::ImageView image;
-    ReducedView view;
+    pad::ReducedView view;
   };
 
   void Enter(FrameStage stage) const {
@@ -78,24 +79,24 @@ class PadSearch {
   std::optional<FoundPad> Fit(const Reduced& seen, const ComponentSet& components, const DetectedPad& detected) const;
   std::optional<FoundPad> ByEdges(const Reduced& searched, const Reduced& measured) const;
   std::optional<FoundPad> ByPrint(const Reduced& searched, const Reduced& measured, const PixelBox& ring_box,
-                                  const std::array<CirclePose, 2>& ring_poses) const;
-  std::optional<FoundPad> Measure(const Reduced& seen, const PixelBox& ring_box, const SeenPlane& plane,
-                                  const PrintPlace& place) const;
-  bool IsPrintUnder(const Ellipse& normalized_letter, const Reduced& seen, const CirclePose& ring_pose) const;
-  void Undistort(const ReducedView& view, PadContours& contours) const;
-  Ellipse Undistorted(const Ellipse& raw, const ReducedView& view) const;
-  double StrokeAngle(const SeenPlane& plane, const PrintPlace& place, const Ellipse& letter) const;
+                                  const std::array<pad::CirclePose, 2>& ring_poses) const;
+  std::optional<FoundPad> Measure(const Reduced& seen, const PixelBox& ring_box, const pad::SeenPlane& plane,
+                                  const pad::PrintPlace& place) const;
+  bool IsPrintUnder(const pad::Ellipse& normalized_letter, const Reduced& seen, const pad::CirclePose& ring_pose) const;
+  void Undistort(const pad::ReducedView& view, pad::PadContours& contours) const;
+  pad::Ellipse Undistorted(const pad::Ellipse& raw, const pad::ReducedView& view) const;
+  double StrokeAngle(const pad::SeenPlane& plane, const pad::PrintPlace& place, const pad::Ellipse& letter) const;
 
   models::CameraModel camera_;
   models::LandingPad pad_;
   PadSearchConfig config_;
-  UndistortTable undistort_;
+  pad::UndistortTable undistort_;
   LetterEllipse letter_;
   PadDetector detector_;
-  PrintMatch print_;
+  pad::PrintMatch print_;
   bool searches_edges_;
   std::function<void(FrameStage)> on_stage_;
   int reduction_;  // Of large images.
 };
 
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

@@ -5,12 +5,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "estimator/pad/print_misfit.h"
 #include "estimator/paper/pad_pose.h"
-#include "estimator/paper/print_misfit.h"
 #include "models/angles.h"
 #include "models/error.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 namespace {
 
 using Eigen::Vector2d;
@@ -32,7 +32,7 @@ std::vector<Vector2d> Normalized(std::span<const Vector2d> pixels, const models:
   return normalized;
 }
 
-FrameTrace::Ellipse Traced(const Ellipse& ellipse) { return {ellipse.center, ellipse.semi_axes, ellipse.angle}; }
+FrameTrace::Ellipse Traced(const pad::Ellipse& ellipse) { return {ellipse.center, ellipse.semi_axes, ellipse.angle}; }
 
 }  // namespace
 
@@ -81,7 +81,7 @@ FrameEstimate PaperEstimator::Estimate(const models::ImageView& image, models::T
   const auto ring_poses = BothPoses(pad.ring_outer);
   if (!ring_poses) return estimate;
   const Branch branch = gravity_B ? BranchByGravity(*ring_poses, *gravity_B) : BranchByPrint(pad, *ring_poses);
-  const CirclePose& ring_pose = (*ring_poses)[branch.chosen];
+  const pad::CirclePose& ring_pose = (*ring_poses)[branch.chosen];
   const Eigen::Isometry3d X_WB = BodyPoseFrom(ring_pose, pad.stroke_angle);
   const auto covariance = Covariance(pad, *ring_poses, branch);
   if (!covariance) return estimate;
@@ -93,11 +93,11 @@ FrameEstimate PaperEstimator::Estimate(const models::ImageView& image, models::T
   return estimate;
 }
 
-std::optional<std::array<CirclePose, 2>> PaperEstimator::BothPoses(const Ellipse& ring) const {
-  return PosesOfCircle(NormalizedConic(ring, setup_.camera), setup_.pad.outer_radius_m);
+std::optional<std::array<pad::CirclePose, 2>> PaperEstimator::BothPoses(const pad::Ellipse& ring) const {
+  return pad::PosesOfCircle(pad::NormalizedConic(ring, setup_.camera), setup_.pad.outer_radius_m);
 }
 
-PaperEstimator::Branch PaperEstimator::BranchByGravity(const std::array<CirclePose, 2>& ring_poses,
+PaperEstimator::Branch PaperEstimator::BranchByGravity(const std::array<pad::CirclePose, 2>& ring_poses,
                                                        const Eigen::Vector3d& gravity_B) const {
   const Eigen::Vector3d z_C = ReferenceNormal(gravity_B, setup_.X_BC.linear());
   const std::size_t chosen = ResolveByGravity(ring_poses, z_C);
@@ -111,14 +111,14 @@ PaperEstimator::Branch PaperEstimator::BranchByGravity(const std::array<CirclePo
 /// The paper always has an IMU. Without one, what is printed within the ring tells the poses apart, unless it fits both
 /// alike.
 PaperEstimator::Branch PaperEstimator::BranchByPrint(const FoundPad& pad,
-                                                     const std::array<CirclePose, 2>& ring_poses) const {
+                                                     const std::array<pad::CirclePose, 2>& ring_poses) const {
   constexpr double kUndecided = 0.1;
   const std::vector<Vector2d> ring_inner = Normalized(pad.contours.ring_inner, setup_.camera),
                               letter = Normalized(pad.contours.letter, setup_.camera);
-  std::array<PrintMisfit, 2> misfits;
-  for (std::size_t i = 0; i < 2; ++i) misfits[i] = MisfitOfPrint(ring_inner, letter, setup_.pad, ring_poses[i]);
+  std::array<pad::PrintMisfit, 2> misfits;
+  for (std::size_t i = 0; i < 2; ++i) misfits[i] = pad::MisfitOfPrint(ring_inner, letter, setup_.pad, ring_poses[i]);
   std::size_t chosen = misfits[0].rms_m <= misfits[1].rms_m ? 0 : 1;
-  const double wrong = ProbabilityOfLargerMisfit(misfits[chosen], misfits[1 - chosen]);
+  const double wrong = pad::ProbabilityOfLargerMisfit(misfits[chosen], misfits[1 - chosen]);
   PoseChoice choice{PoseChoice::Reason::kPrint, misfits[chosen].rms_m, misfits[1 - chosen].rms_m};
   if (wrong > kUndecided) {
     const Eigen::Vector3d frontal = -Eigen::Vector3d::UnitZ();
@@ -129,34 +129,34 @@ PaperEstimator::Branch PaperEstimator::BranchByPrint(const FoundPad& pad,
   return {.chosen = chosen, .choice = choice, .wrong_probability = wrong, .vertical_C = ring_poses[chosen].n_C};
 }
 
-Eigen::Isometry3d PaperEstimator::BodyPoseFrom(const CirclePose& ring_pose, double stroke_angle) const {
+Eigen::Isometry3d PaperEstimator::BodyPoseFrom(const pad::CirclePose& ring_pose, double stroke_angle) const {
   const double psi_C = CameraYaw(stroke_angle, setup_.X_BC.linear());
   return BodyPose(CameraRotation(ring_pose.n_C, psi_C), ring_pose.p_CW, setup_.X_BC);
 }
 
 std::optional<Eigen::Matrix<double, 6, 6>> PaperEstimator::Covariance(const FoundPad& pad,
-                                                                      const std::array<CirclePose, 2>& ring_poses,
+                                                                      const std::array<pad::CirclePose, 2>& ring_poses,
                                                                       const Branch& branch) const {
   const Eigen::Isometry3d X_WB = BodyPoseFrom(ring_poses[branch.chosen], pad.stroke_angle);
-  const auto ring_covariance = EllipseCovariance(pad.ring_outer, pad.contours.ring_outer, config_.covariance);
+  const auto ring_covariance = pad::EllipseCovariance(pad.ring_outer, pad.contours.ring_outer, config_.covariance);
   if (!ring_covariance) return std::nullopt;
 
-  const double edge_sigma_px = RmsDistance(pad.ring_outer, pad.contours.ring_outer);
+  const double edge_sigma_px = pad::RmsDistance(pad.ring_outer, pad.contours.ring_outer);
   const auto seen_at_pose = letter_.StrokeAngleSeenFrom((X_WB * setup_.X_BC).inverse());
   const double not_rectified = models::WrapToHalfPi(seen_at_pose.value_or(pad.stroke_angle) - pad.stroke_angle);
   const double stroke_sigma =
-      StrokeSigma(pad.letter, pad.contours.letter.size(), edge_sigma_px, not_rectified, config_.covariance);
+      pad::StrokeSigma(pad.letter, pad.contours.letter.size(), edge_sigma_px, not_rectified, config_.covariance);
 
-  const auto pose_of = [&](const Ellipse& ring, double stroke_angle) -> std::optional<Eigen::Isometry3d> {
+  const auto pose_of = [&](const pad::Ellipse& ring, double stroke_angle) -> std::optional<Eigen::Isometry3d> {
     const auto poses = BothPoses(ring);
     if (!poses) return std::nullopt;
     return BodyPoseFrom((*poses)[ResolveByGravity(*poses, branch.vertical_C)], stroke_angle);
   };
   const Eigen::Isometry3d other_X_WB = BodyPoseFrom(ring_poses[1 - branch.chosen], pad.stroke_angle);
-  auto covariance = PoseCovariance(pad.ring_outer, *ring_covariance, pad.stroke_angle, stroke_sigma, X_WB, pose_of,
-                                   config_.covariance);
-  if (covariance) *covariance += WrongBranchCovariance(X_WB, other_X_WB, branch.wrong_probability);
+  auto covariance = pad::PoseCovariance(pad.ring_outer, *ring_covariance, pad.stroke_angle, stroke_sigma, X_WB, pose_of,
+                                        config_.covariance);
+  if (covariance) *covariance += pad::WrongBranchCovariance(X_WB, other_X_WB, branch.wrong_probability);
   return covariance;
 }
 
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

@@ -6,19 +6,19 @@
 #include <optional>
 
 #include "estimator/estimator.h"
-#include "estimator/paper/conic_pose.h"
+#include "estimator/pad/conic_pose.h"
+#include "estimator/pad/outlier_gate.h"
+#include "estimator/pad/pose_covariance.h"
 #include "estimator/paper/letter_ellipse.h"
-#include "estimator/paper/outlier_gate.h"
 #include "estimator/paper/pad_search.h"
-#include "estimator/paper/pose_covariance.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 
 /// The settings of every step, with the values that the flights are flown with.
 struct PaperEstimatorConfig {
   PadSearchConfig search;
-  OutlierGateConfig outlier_gate;
-  PoseCovarianceConfig covariance;
+  pad::OutlierGateConfig outlier_gate;
+  pad::PoseCovarianceConfig covariance;
 
   /// Throws InputError when a setting is impossible.
   void Validate() const;
@@ -46,19 +46,19 @@ class PaperEstimator final : public Estimator {
     Eigen::Vector3d vertical_C;  // Near which the pose's normal lies: the IMU's, or else the chosen pose's own.
   };
 
-  Branch BranchByGravity(const std::array<CirclePose, 2>& ring_poses, const Eigen::Vector3d& gravity_B) const;
-  Branch BranchByPrint(const FoundPad& pad, const std::array<CirclePose, 2>& ring_poses) const;
-  std::optional<std::array<CirclePose, 2>> BothPoses(const Ellipse& ring) const;
-  Eigen::Isometry3d BodyPoseFrom(const CirclePose& ring_pose, double stroke_angle) const;
+  Branch BranchByGravity(const std::array<pad::CirclePose, 2>& ring_poses, const Eigen::Vector3d& gravity_B) const;
+  Branch BranchByPrint(const FoundPad& pad, const std::array<pad::CirclePose, 2>& ring_poses) const;
+  std::optional<std::array<pad::CirclePose, 2>> BothPoses(const pad::Ellipse& ring) const;
+  Eigen::Isometry3d BodyPoseFrom(const pad::CirclePose& ring_pose, double stroke_angle) const;
   std::optional<Eigen::Matrix<double, 6, 6>> Covariance(const FoundPad& pad,
-                                                        const std::array<CirclePose, 2>& ring_poses,
+                                                        const std::array<pad::CirclePose, 2>& ring_poses,
                                                         const Branch& branch) const;
 
   EstimatorSetup setup_;
   PaperEstimatorConfig config_;
   PadSearch search_;
   LetterEllipse letter_;
-  OutlierGate gate_;
+  pad::OutlierGate gate_;
 };
 
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

@@ -1,14 +1,12 @@
 #pragma once
 
-namespace touchdown::estimator {
+#include "estimator/pad/edges.h"
 
-/// Where a frame's edge points are taken: on Canny's pixels, or at their sub-pixel place along the gradient. The paper
-/// leaves it open.
-enum class ContourPoints { kInteger, kSubpixel };
+namespace touchdown::estimator::paper {
 
 /// What a scenario may say of the strategy `paper`.
 struct PaperOptions {
-  ContourPoints contour_points = ContourPoints::kSubpixel;
+  pad::ContourPoints contour_points = pad::ContourPoints::kSubpixel;
 };
 
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

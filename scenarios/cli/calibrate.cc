@@ -12,15 +12,15 @@
 #include "scenarios/cli/interrupt.h"
 #include "scenarios/cli/progress.h"
 #include "scenarios/cli/talk.h"
-#include "scenarios/flight/camera_info.h"
-#include "scenarios/flight/interrupted.h"
-#include "scenarios/flight/output_folder.h"
-#include "scenarios/flight/scenario.h"
-#include "scenarios/footage/imu_file.h"
-#include "scenarios/study/calibration_bench.h"
-#include "scenarios/study/calibration_files.h"
+#include "scenarios/config/camera_info.h"
+#include "scenarios/datasets/imu_file.h"
+#include "scenarios/laboratory/calibration_bench.h"
+#include "scenarios/laboratory/calibration_files.h"
+#include "scenarios/runner/scenario.h"
+#include "scenarios/util/interrupted.h"
+#include "scenarios/util/output_folder.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 struct Options {
@@ -39,64 +39,65 @@ struct Options {
 /// The samples of a file at rest, where it tells them from others; else all.
 std::vector<models::ImuSample> SamplesAtRest(const std::string& file) {
   constexpr models::TimeBase kMicroseconds{.ticks_per_s = 1'000'000};
-  const std::vector<ImuReading> readings = ReadImuFile(file, kMicroseconds);
+  const std::vector<datasets::ImuReading> readings = datasets::ReadImuFile(file, kMicroseconds);
   const bool tells_rest = std::any_of(readings.begin(), readings.end(), [](const auto& r) { return r.at_rest; });
   std::vector<models::ImuSample> samples;
-  for (const ImuReading& reading : readings) {
+  for (const datasets::ImuReading& reading : readings) {
     if (reading.at_rest || !tells_rest) samples.push_back(reading.sample);
   }
   return samples;
 }
 
 /// The IMU of a real vehicle that stands on level ground.
-ImuCalibration CalibrateRealImu(const std::string& file) {
+laboratory::ImuCalibration CalibrateRealImu(const std::string& file) {
   try {
-    return ImuCalibrationFrom(SamplesAtRest(file));
+    return laboratory::ImuCalibrationFrom(SamplesAtRest(file));
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", file, error.what()));
   }
 }
 
-Scenario ScenarioOf(const Options& options) {
-  std::vector<Override> overrides(options.overrides.begin(), options.overrides.end());
+runner::Scenario ScenarioOf(const Options& options) {
+  std::vector<runner::Override> overrides(options.overrides.begin(), options.overrides.end());
   if (options.seed) overrides.emplace_back("seed=" + *options.seed, "--seed " + *options.seed);
-  return LoadScenario(options.scenario.value(), overrides);
+  return runner::LoadScenario(options.scenario.value(), overrides);
 }
 
-CalibrationRun Calibrate(const Options& options) {
+laboratory::CalibrationRun Calibrate(const Options& options) {
   if (options.imu && (options.scenario || options.what != "imu")) {
     throw InputError("--imu FILE stands for a scenario, and goes with calibrate imu alone");
   }
   if (options.imu) return {.scenario = {}, .imu = CalibrateRealImu(*options.imu), .camera = {}};
   if (!options.scenario) throw InputError("calibrate: name a scenario, or samples of a real IMU with --imu");
-  CalibrationRun run{.scenario = ScenarioOf(options), .imu = {}, .camera = {}};
-  if (options.Wants("imu")) run.imu = CalibrateImu(*run.scenario);
+  laboratory::CalibrationRun run{.scenario = ScenarioOf(options), .imu = {}, .camera = {}};
+  if (options.Wants("imu")) run.imu = laboratory::CalibrateImu(*run.scenario);
   if (!options.Wants("camera")) return run;
   Progress progress(!options.talk.ForPeople());
-  CameraCalibrationConfig config;
-  if (options.all_terms) config.terms = LensTerms::kAll;
-  run.camera = CalibrateCamera(*run.scenario, config, [&](double share) {
-    if (InterruptRequested()) throw Interrupted();
+  laboratory::CameraCalibrationConfig config;
+  if (options.all_terms) config.terms = laboratory::LensTerms::kAll;
+  run.camera = laboratory::CalibrateCamera(*run.scenario, config, [&](double share) {
+    if (InterruptRequested()) throw util::Interrupted();
     if (progress.IsDue()) progress.Tell(share, "views of the chessboard");
   });
   return run;
 }
 
 int CalibrateWith(const Options& options) {
-  OutputFolder folder(options.out, {.files = {"calibration.json", "calibration.yaml", "camera.yaml", "views.png"},
-                                    .mark = "\"touchdown.calibration\""});
-  const CalibrationRun run = Calibrate(options);
-  const std::string json = CalibrationJson(run);
+  util::OutputFolder folder(options.out, {.files = {"calibration.json", "calibration.yaml", "camera.yaml", "views.png"},
+                                          .mark = "\"touchdown.calibration\""});
+  const laboratory::CalibrationRun run = Calibrate(options);
+  const std::string json = laboratory::CalibrationJson(run);
   folder.Write("calibration.json", json);
-  folder.Write("calibration.yaml", CalibrationYaml(CalibrationOf(run)));
+  folder.Write("calibration.yaml", runner::CalibrationYaml(CalibrationOf(run)));
   if (run.camera) {
-    folder.Write("camera.yaml", CameraInfoYaml(run.camera->fit.model, "camera"));
-    folder.Write("views.png", CalibrationViewsPng(*run.camera, Chessboard()));
+    folder.Write("camera.yaml", config::CameraInfoYaml(run.camera->fit.model, "camera"));
+    folder.Write("views.png", laboratory::CalibrationViewsPng(*run.camera, laboratory::Chessboard()));
   }
   folder.Commit();
   if (options.talk.json) fmt::print("{}", json);
   if (options.talk.ForPeople()) {
-    fmt::print("{}{}/calibration.yaml: a scenario takes it as its calibration\n", CalibrationText(run), options.out);
+    fmt::print("{}{}/calibration.yaml: a scenario takes it as its calibration\n", laboratory::CalibrationText(run),
+               options.out);
   }
   return kPassed;
 }
@@ -125,4 +126,4 @@ void AddCalibrate(CLI::App& app, Run& run) {
   command.callback([options, &run] { run = [options] { return CalibrateWith(*options); }; });
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

@@ -2,10 +2,10 @@
 
 #include "scenarios/cli/command.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 
 /// `touchdown calibrate imu|camera|all SCENARIO --out DIR`: the calibrations of Sec. III-D, on the scenario's vehicle;
 /// `touchdown calibrate imu --imu FILE --out DIR` from a real one's samples.
 AddCommand AddCalibrate;
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

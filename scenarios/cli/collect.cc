@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "scenarios/cli/sweep_outcome.h"
-#include "scenarios/sweep/collect.h"
+#include "scenarios/sweeper/run/collect.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 struct Options {
@@ -18,8 +18,8 @@ struct Options {
 
 int CollectRows(const Options& options) {
   CheckSweepFiles(options.files);
-  Collect(options.files.folder, {options.from.begin(), options.from.end()});
-  const SweepSummary summary = TellOutcome(options.files, options.talk);
+  sweeper::Collect(options.files.folder, {options.from.begin(), options.from.end()});
+  const sweeper::SweepSummary summary = TellOutcome(options.files, options.talk);
   return summary.is_whole && summary.keeps_criteria() ? kPassed : kFailed;
 }
 
@@ -36,4 +36,4 @@ void AddCollect(CLI::App& app, Run& run) {
   command.callback([options, &run] { run = [options] { return CollectRows(*options); }; });
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

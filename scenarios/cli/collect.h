@@ -2,9 +2,9 @@
 
 #include "scenarios/cli/command.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 
 /// `touchdown collect`: the rows of a sweep that flew elsewhere.
 void AddCollect(CLI::App& app, Run& run);
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 
 /// What the program's exit status says.
 enum ExitStatus : int {
@@ -21,4 +21,4 @@ using Run = std::function<int()>;
 /// A command adds itself as a subcommand whose callback sets `run`. One function of this kind for each file in cli/.
 using AddCommand = void(CLI::App& app, Run& run);
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

@@ -13,9 +13,9 @@
 
 #include "models/error.h"
 #include "scenarios/cli/talk.h"
-#include "scenarios/sweep/compare.h"
+#include "scenarios/sweeper/analysis/compare.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 struct Options {
@@ -27,9 +27,9 @@ struct Options {
 };
 
 /// "pass_rate=0.02".
-Margin MarginFrom(const std::string& text) {
+sweeper::Margin MarginFrom(const std::string& text) {
   const std::size_t sign = text.find('=');
-  Margin margin{.name = text.substr(0, sign)};
+  sweeper::Margin margin{.name = text.substr(0, sign)};
   const std::string number = sign == std::string::npos ? "" : text.substr(sign + 1);
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), margin.margin);
   const bool is_number = error == std::errc() && end == number.data() + number.size() && std::isfinite(margin.margin);
@@ -41,33 +41,33 @@ Margin MarginFrom(const std::string& text) {
 
 /// What is compared, and what it is called.
 struct Sides {
-  StoredResults a, b;
+  sweeper::StoredResults a, b;
   std::string name_a, name_b;
 };
 
 Sides Load(const Options& options) {
   if (options.variants.empty()) {
     if (!options.b) throw InputError("name two sweeps, or one and --variants");
-    return {LoadResults(options.a), LoadResults(*options.b), options.a, *options.b};
+    return {sweeper::LoadResults(options.a), sweeper::LoadResults(*options.b), options.a, *options.b};
   }
   if (options.b) throw InputError("--variants: are of one sweep, and two are named");
-  const StoredResults stored = LoadResults(options.a);
+  const sweeper::StoredResults stored = sweeper::LoadResults(options.a);
   const std::string &a = options.variants.front(), &b = options.variants.back();
-  return {OfVariant(stored, a), OfVariant(stored, b), a, b};
+  return {sweeper::OfVariant(stored, a), sweeper::OfVariant(stored, b), a, b};
 }
 
-void Print(const Comparison& comparison, const Sides& sides) {
-  const PairedDifference& all = comparison.differences.front();
+void Print(const sweeper::Comparison& comparison, const Sides& sides) {
+  const sweeper::PairedDifference& all = comparison.differences.front();
   fmt::print("{} pairs of {} seeds; {} flights only in {}, {} only in {}\n", all.pairs, all.seeds, comparison.only_a,
              sides.name_a, comparison.only_b, sides.name_b);
   fmt::print("  {:<34} {:>6} {:>10} {:>10} {:>11}  {:<24} {:>10}\n", "", "pairs", "A", "B", "B - A", "95 %",
              "resolvable");
-  for (const PairedDifference& d : comparison.differences) {
+  for (const sweeper::PairedDifference& d : comparison.differences) {
     fmt::print("{} {:<34} {:>6} {:>10.4g} {:>10.4g} {:>+11.4g}  {:<24} {:>10.3g} {}\n", d.is_worse ? "!" : " ", d.name,
                d.pairs, d.a, d.b, d.difference.value,
                fmt::format("{:+.4g} to {:+.4g}", d.difference.low, d.difference.high), d.resolvable, d.unit);
   }
-  for (const PairedDifference& d : comparison.differences) {
+  for (const sweeper::PairedDifference& d : comparison.differences) {
     if (d.is_worse) {
       fmt::print("worse: {}, surely, and by {:.4g}{}{}, beyond the margin of {:g}\n", d.name,
                  std::abs(d.difference.value), d.unit.empty() ? "" : " ", d.unit, d.margin);
@@ -79,12 +79,12 @@ void Print(const Comparison& comparison, const Sides& sides) {
   }
 }
 
-std::string ComparisonJson(const Comparison& comparison) {
+std::string ComparisonJson(const sweeper::Comparison& comparison) {
   nlohmann::ordered_json json{{"only_a", comparison.only_a},
                               {"only_b", comparison.only_b},
                               {"is_worse", comparison.is_worse()},
                               {"differences", nlohmann::ordered_json::array()}};
-  for (const PairedDifference& d : comparison.differences) {
+  for (const sweeper::PairedDifference& d : comparison.differences) {
     json["differences"].push_back({{"name", d.name},
                                    {"unit", d.unit},
                                    {"pairs", d.pairs},
@@ -102,10 +102,10 @@ std::string ComparisonJson(const Comparison& comparison) {
 }
 
 int CompareBoth(const Options& options) {
-  std::vector<Margin> margins;
+  std::vector<sweeper::Margin> margins;
   for (const std::string& text : options.margins) margins.push_back(MarginFrom(text));
   const Sides sides = Load(options);
-  const Comparison comparison = Compare(sides.a, sides.b, margins);
+  const sweeper::Comparison comparison = sweeper::Compare(sides.a, sides.b, margins);
   if (comparison.only_a > 0) {
     spdlog::warn("{} lacks flights of {}: {} not compared", sides.name_b, sides.name_a, comparison.only_a);
   }
@@ -134,4 +134,4 @@ void AddCompare(CLI::App& app, Run& run) {
   command.callback([options, &run] { run = [options] { return CompareBoth(*options); }; });
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

@@ -15,16 +15,17 @@
 #include "scenarios/cli/interrupt.h"
 #include "scenarios/cli/progress.h"
 #include "scenarios/cli/talk.h"
-#include "scenarios/flight/interrupted.h"
-#include "scenarios/flight/output_folder.h"
-#include "scenarios/flight/scenario.h"
-#include "scenarios/footage/estimate_footage.h"
-#include "scenarios/footage/footage.h"
-#include "scenarios/footage/imu_file.h"
-#include "scenarios/footage/poses_table.h"
+#include "scenarios/datasets/estimate_footage.h"
+#include "scenarios/datasets/footage.h"
+#include "scenarios/datasets/imu_file.h"
+#include "scenarios/datasets/poses_table.h"
 #include "scenarios/report/footage_video.h"
+#include "scenarios/runner/scenario.h"
+#include "scenarios/util/interrupted.h"
+#include "scenarios/util/output_folder.h"
+#include "scenarios/util/version.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 using estimator::FrameStatus;
@@ -39,21 +40,24 @@ struct Options {
   Talk talk;
 };
 
-models::CameraModel CameraOf(const Options& options, const Calibration& calibration, const FootageFacts& facts) {
-  if (options.camera) return LoadCameraModel(*options.camera);
+models::CameraModel CameraOf(const Options& options, const runner::Calibration& calibration,
+                             const datasets::FootageFacts& facts) {
+  if (options.camera) return runner::LoadCameraModel(*options.camera);
   if (calibration.camera_model) return *calibration.camera_model;
   if (facts.camera) return *facts.camera;
   throw InputError(fmt::format("{}: tells no calibration; name one with --camera or --calibration", options.input));
 }
 
-SensorMounting MountingOn(const models::Vehicle& vehicle) { return {.X_BC = vehicle.X_BC(), .X_BU = vehicle.X_BU()}; }
+datasets::SensorMounting MountingOn(const models::Vehicle& vehicle) {
+  return {.X_BC = vehicle.X_BC(), .X_BU = vehicle.X_BU()};
+}
 
-std::optional<SensorMounting> MountingOf(const Options& options, const Calibration& calibration,
-                                         const FootageFacts& facts) {
-  if (options.vehicle) return MountingOn(LoadVehicle(*options.vehicle));
+std::optional<datasets::SensorMounting> MountingOf(const Options& options, const runner::Calibration& calibration,
+                                                   const datasets::FootageFacts& facts) {
+  if (options.vehicle) return MountingOn(runner::LoadVehicle(*options.vehicle));
   if (!calibration.camera && !calibration.imu) return facts.mounting;
   models::Vehicle vehicle;
-  SensorMounting mounting = facts.mounting.value_or(MountingOn(vehicle));
+  datasets::SensorMounting mounting = facts.mounting.value_or(MountingOn(vehicle));
   vehicle.camera = calibration.camera.value_or(vehicle.camera);
   vehicle.imu = calibration.imu.value_or(vehicle.imu);
   if (calibration.camera) mounting.X_BC = vehicle.X_BC();
@@ -61,13 +65,14 @@ std::optional<SensorMounting> MountingOf(const Options& options, const Calibrati
   return mounting;
 }
 
-FootageSetup SetupOf(const Options& options, const FootageFacts& facts) {
-  const Calibration calibration = options.calibration ? LoadCalibration(*options.calibration) : Calibration();
-  FootageSetup setup;
+datasets::FootageSetup SetupOf(const Options& options, const datasets::FootageFacts& facts) {
+  const runner::Calibration calibration =
+      options.calibration ? runner::LoadCalibration(*options.calibration) : runner::Calibration();
+  datasets::FootageSetup setup;
   setup.camera = CameraOf(options, calibration, facts);
-  setup.pad = options.pad ? LoadPad(*options.pad) : facts.pad.value_or(models::LandingPad());
+  setup.pad = options.pad ? runner::LoadPad(*options.pad) : facts.pad.value_or(models::LandingPad());
   setup.mounting = MountingOf(options, calibration, facts);
-  setup.imu = options.imu ? ReadImuFile(*options.imu, facts.time) : facts.imu;
+  setup.imu = options.imu ? datasets::ReadImuFile(*options.imu, facts.time) : facts.imu;
   setup.estimator = facts.estimator.value_or(estimator::EstimatorConfig());
   if (options.estimator) setup.estimator.name = *options.estimator;
   setup.attitude_estimator = facts.attitude_estimator.value_or(estimator::AttitudeEstimatorConfig());
@@ -78,21 +83,21 @@ FootageSetup SetupOf(const Options& options, const FootageFacts& facts) {
 template <typename Value>
 using Counts = std::map<Value, std::size_t>;
 
-Counts<FrameStatus> CountStatuses(const std::vector<FootageEstimate>& estimates) {
+Counts<FrameStatus> CountStatuses(const std::vector<datasets::FootageEstimate>& estimates) {
   Counts<FrameStatus> counts;
-  for (const FootageEstimate& estimate : estimates) ++counts[estimate.seen.status];
+  for (const datasets::FootageEstimate& estimate : estimates) ++counts[estimate.seen.status];
   return counts;
 }
 
-Counts<PoseChoice::Reason> CountReasons(const std::vector<FootageEstimate>& estimates) {
+Counts<PoseChoice::Reason> CountReasons(const std::vector<datasets::FootageEstimate>& estimates) {
   Counts<PoseChoice::Reason> counts;
-  for (const FootageEstimate& estimate : estimates) {
+  for (const datasets::FootageEstimate& estimate : estimates) {
     if (estimate.seen.choice) ++counts[estimate.seen.choice->reason];
   }
   return counts;
 }
 
-void PrintStatuses(const std::vector<FootageEstimate>& estimates) {
+void PrintStatuses(const std::vector<datasets::FootageEstimate>& estimates) {
   fmt::print("{} frames\n", estimates.size());
   for (const auto& [status, count] : CountStatuses(estimates)) {
     fmt::print("  {:<13} {:>6}  {:5.1f} %\n", Name(status), count,
@@ -100,7 +105,7 @@ void PrintStatuses(const std::vector<FootageEstimate>& estimates) {
   }
 }
 
-void PrintChoices(const std::vector<FootageEstimate>& estimates) {
+void PrintChoices(const std::vector<datasets::FootageEstimate>& estimates) {
   Counts<PoseChoice::Reason> counts = CountReasons(estimates);
   const std::size_t by_print = counts[PoseChoice::Reason::kPrint], frontal = counts[PoseChoice::Reason::kFrontal];
   if (by_print + frontal == 0) return;
@@ -113,10 +118,10 @@ void PrintChoices(const std::vector<FootageEstimate>& estimates) {
 }
 
 /// The text of summary.json.
-std::string SummaryJson(const std::vector<FootageEstimate>& estimates, const FootageSetup& setup) {
+std::string SummaryJson(const std::vector<datasets::FootageEstimate>& estimates, const datasets::FootageSetup& setup) {
   nlohmann::ordered_json json;
   json["schema"] = 1;
-  json["version"] = TOUCHDOWN_VERSION;
+  json["version"] = util::Version();
   json["estimator"] = setup.estimator.name;
   json["pose_of"] = setup.mounting ? "body" : "camera";
   json["imu"] = !setup.imu.empty();
@@ -133,34 +138,36 @@ constexpr const char* kVideoName = "estimate.mp4";
 constexpr const char* kPosesMark = "frame,source,t_s,status,x_m";
 
 int EstimateWith(const Options& options) {
-  OutputFolder folder(options.out, {.files = {"poses.csv", "poses.tum", "choices.csv", "summary.json", kVideoName},
-                                    .mark = kPosesMark});
-  const std::unique_ptr<Footage> footage = OpenFootage(options.input, options.topics);
-  const FootageFacts& facts = footage->facts();
-  const FootageSetup setup = SetupOf(options, facts);
+  util::OutputFolder folder(
+      options.out,
+      {.files = {"poses.csv", "poses.tum", "choices.csv", "summary.json", kVideoName}, .mark = kPosesMark});
+  const std::unique_ptr<datasets::Footage> footage = datasets::OpenFootage(options.input, options.topics);
+  const datasets::FootageFacts& facts = footage->facts();
+  const datasets::FootageSetup setup = SetupOf(options, facts);
 
-  std::optional<FootageVideo> video;
+  std::optional<report::FootageVideo> video;
   if (options.video) video.emplace(folder.PathOf(kVideoName), setup, facts);
-  const std::vector<FootageEstimate> estimates = [&] {
+  const std::vector<datasets::FootageEstimate> estimates = [&] {
     Progress progress(!options.talk.ForPeople());
     std::size_t done = 0;
-    return EstimateFootage(*footage, setup, [&](const FootageFrame& frame, const FootageEstimate& estimate) {
-      if (InterruptRequested()) throw Interrupted();
-      if (video) video->Add(frame, estimate);
-      ++done;
-      const std::size_t count = std::max(done, facts.frame_count);
-      if (progress.IsDue()) {
-        progress.Tell(static_cast<double>(done) / static_cast<double>(count), fmt::format("{} frames", done));
-      }
-    });
+    return datasets::EstimateFootage(
+        *footage, setup, [&](const datasets::FootageFrame& frame, const datasets::FootageEstimate& estimate) {
+          if (InterruptRequested()) throw util::Interrupted();
+          if (video) video->Add(frame, estimate);
+          ++done;
+          const std::size_t count = std::max(done, facts.frame_count);
+          if (progress.IsDue()) {
+            progress.Tell(static_cast<double>(done) / static_cast<double>(count), fmt::format("{} frames", done));
+          }
+        });
   }();
 
   if (video) video->Finish();
   const std::string summary = SummaryJson(estimates, setup);
   folder.Write("summary.json", summary);
-  folder.Write("poses.tum", TumText(PosesTrajectory(estimates, facts.time), facts.time));
-  folder.Write("choices.csv", ChoicesCsv(estimates));
-  folder.Write("poses.csv", PosesCsv(estimates, facts.time));
+  folder.Write("poses.tum", runner::TumText(datasets::PosesTrajectory(estimates, facts.time), facts.time));
+  folder.Write("choices.csv", datasets::ChoicesCsv(estimates));
+  folder.Write("poses.csv", datasets::PosesCsv(estimates, facts.time));
   folder.Commit();
   if (options.talk.json) fmt::print("{}", summary);
   if (!options.talk.ForPeople()) return kPassed;
@@ -207,4 +214,4 @@ void AddEstimate(CLI::App& app, Run& run) {
   command.callback([options, &run] { run = [options] { return EstimateWith(*options); }; });
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

@@ -2,10 +2,10 @@
 
 #include "scenarios/cli/command.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 
 /// `touchdown estimate INPUT [--camera CAMERA.yaml] [--pad PAD.yaml] [--imu FILE] [--vehicle VEHICLE.yaml]
 /// [--estimator NAME] [--video] --out DIR`: the estimator alone, on footage.
 AddCommand AddEstimate;
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

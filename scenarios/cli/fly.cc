@@ -11,18 +11,18 @@
 #include <vector>
 
 #include "models/error.h"
+#include "scenarios/cli/flight_folder.h"
 #include "scenarios/cli/interrupt.h"
 #include "scenarios/cli/progress.h"
 #include "scenarios/cli/talk.h"
-#include "scenarios/flight/config_writer.h"
-#include "scenarios/flight/expected_duration.h"
-#include "scenarios/flight/output_file.h"
-#include "scenarios/flight/scenario.h"
-#include "scenarios/report/flight_folder.h"
+#include "scenarios/config/config_writer.h"
 #include "scenarios/report/junit.h"
-#include "scenarios/sweep/sweep_store.h"
+#include "scenarios/runner/expected_duration.h"
+#include "scenarios/runner/scenario.h"
+#include "scenarios/sweeper/plan/sweep_store.h"
+#include "scenarios/util/output_file.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 struct Options {
@@ -39,9 +39,9 @@ struct Options {
   Talk talk;
 };
 
-void PrintResult(const Scenario& scenario, const FlightResult& result, const std::string& out) {
+void PrintResult(const runner::Scenario& scenario, const runner::FlightResult& result, const std::string& out) {
   fmt::print("{}, seed {}, estimator {}\n", scenario.name, scenario.seed, scenario.estimator.name);
-  for (const Check& check : result.checks) {
+  for (const runner::Check& check : result.checks) {
     const std::string value = check.value ? fmt::format("{:.4g}", *check.value) : check.text;
     fmt::print("  {}  {:<32} {:>10} {:<4} {}\n", check.pass ? "pass" : "FAIL", check.name,
                value.empty() ? "none" : value, check.unit, check.limit);
@@ -52,12 +52,13 @@ void PrintResult(const Scenario& scenario, const FlightResult& result, const std
 }
 
 /// Tells how far the flight is.
-class FlightProgress final : public FlightObserver {
+class FlightProgress final : public runner::FlightObserver {
  public:
-  FlightProgress(const Scenario& scenario, bool quiet)
-      : time_(scenario.time), expected_s_(ExpectedDuration_s(scenario)), progress_(quiet) {}
+  FlightProgress(const runner::Scenario& scenario, bool quiet)
+      : time_(scenario.time), expected_s_(runner::ExpectedDuration_s(scenario)), progress_(quiet) {}
 
-  void OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate&, const FrameRecord& record) override {
+  void OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate&,
+               const runner::FrameRecord& record) override {
     if (!progress_.IsDue()) return;
     const double flown_s = time_.ToSeconds(frame.mid_exposure);
     progress_.Tell(
@@ -73,32 +74,33 @@ class FlightProgress final : public FlightObserver {
   Progress progress_;
 };
 
-FlightResult FlyWithProgress(const Scenario& scenario, const std::string& out, const Options& options) {
+runner::FlightResult FlyWithProgress(const runner::Scenario& scenario, const std::string& out, const Options& options) {
   FlightProgress progress(scenario, !options.talk.ForPeople());
-  FlightObserver* const observers[] = {&progress};
+  runner::FlightObserver* const observers[] = {&progress};
   return FlyIntoFolder(scenario, out, {.video = options.video == "on", .recording = options.record, .bag = options.bag},
                        observers, InterruptRequested);
 }
 
-std::vector<Override> OverridesOf(const Options& options) {
-  std::vector<Override> overrides(options.overrides.begin(), options.overrides.end());
+std::vector<runner::Override> OverridesOf(const Options& options) {
+  std::vector<runner::Override> overrides(options.overrides.begin(), options.overrides.end());
   if (options.seed) overrides.emplace_back("seed=" + *options.seed, "--seed " + *options.seed);
   if (options.estimator) {
-    overrides.emplace_back("estimator.name=" + WriteText(*options.estimator), "--estimator " + *options.estimator);
+    overrides.emplace_back("estimator.name=" + config::WriteText(*options.estimator),
+                           "--estimator " + *options.estimator);
   }
   return overrides;
 }
 
 /// What is to be flown, and the log that it should leave, when that is known.
 struct Order {
-  Scenario scenario;
+  runner::Scenario scenario;
   std::string log_sha256;
 };
 
 Order OrderFrom(const std::string& folder, const std::string& id) {
-  const auto row = SweepStore(folder, SweepStore::Access::kRead).Find(id);
+  const auto row = sweeper::SweepStore(folder, sweeper::SweepStore::Access::kRead).Find(id);
   if (!row) throw InputError(fmt::format("{}: has no flight {}", folder, id));
-  return {ParseScenario(row->scenario_yaml, id, {}), row->log_sha256};
+  return {runner::ParseScenario(row->scenario_yaml, id, {}), row->log_sha256};
 }
 
 /// A scenario's folder is not the place for what is made of it.
@@ -110,7 +112,7 @@ void CheckPlace(const std::string& scenario, const std::string& out) {
   }
 }
 
-void TellWhetherSame(const Order& order, const FlightResult& result) {
+void TellWhetherSame(const Order& order, const runner::FlightResult& result) {
   if (order.log_sha256.empty() || order.log_sha256 == result.log_sha256) return;
   spdlog::warn("the log is not the sweep's: it was flown by another build, or on another type of CPU");
 }
@@ -120,26 +122,27 @@ int FlyWith(const Options& options) {
   if (options.scenario.empty() != is_again)
     throw InputError("name either a SCENARIO or a sweep's flight, --from DIR ID");
   const Order order = is_again ? OrderFrom(options.from[0], options.from[1])
-                               : Order{LoadScenario(options.scenario, OverridesOf(options)), ""};
-  const Scenario& scenario = order.scenario;
+                               : Order{runner::LoadScenario(options.scenario, OverridesOf(options)), ""};
+  const runner::Scenario& scenario = order.scenario;
   const std::string out = options.out.value_or("out/" + (is_again ? options.from[1] : scenario.name));
   CheckPlace(options.scenario, out);
-  if (options.junit) CheckOutputFile(*options.junit, kJunitMark);
-  const FlightResult result = FlyWithProgress(scenario, out, options);
+  if (options.junit) util::CheckOutputFile(*options.junit, report::kJunitMark);
+  const runner::FlightResult result = FlyWithProgress(scenario, out, options);
   TellWhetherSame(order, result);
   if (options.junit) {
-    const JunitSuite suite = SuiteOf(scenario, result.verdict, result.reason, result.metrics, result.checks);
-    WriteOutputFile(*options.junit, JunitXml({suite}), kJunitMark);
+    const report::JunitSuite suite =
+        report::SuiteOf(scenario, result.verdict, result.reason, result.metrics, result.checks);
+    util::WriteOutputFile(*options.junit, report::JunitXml({suite}), report::kJunitMark);
   }
-  if (options.talk.json) fmt::print("{}", ResultJson(scenario, result));
+  if (options.talk.json) fmt::print("{}", runner::ResultJson(scenario, result));
   if (options.talk.ForPeople()) PrintResult(scenario, result, out);
-  if (result.verdict == Verdict::kError) spdlog::error("the simulation went wrong: {}", result.reason);
+  if (result.verdict == runner::Verdict::kError) spdlog::error("the simulation went wrong: {}", result.reason);
   switch (result.verdict) {
-    case Verdict::kPass:
+    case runner::Verdict::kPass:
       return kPassed;
-    case Verdict::kFail:
+    case runner::Verdict::kFail:
       return kFailed;
-    case Verdict::kError:
+    case runner::Verdict::kError:
       break;
   }
   return kInternalError;
@@ -177,4 +180,4 @@ void AddFly(CLI::App& app, Run& run) {
   command.callback([options, &run] { run = [options] { return FlyWith(*options); }; });
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

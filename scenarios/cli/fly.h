@@ -2,10 +2,10 @@
 
 #include "scenarios/cli/command.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 
 /// `touchdown fly SCENARIO [--set key=value]... [--seed N] [--estimator NAME] [--video on|off] [--out DIR]`: one
 /// flight, its verdict and its files.
 AddCommand AddFly;
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

@@ -3,7 +3,7 @@
 #include <csignal>
 #include <initializer_list>
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 volatile std::sig_atomic_t requested = 0;
@@ -21,4 +21,4 @@ void CatchInterrupts() {
 
 bool InterruptRequested() { return requested != 0; }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 
 /// Makes Ctrl-C (SIGINT), SIGTERM and a terminal that closes (SIGHUP) ask the program to stop instead of ending it at
 /// once.
@@ -9,4 +9,4 @@ void CatchInterrupts();
 /// Whether the user has asked the program to stop.
 bool InterruptRequested();
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

@@ -27,20 +27,20 @@
 #include "scenarios/cli/sweep_task.h"
 #include "scenarios/cli/test.h"
 #include "scenarios/cli/train.h"
-#include "scenarios/flight/interrupted.h"
+#include "scenarios/util/interrupted.h"
+#include "scenarios/util/version.h"
 
 namespace {
 
-using touchdown::scenarios::AddCommand;
-using touchdown::scenarios::ExitStatus;
-using touchdown::scenarios::Run;
+using touchdown::cli::AddCommand;
+using touchdown::cli::ExitStatus;
+using touchdown::cli::Run;
 
-AddCommand* const kCommands[] = {
-    touchdown::scenarios::AddCalibrate, touchdown::scenarios::AddCollect, touchdown::scenarios::AddCompare,
-    touchdown::scenarios::AddEstimate,  touchdown::scenarios::AddFly,     touchdown::scenarios::AddPad,
-    touchdown::scenarios::AddPaper,     touchdown::scenarios::AddReport,  touchdown::scenarios::AddScore,
-    touchdown::scenarios::AddStatus,    touchdown::scenarios::AddSweep,   touchdown::scenarios::AddSweepTask,
-    touchdown::scenarios::AddTest,      touchdown::scenarios::AddTrain};
+AddCommand* const kCommands[] = {touchdown::cli::AddCalibrate, touchdown::cli::AddCollect, touchdown::cli::AddCompare,
+                                 touchdown::cli::AddEstimate,  touchdown::cli::AddFly,     touchdown::cli::AddPad,
+                                 touchdown::cli::AddPaper,     touchdown::cli::AddReport,  touchdown::cli::AddScore,
+                                 touchdown::cli::AddStatus,    touchdown::cli::AddSweep,   touchdown::cli::AddSweepTask,
+                                 touchdown::cli::AddTest,      touchdown::cli::AddTrain};
 
 int RunAndExplain(const Run& run) {
   try {
@@ -51,7 +51,7 @@ int RunAndExplain(const Run& run) {
   } catch (const touchdown::InputError& error) {
     spdlog::error("{}", error.what());
     return ExitStatus::kBadInput;
-  } catch (const touchdown::scenarios::Interrupted&) {
+  } catch (const touchdown::util::Interrupted&) {
     spdlog::warn("interrupted, nothing was written");
     return ExitStatus::kInterrupted;
   } catch (const std::exception& error) {
@@ -65,7 +65,7 @@ int RunAndExplain(const Run& run) {
 int main(int argc, char** argv) {
   spdlog::set_default_logger(spdlog::stderr_color_mt("touchdown"));
   spdlog::set_pattern("%^%l%$: %v");
-  touchdown::scenarios::CatchInterrupts();
+  touchdown::cli::CatchInterrupts();
   // OpenCV and the libraries under it would tell of files that cannot be read in words of their own, beside ours.
   setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
   setenv("OPENCV_LOG_LEVEL", "OFF", 0);
@@ -73,7 +73,7 @@ int main(int argc, char** argv) {
   cv::setNumThreads(1);  // A flight keeps to one core: many fly side by side.
 
   CLI::App app("A closed-loop testbed for vision-based quadrotor landing", "touchdown");
-  app.set_version_flag("--version", TOUCHDOWN_VERSION);
+  app.set_version_flag("--version", std::string(touchdown::util::Version()));
   app.require_subcommand(1);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return std::string("error: ") + error.what() + " (touchdown --help tells more)\n";

@@ -8,11 +8,11 @@
 #include <string>
 
 #include "models/error.h"
-#include "scenarios/flight/output_file.h"
-#include "scenarios/flight/scenario.h"
 #include "scenarios/report/pad_sheet.h"
+#include "scenarios/runner/scenario.h"
+#include "scenarios/util/output_file.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -22,25 +22,25 @@ struct Options {
   std::optional<std::string> pad;
 };
 
-SheetFormat FormatOf(const fs::path& out) {
-  if (out.extension() == ".pdf") return SheetFormat::kPdf;
-  if (out.extension() == ".svg") return SheetFormat::kSvg;
+report::SheetFormat FormatOf(const fs::path& out) {
+  if (out.extension() == ".pdf") return report::SheetFormat::kPdf;
+  if (out.extension() == ".svg") return report::SheetFormat::kSvg;
   throw InputError(fmt::format("--out {}: must end in .pdf or .svg", out.string()));
 }
 
 int MakePad(const Options& options) {
   const fs::path sheet = options.out;
   const fs::path description = fs::path(sheet).replace_extension(".yaml");
-  const SheetFormat format = FormatOf(sheet);
-  const models::LandingPad pad = options.pad ? LoadPad(*options.pad) : models::LandingPad();
+  const report::SheetFormat format = FormatOf(sheet);
+  const models::LandingPad pad = options.pad ? runner::LoadPad(*options.pad) : models::LandingPad();
   const bool is_described =
       options.pad && fs::weakly_canonical(*options.pad) == fs::weakly_canonical(fs::absolute(description));
-  const std::string content = PadSheet(pad, format);
+  const std::string content = report::PadSheet(pad, format);
   // A description may have been edited since: only one that says the same is an earlier one.
-  const std::string yaml = PadYaml(pad);
-  if (!is_described) CheckOutputFile(description, yaml);
-  WriteOutputFile(sheet, content, kPadSheetMark);
-  if (!is_described) WriteOutputFile(description, yaml, yaml);
+  const std::string yaml = runner::PadYaml(pad);
+  if (!is_described) util::CheckOutputFile(description, yaml);
+  util::WriteOutputFile(sheet, content, report::kPadSheetMark);
+  if (!is_described) util::WriteOutputFile(description, yaml, yaml);
   fmt::print("{}: print it at 100 %, and check its ruler; {} describes it\n", sheet.string(), description.string());
   return kPassed;
 }
@@ -58,4 +58,4 @@ void AddPad(CLI::App& app, Run& run) {
   command.callback([options, &run] { run = [options] { return MakePad(*options); }; });
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

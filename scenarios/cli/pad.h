@@ -2,9 +2,9 @@
 
 #include "scenarios/cli/command.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 
 /// `touchdown pad --out FILE.pdf|FILE.svg [--pad PAD.yaml]`: the landing pad to print, and its description beside it.
 AddCommand AddPad;
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

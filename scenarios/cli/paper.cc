@@ -12,9 +12,9 @@
 #include "scenarios/cli/interrupt.h"
 #include "scenarios/cli/progress.h"
 #include "scenarios/cli/talk.h"
-#include "scenarios/paper/reproduce_paper.h"
+#include "scenarios/experiments/reproduce_paper.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 struct Options {
@@ -24,23 +24,24 @@ struct Options {
   Talk talk;
 };
 
-void PrintSummary(const std::vector<ComparedQuantity>& compared, const std::string& out) {
+void PrintSummary(const std::vector<experiments::ComparedQuantity>& compared, const std::string& out) {
   fmt::print("{:<58} {:>10} {:>10}\n", "", "published", "ours");
   const auto figure = [](const std::optional<double>& value) { return value ? fmt::format("{:.3g}", *value) : "-"; };
-  for (const ComparedQuantity& row : compared) {
+  for (const experiments::ComparedQuantity& row : compared) {
     fmt::print("{} {:<56} {:>10} {:>10} {:<4} {}\n", row.IsKept() ? " " : "!", row.quantity, figure(row.published),
                figure(row.ours), row.unit, row.spread);
   }
   fmt::print("{} of {} above the published; report in {}/report.html\n",
-             std::count_if(compared.begin(), compared.end(), [](const ComparedQuantity& row) { return !row.IsKept(); }),
              std::count_if(compared.begin(), compared.end(),
-                           [](const ComparedQuantity& row) { return row.published.has_value(); }),
+                           [](const experiments::ComparedQuantity& row) { return !row.IsKept(); }),
+             std::count_if(compared.begin(), compared.end(),
+                           [](const experiments::ComparedQuantity& row) { return row.published.has_value(); }),
              out);
 }
 
-Json SummaryJson(const std::vector<ComparedQuantity>& compared) {
-  Json rows = Json::array();
-  for (const ComparedQuantity& row : compared) {
+experiments::Json SummaryJson(const std::vector<experiments::ComparedQuantity>& compared) {
+  experiments::Json rows = experiments::Json::array();
+  for (const experiments::ComparedQuantity& row : compared) {
     rows.push_back({{"quantity", row.quantity},
                     {"unit", row.unit},
                     {"published", nullptr},
@@ -55,21 +56,21 @@ Json SummaryJson(const std::vector<ComparedQuantity>& compared) {
   return rows;
 }
 
-std::vector<ComparedQuantity> ReproduceWithProgress(const Options& options) {
+std::vector<experiments::ComparedQuantity> ReproduceWithProgress(const Options& options) {
   Progress progress(!options.talk.ForPeople());
-  return ReproducePaper(options.out, {.quick = options.quick, .jobs = options.jobs}, InterruptRequested,
-                        [&](double share, const std::string& text) {
-                          if (progress.IsDue()) progress.Tell(share, text);
-                        });
+  return experiments::ReproducePaper(options.out, {.quick = options.quick, .jobs = options.jobs}, InterruptRequested,
+                                     [&](double share, const std::string& text) {
+                                       if (progress.IsDue()) progress.Tell(share, text);
+                                     });
 }
 
 int Reproduce(const Options& options) {
   try {
-    const std::vector<ComparedQuantity> compared = ReproduceWithProgress(options);
+    const std::vector<experiments::ComparedQuantity> compared = ReproduceWithProgress(options);
     if (options.talk.json) fmt::print("{}\n", SummaryJson(compared).dump(2));
     if (options.talk.ForPeople()) PrintSummary(compared, options.out);
     return kPassed;
-  } catch (const Interrupted&) {
+  } catch (const util::Interrupted&) {
     spdlog::warn("interrupted: what is measured is kept in {}/measurements, and the same command goes on from there",
                  options.out);
     return kInterrupted;
@@ -93,4 +94,4 @@ void AddPaper(CLI::App& app, Run& run) {
   command.callback([options, &run] { run = [options] { return Reproduce(*options); }; });
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

@@ -2,9 +2,9 @@
 
 #include "scenarios/cli/command.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 
 /// `touchdown paper --out DIR`: measures everything that the paper reports.
 AddCommand AddPaper;
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

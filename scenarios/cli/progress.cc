@@ -6,7 +6,7 @@
 
 #include <cstdio>
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 constexpr double kIntervalOnTerminal_s = 0.2;
@@ -49,7 +49,7 @@ void Progress::Tell(double share, const std::string& text) {
     spdlog::info("{}", line);
   }
   shown_ = true;
-  since_shown_ = Stopwatch();
+  since_shown_ = util::Stopwatch();
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "scenarios/flight/stopwatch.h"
+#include "scenarios/util/stopwatch.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 
 /// Tells on stderr how far long work is and when it will be done: on a terminal a line that changes in place, elsewhere
 /// a plain line now and then.
@@ -32,8 +32,8 @@ class Progress {
   bool on_terminal_;
   bool shown_ = false;
   double before_ = 0.0;
-  Stopwatch since_start_;
-  Stopwatch since_shown_;
+  util::Stopwatch since_start_;
+  util::Stopwatch since_shown_;
 };
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

@@ -6,26 +6,26 @@
 #include <memory>
 #include <string>
 
-#include "scenarios/flight/output_file.h"
 #include "scenarios/report/flight_files.h"
 #include "scenarios/report/flight_page.h"
-#include "scenarios/sweep/sweep_report.h"
+#include "scenarios/sweeper/page/sweep_report.h"
+#include "scenarios/util/output_file.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
 void MakeFlightReport(const fs::path& folder, const fs::path& page) {
-  const FlightFiles files = ReadFlightFiles(folder);
-  CheckOutputFile(page, kFlightPageMark);
-  WriteOutputFile(page, FlightPage(files), kFlightPageMark);
+  const report::FlightFiles files = report::ReadFlightFiles(folder);
+  util::CheckOutputFile(page, report::kFlightPageMark);
+  util::WriteOutputFile(page, report::FlightPage(files), report::kFlightPageMark);
 }
 
 void MakeSweepReport(const fs::path& folder, const fs::path& page) {
-  const SweepOutcome sweep = ReadOutcome({folder, SweepStore::Access::kRead});
-  CheckOutputFile(page, kSweepPageMark);
-  WriteOutputFile(page, SweepPage(sweep, Summarize(sweep), folder), kSweepPageMark);
+  const sweeper::SweepOutcome sweep = sweeper::ReadOutcome({folder, sweeper::SweepStore::Access::kRead});
+  util::CheckOutputFile(page, sweeper::kSweepPageMark);
+  util::WriteOutputFile(page, sweeper::SweepPage(sweep, sweeper::Summarize(sweep), folder), sweeper::kSweepPageMark);
 }
 
 int MakeReport(const fs::path& folder) {
@@ -45,4 +45,4 @@ void AddReport(CLI::App& app, Run& run) {
   command.callback([folder, &run] { run = [folder] { return MakeReport(*folder); }; });
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

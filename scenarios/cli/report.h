@@ -2,9 +2,9 @@
 
 #include "scenarios/cli/command.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 
 /// `touchdown report DIR`: rebuilds the page of a flight or a sweep from its folder's files.
 AddCommand AddReport;
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

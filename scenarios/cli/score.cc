@@ -7,9 +7,10 @@
 #include <string>
 
 #include "scenarios/cli/talk.h"
-#include "scenarios/footage/pose_score.h"
+#include "scenarios/datasets/pose_score.h"
+#include "scenarios/util/version.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 struct Options {
@@ -17,24 +18,24 @@ struct Options {
   Talk talk;
 };
 
-void PrintScore(const PoseScore& score) {
+void PrintScore(const datasets::PoseScore& score) {
   fmt::print("{} poses", score.poses);
   if (score.outside > 0) fmt::print(", and {} at times that the truth does not cover", score.outside);
   fmt::print("\n");
-  for (const MetricInfo& info : AllMetrics()) {
+  for (const runner::MetricInfo& info : runner::AllMetrics()) {
     const auto found = score.metrics.find(info.name);
     if (found != score.metrics.end()) fmt::print("  {:<24} {:>10.4g} {}\n", info.name, found->second, info.unit);
   }
 }
 
-std::string ScoreJson(const PoseScore& score) {
+std::string ScoreJson(const datasets::PoseScore& score) {
   nlohmann::ordered_json json;
   json["schema"] = 1;
-  json["version"] = TOUCHDOWN_VERSION;
+  json["version"] = util::Version();
   json["poses"] = score.poses;
   json["outside"] = score.outside;
   json["metrics"] = nlohmann::ordered_json::object();
-  for (const MetricInfo& info : AllMetrics()) {
+  for (const runner::MetricInfo& info : runner::AllMetrics()) {
     const auto found = score.metrics.find(info.name);
     if (found != score.metrics.end()) json["metrics"][std::string(info.name)] = found->second;
   }
@@ -42,7 +43,7 @@ std::string ScoreJson(const PoseScore& score) {
 }
 
 int ScoreWith(const Options& options) {
-  const PoseScore score = ScorePoses(ReadTumFile(options.poses), options.truth);
+  const datasets::PoseScore score = datasets::ScorePoses(datasets::ReadTumFile(options.poses), options.truth);
   if (options.talk.json) fmt::print("{}", ScoreJson(score));
   if (options.talk.ForPeople()) PrintScore(score);
   return kPassed;
@@ -63,4 +64,4 @@ void AddScore(CLI::App& app, Run& run) {
   command.callback([options, &run] { run = [options] { return ScoreWith(*options); }; });
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

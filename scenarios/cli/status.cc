@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "scenarios/sweep/sweep_status.h"
+#include "scenarios/sweeper/run/sweep_status.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 struct Options {
@@ -16,7 +16,7 @@ struct Options {
   bool json = false;
 };
 
-nlohmann::ordered_json StatusJson(const SweepStatus& status) {
+nlohmann::ordered_json StatusJson(const sweeper::SweepStatus& status) {
   nlohmann::ordered_json json{{"sweep", status.name},          {"planned", status.planned},
                               {"whole", status.whole},         {"flown", status.flown},
                               {"passed", status.passed},       {"failed", status.flown - status.passed},
@@ -34,12 +34,12 @@ std::string CountWords(const Counts& counts) {
   return words;
 }
 
-std::string SlurmWords(const SweepStatus& status) {
+std::string SlurmWords(const sweeper::SweepStatus& status) {
   if (!status.slurm_tasks) return "squeue does not tell";
   return status.slurm_tasks->empty() ? "is over" : "tasks: " + CountWords(*status.slurm_tasks);
 }
 
-void PrintStatus(const SweepStatus& status) {
+void PrintStatus(const sweeper::SweepStatus& status) {
   fmt::print("{}: {} of {} flights{}\n", status.name, status.flown, status.planned,
              status.whole == status.planned ? "" : fmt::format(", of {} in the whole sweep", status.whole));
   fmt::print("  passed {}\n  failed {}{}\n", status.passed, status.flown - status.passed,
@@ -49,7 +49,7 @@ void PrintStatus(const SweepStatus& status) {
 }
 
 int Status(const Options& options) {
-  const SweepStatus status = StatusOf(options.folder);
+  const sweeper::SweepStatus status = sweeper::StatusOf(options.folder);
   if (options.json) {
     fmt::print("{}\n", StatusJson(status).dump(2));
   } else {
@@ -68,4 +68,4 @@ void AddStatus(CLI::App& app, Run& run) {
   command.callback([options, &run] { run = [options] { return Status(*options); }; });
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

@@ -2,9 +2,9 @@
 
 #include "scenarios/cli/command.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 
 /// `touchdown status`: how far a sweep is.
 void AddStatus(CLI::App& app, Run& run);
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

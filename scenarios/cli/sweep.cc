@@ -17,12 +17,12 @@
 #include "scenarios/cli/sweep_outcome.h"
 #include "scenarios/cli/sweep_text.h"
 #include "scenarios/cli/talk.h"
-#include "scenarios/flight/program_digest.h"
-#include "scenarios/sweep/boundary.h"
-#include "scenarios/sweep/run_sweep.h"
-#include "scenarios/sweep/slurm_sweep.h"
+#include "scenarios/sweeper/run/boundary.h"
+#include "scenarios/sweeper/run/run_sweep.h"
+#include "scenarios/sweeper/run/slurm_sweep.h"
+#include "scenarios/util/program_digest.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -37,58 +37,59 @@ struct Options {
   int flights = 60;
   bool slurm = false;
   std::optional<int> chunk;
-  SlurmSite site;
+  sweeper::SlurmSite site;
   bool retry = false;
   Talk talk;
 };
 
-void RefuseToSplit(const SweepFile& file, const char* option) {
+void RefuseToSplit(const sweeper::SweepFile& file, const char* option) {
   if (!file.stop_when) return;
   throw InputError(
       fmt::format("{}: a sweep with stop_when cannot be split, since each flight may be the last", option));
 }
 
 /// "3/8": the third of eight.
-SweepPlan TakeShard(const SweepFile& file, const SweepPlan& plan, const std::string& text) {
+sweeper::SweepPlan TakeShard(const sweeper::SweepFile& file, const sweeper::SweepPlan& plan, const std::string& text) {
   int number = 0, shards = 0;
   char rest = 0;
   if (std::sscanf(text.c_str(), "%d/%d%c", &number, &shards, &rest) != 2 || number < 1 || number > shards) {
     throw InputError(fmt::format("--shard {}: must be I/N with I from 1 to N", text));
   }
   RefuseToSplit(file, "--shard");
-  return ShardOf(plan, number - 1, shards);
+  return sweeper::ShardOf(plan, number - 1, shards);
 }
 
-int TellPlan(const SweepPlan& plan, const Options& options) {
-  std::optional<SweepStore> rows;
+int TellPlan(const sweeper::SweepPlan& plan, const Options& options) {
+  std::optional<sweeper::SweepStore> rows;
   if (options.out && fs::exists(fs::path(*options.out) / "sweep.db"))
-    rows.emplace(*options.out, SweepStore::Access::kRead);
+    rows.emplace(*options.out, sweeper::SweepStore::Access::kRead);
   const DryRun dry_run = MakeDryRun(plan, options.jobs, rows ? &*rows : nullptr);
   if (!options.talk.quiet) fmt::print("{}", options.talk.json ? DryRunJson(dry_run) : DryRunText(dry_run));
   return kPassed;
 }
 
-bool FlyAll(const SweepFile& file, const SweepPlan& plan, const Options& options) {
+bool FlyAll(const sweeper::SweepFile& file, const sweeper::SweepPlan& plan, const Options& options) {
   Progress progress(!options.talk.ForPeople());
   bool has_begun = false;
-  return RunSweep(file, plan, *options.out, {.jobs = options.jobs, .retry = options.retry}, InterruptRequested,
-                  [&](const SweepProgress& done) {
-                    if (!has_begun) progress.GoOnFrom(done.share);
-                    has_begun = true;
-                    if (!progress.IsDue()) return;
-                    constexpr double kPercent = 100.0;
-                    const double rate = done.done > 0 ? kPercent * done.passed / done.done : 0.0;
-                    progress.Tell(done.share, fmt::format("{} of {} flights, {:.1f} % passed, {} flying", done.done,
-                                                          done.planned, rate, done.flying));
-                  });
+  return sweeper::RunSweep(file, plan, *options.out, {.jobs = options.jobs, .retry = options.retry}, InterruptRequested,
+                           [&](const sweeper::SweepProgress& done) {
+                             if (!has_begun) progress.GoOnFrom(done.share);
+                             has_begun = true;
+                             if (!progress.IsDue()) return;
+                             constexpr double kPercent = 100.0;
+                             const double rate = done.done > 0 ? kPercent * done.passed / done.done : 0.0;
+                             progress.Tell(done.share, fmt::format("{} of {} flights, {:.1f} % passed, {} flying",
+                                                                   done.done, done.planned, rate, done.flying));
+                           });
 }
 
 /// Whether it came to its end.
-bool SeekBoundary(const SweepFile& file, const Options& options) {
+bool SeekBoundary(const sweeper::SweepFile& file, const Options& options) {
   Progress progress(!options.talk.ForPeople());
-  const BoundarySearch search{.key = *options.boundary, .pass_rate = options.level, .flights = options.flights};
-  const Boundary found =
-      FindBoundary(file, search, *options.out, options.jobs, InterruptRequested, [&](const Boundary& so_far) {
+  const sweeper::BoundarySearch search{
+      .key = *options.boundary, .pass_rate = options.level, .flights = options.flights};
+  const sweeper::Boundary found = sweeper::FindBoundary(
+      file, search, *options.out, options.jobs, InterruptRequested, [&](const sweeper::Boundary& so_far) {
         if (!progress.IsDue()) return;
         progress.Tell(
             static_cast<double>(so_far.flights) / options.flights,
@@ -97,20 +98,20 @@ bool SeekBoundary(const SweepFile& file, const Options& options) {
   return found.is_done;
 }
 
-std::string TaskWords(const SlurmSweep& sweep) {
+std::string TaskWords(const sweeper::SlurmSweep& sweep) {
   return fmt::format("{} flights in {} task{}", sweep.flights, sweep.tasks, sweep.tasks == 1 ? "" : "s");
 }
 
-int SweepOnSlurm(const SweepFile& file, const SweepPlan& plan, const Options& options) {
+int SweepOnSlurm(const sweeper::SweepFile& file, const sweeper::SweepPlan& plan, const Options& options) {
   if (!options.out) throw InputError("--out: name a folder that all nodes share");
   RefuseToSplit(file, "--slurm");
-  const SlurmOptions on_slurm{.chunk = options.chunk, .site = options.site, .retry = options.retry};
+  const sweeper::SlurmOptions on_slurm{.chunk = options.chunk, .site = options.site, .retry = options.retry};
   if (options.dry_run) {
-    const SlurmSweep planned = PlanTasks(file, plan, *options.out, on_slurm);
+    const sweeper::SlurmSweep planned = sweeper::PlanTasks(file, plan, *options.out, on_slurm);
     fmt::print("{}\n", TaskWords(planned));
     return kPassed;
   }
-  const SlurmSweep submitted = SubmitSweep(file, plan, *options.out, on_slurm);
+  const sweeper::SlurmSweep submitted = sweeper::SubmitSweep(file, plan, *options.out, on_slurm);
   if (options.talk.quiet) return kPassed;
   if (submitted.flights == 0) {
     fmt::print("{}: all {} flights are there, nothing was submitted\n", file.name, plan.flights.size());
@@ -141,7 +142,7 @@ int FlyAndTell(const Options& options, const std::function<bool()>& fly) {
   const SweepFiles files{.folder = *options.out, .csv = options.csv};
   CheckSweepFiles(files);
   const bool is_done = fly();
-  const SweepSummary summary = TellOutcome(files, options.talk);
+  const sweeper::SweepSummary summary = TellOutcome(files, options.talk);
   if (!is_done) {
     spdlog::warn("interrupted: what was flown is kept in {}, and the same command goes on from there", *options.out);
     return kInterrupted;
@@ -152,9 +153,9 @@ int FlyAndTell(const Options& options, const std::function<bool()>& fly) {
 }
 
 int Sweep(const Options& options) {
-  const SweepFile file = LoadSweepFile(options.sweep);
+  const sweeper::SweepFile file = sweeper::LoadSweepFile(options.sweep);
   if (options.boundary) return FlyAndTell(options, [&] { return SeekBoundary(file, options); });
-  SweepPlan plan = PlanSweep(file, ProgramDigest());
+  sweeper::SweepPlan plan = sweeper::PlanSweep(file, util::ProgramDigest());
   if (options.shard) plan = TakeShard(file, plan, *options.shard);
   if (options.slurm) return SweepOnSlurm(file, plan, options);
   if (options.dry_run) return TellPlan(plan, options);
@@ -201,4 +202,4 @@ void AddSweep(CLI::App& app, Run& run) {
   command.callback([options, &run] { run = [options] { return Sweep(*options); }; });
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

@@ -7,44 +7,45 @@
 #include <exception>
 
 #include "scenarios/cli/sweep_text.h"
-#include "scenarios/flight/output_file.h"
-#include "scenarios/sweep/rows_csv.h"
-#include "scenarios/sweep/sweep_report.h"
+#include "scenarios/sweeper/analysis/rows_csv.h"
+#include "scenarios/sweeper/page/sweep_report.h"
+#include "scenarios/util/output_file.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
 fs::path PageIn(const fs::path& folder) { return folder / "report.html"; }
 
-void WritePage(const SweepOutcome& sweep, const SweepSummary& summary, const fs::path& folder) {
+void WritePage(const sweeper::SweepOutcome& sweep, const sweeper::SweepSummary& summary, const fs::path& folder) {
   std::string page;
   try {
-    page = SweepPage(sweep, summary, folder);
+    page = sweeper::SweepPage(sweep, summary, folder);
   } catch (const std::exception& error) {
     spdlog::warn("no report: {}", error.what());
     return;
   }
-  WriteOutputFile(PageIn(folder), page, kSweepPageMark);
+  util::WriteOutputFile(PageIn(folder), page, sweeper::kSweepPageMark);
 }
 
 }  // namespace
 
 void CheckSweepFiles(const SweepFiles& files) {
-  if (files.csv) CheckOutputFile(*files.csv, kRowsCsvMark);
-  CheckOutputFile(PageIn(files.folder), kSweepPageMark);
+  if (files.csv) util::CheckOutputFile(*files.csv, sweeper::kRowsCsvMark);
+  util::CheckOutputFile(PageIn(files.folder), sweeper::kSweepPageMark);
 }
 
-SweepSummary TellOutcome(const SweepFiles& files, const Talk& talk) {
-  const SweepOutcome sweep = ReadOutcome({files.folder, SweepStore::Access::kRead});
-  SweepSummary summary = Summarize(sweep);
+sweeper::SweepSummary TellOutcome(const SweepFiles& files, const Talk& talk) {
+  const sweeper::SweepOutcome sweep = sweeper::ReadOutcome({files.folder, sweeper::SweepStore::Access::kRead});
+  sweeper::SweepSummary summary = sweeper::Summarize(sweep);
   if (talk.ForPeople()) fmt::print("{}", SummaryText(sweep, summary, files.folder));
   if (talk.json) fmt::print("{}", SummaryJson(sweep, summary, files.folder));
   std::fflush(stdout);
-  if (files.csv) WriteOutputFile(*files.csv, RowsCsv(sweep.terms.keys(), sweep.results), kRowsCsvMark);
+  if (files.csv)
+    util::WriteOutputFile(*files.csv, sweeper::RowsCsv(sweep.terms.keys(), sweep.results), sweeper::kRowsCsvMark);
   WritePage(sweep, summary, files.folder);
   return summary;
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

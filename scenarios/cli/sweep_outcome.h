@@ -4,9 +4,9 @@
 #include <string>
 
 #include "scenarios/cli/talk.h"
-#include "scenarios/sweep/sweep_summary.h"
+#include "scenarios/sweeper/analysis/sweep_summary.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 
 /// Where a sweep's results go: the page lies in its folder.
 struct SweepFiles {
@@ -19,6 +19,6 @@ void CheckSweepFiles(const SweepFiles& files);
 
 /// Prints the summary of what is flown, and writes its CSV and its page. A page that cannot be drawn is a warning: it
 /// does not make a sweep of hours fail. Throws InputError when a file cannot be written.
-SweepSummary TellOutcome(const SweepFiles& files, const Talk& talk);
+sweeper::SweepSummary TellOutcome(const SweepFiles& files, const Talk& talk);
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "scenarios/cli/interrupt.h"
-#include "scenarios/sweep/flight_chunk.h"
+#include "scenarios/sweeper/run/flight_chunk.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 struct Options {
@@ -19,11 +19,11 @@ struct Options {
 };
 
 int FlyTask(const Options& options) {
-  const auto tell = [](const FlightRow& row) {
+  const auto tell = [](const sweeper::FlightRow& row) {
     fmt::print("{} {} in {:.1f} s\n", row.id, row.verdict, row.wall_s);
     std::fflush(stdout);
   };
-  const bool is_done = FlyChunk(options.folder, options.number, options.jobs, InterruptRequested, tell);
+  const bool is_done = sweeper::FlyChunk(options.folder, options.number, options.jobs, InterruptRequested, tell);
   return is_done ? kPassed : kInterrupted;
 }
 
@@ -42,4 +42,4 @@ void AddSweepTask(CLI::App& app, Run& run) {
   command.callback([options, &run] { run = [options] { return FlyTask(*options); }; });
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

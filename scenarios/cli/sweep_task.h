@@ -2,9 +2,9 @@
 
 #include "scenarios/cli/command.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 
 /// `touchdown sweep-task`: what the tasks of a sweep on Slurm run.
 void AddSweepTask(CLI::App& app, Run& run);
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

@@ -5,9 +5,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "scenarios/sweep/parameter_json.h"
+#include "scenarios/sweeper/plan/parameter_json.h"
+#include "scenarios/util/version.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -15,8 +16,8 @@ using Json = nlohmann::ordered_json;
 constexpr double kPercent = 100.0;
 constexpr int kSchema = 1;
 
-std::string Percent(const PassCount& count) {
-  const Interval rate = count.rate();
+std::string Percent(const sweeper::PassCount& count) {
+  const util::Interval rate = count.rate();
   const int seeds = static_cast<int>(count.seeds.size());
   return fmt::format("{:5.1f} %  ({} of {}{}; 95 %: {:.1f} to {:.1f})", kPercent * rate.value, count.passed,
                      count.flown, seeds < count.flown ? fmt::format(", {} seeds", seeds) : "", kPercent * rate.low,
@@ -24,18 +25,18 @@ std::string Percent(const PassCount& count) {
 }
 
 /// " (95 %: 0.97 to 0.99)", an end that so few flights do not tell as a question mark.
-std::string IntervalText(const std::optional<Interval>& interval) {
+std::string IntervalText(const std::optional<util::Interval>& interval) {
   if (!interval) return "";
   const auto end = [](double value) { return std::isfinite(value) ? fmt::format("{:.4g}", value) : std::string("?"); };
   return fmt::format(" (95 %: {} to {})", end(interval->low), end(interval->high));
 }
 
 /// "world.wind_m_s.0 in integer": the key, and the variant when there is one.
-std::string Subject(const PassEdgeOf& each) {
+std::string Subject(const sweeper::PassEdgeOf& each) {
   return each.variant.empty() ? each.key : fmt::format("{} in {}", each.key, each.variant);
 }
 
-std::string EdgeText(const PassEdgeOf& each, const std::optional<SoughtEdge>& sought) {
+std::string EdgeText(const sweeper::PassEdgeOf& each, const std::optional<sweeper::SoughtEdge>& sought) {
   const double percent = kPercent * each.pass_rate;
   if (!each.edge) {
     return fmt::format("  no value of {} from {:.4g} to {:.4g} found at which {:.4g} % pass: all are alike\n", each.key,
@@ -47,13 +48,13 @@ std::string EdgeText(const PassEdgeOf& each, const std::optional<SoughtEdge>& so
 }
 
 /// An end that so few flights do not tell is null.
-void Put(const Interval& interval, Json& json) {
+void Put(const util::Interval& interval, Json& json) {
   json["value"] = interval.value;
   json["low"] = interval.low;
   json["high"] = interval.high;
 }
 
-void Put(const PassCount& count, Json& json) {
+void Put(const sweeper::PassCount& count, Json& json) {
   json["flown"] = count.flown;
   json["seeds"] = count.seeds.size();
   json["passed"] = count.passed;
@@ -64,10 +65,10 @@ std::string Dump(const Json& json) { return json.dump(2, ' ', false, Json::error
 
 }  // namespace
 
-DryRun MakeDryRun(const SweepPlan& plan, int jobs, const SweepStore* rows) {
+DryRun MakeDryRun(const sweeper::SweepPlan& plan, int jobs, const sweeper::SweepStore* rows) {
   DryRun dry_run{.plan = plan, .jobs = jobs};
   double flown_s = 0.0, wall_s = 0.0;
-  for (const PlannedFlight& flight : plan.flights) {
+  for (const sweeper::PlannedFlight& flight : plan.flights) {
     const auto row = rows == nullptr ? std::nullopt : rows->Find(flight.id);
     if (!row) {
       dry_run.left_s += flight.expected_s;
@@ -84,7 +85,7 @@ DryRun MakeDryRun(const SweepPlan& plan, int jobs, const SweepStore* rows) {
 std::string DryRunText(const DryRun& dry_run) {
   constexpr double kMinute_s = 60.0;
   std::string text;
-  for (const PlannedFlight& flight : dry_run.plan.flights) {
+  for (const sweeper::PlannedFlight& flight : dry_run.plan.flights) {
     text += fmt::format("{}  seed {}", flight.id, flight.seed);
     if (!flight.variant.empty()) text += "  " + flight.variant;
     for (std::size_t i = 0; i < dry_run.plan.keys.size(); ++i)
@@ -108,34 +109,35 @@ std::string DryRunJson(const DryRun& dry_run) {
             {"flown", dry_run.flown},
             {"expected_s", dry_run.left_s * dry_run.pace / dry_run.jobs},
             {"flights", Json::array()}};
-  for (const PlannedFlight& flight : dry_run.plan.flights) {
+  for (const sweeper::PlannedFlight& flight : dry_run.plan.flights) {
     Json each{{"id", flight.id}, {"seed", flight.seed}};
     if (!flight.variant.empty()) each["variant"] = flight.variant;
     each["parameters"] = Json::object();
     for (std::size_t i = 0; i < dry_run.plan.keys.size(); ++i) {
-      each["parameters"][dry_run.plan.keys[i]] = ParameterJson(flight.values[i]);
+      each["parameters"][dry_run.plan.keys[i]] = sweeper::ParameterJson(flight.values[i]);
     }
     json["flights"].push_back(std::move(each));
   }
   return Dump(json);
 }
 
-std::string SummaryText(const SweepOutcome& sweep, const SweepSummary& summary, const std::string& out) {
+std::string SummaryText(const sweeper::SweepOutcome& sweep, const sweeper::SweepSummary& summary,
+                        const std::string& out) {
   std::string text = fmt::format("{}: {} of {} flights\n", sweep.terms.name, summary.all.flown, sweep.planned);
   if (summary.all.flown > 0 && !sweep.terms.sought) {
     text += fmt::format("  passed  {}{}\n", Percent(summary.all),
                         sweep.terms.stop_when ? ", not corrected for the early stop" : "");
   }
-  for (const PassCountOf& each : summary.by_value) {
+  for (const sweeper::PassCountOf& each : summary.by_value) {
     text += fmt::format("  {:<40} {}\n", fmt::format("{}={}", each.key, each.value), Percent(each.count));
   }
-  for (const PassEdgeOf& each : summary.edges) text += EdgeText(each, sweep.terms.sought);
+  for (const sweeper::PassEdgeOf& each : summary.edges) text += EdgeText(each, sweep.terms.sought);
   for (const auto& [check, interval] : summary.criteria) {
     const char* const verdict = !summary.is_whole ? "so far" : check.pass ? "pass" : "FAIL";
-    text += fmt::format("  {}  {:<40} {:>10} {:<4} {}{}\n", verdict, check.name, ValueText(check), check.unit,
+    text += fmt::format("  {}  {:<40} {:>10} {:<4} {}{}\n", verdict, check.name, sweeper::ValueText(check), check.unit,
                         check.limit, IntervalText(interval));
   }
-  if (const std::string lost = LostProcesses(sweep.results); !lost.empty()) {
+  if (const std::string lost = sweeper::LostProcesses(sweep.results); !lost.empty()) {
     text += fmt::format("  {}{}\n", lost, sweep.terms.sought ? "" : ": --retry flies them again");
   }
   if (sweep.whole > sweep.planned) {
@@ -148,25 +150,26 @@ std::string SummaryText(const SweepOutcome& sweep, const SweepSummary& summary, 
   return text + fmt::format("rows in {0}/sweep.db, report in {0}/report.html\n", out);
 }
 
-std::string SummaryJson(const SweepOutcome& sweep, const SweepSummary& summary, const std::string& out) {
-  Json json{{"schema", kSchema}, {"version", TOUCHDOWN_VERSION}, {"sweep", sweep.terms.name}, {"planned", sweep.whole}};
+std::string SummaryJson(const sweeper::SweepOutcome& sweep, const sweeper::SweepSummary& summary,
+                        const std::string& out) {
+  Json json{{"schema", kSchema}, {"version", util::Version()}, {"sweep", sweep.terms.name}, {"planned", sweep.whole}};
   Put(summary.all, json);
   json["stale"] = sweep.stale;
   json["unplanned"] = sweep.unplanned;
-  json["crashed"] = CountEnds(sweep.results, RowEnd::kCrashed);
-  json["hung"] = CountEnds(sweep.results, RowEnd::kHung);
-  json["out_of_memory"] = CountEnds(sweep.results, RowEnd::kOutOfMemory);
+  json["crashed"] = sweeper::CountEnds(sweep.results, sweeper::RowEnd::kCrashed);
+  json["hung"] = sweeper::CountEnds(sweep.results, sweeper::RowEnd::kHung);
+  json["out_of_memory"] = sweeper::CountEnds(sweep.results, sweeper::RowEnd::kOutOfMemory);
   // A part, or what is flown so far, is not judged.
   const bool passes = sweep.terms.sought ? summary.finds_edge() : summary.keeps_criteria();
   json["pass"] = summary.is_whole ? Json(passes) : Json();
   json["parameters"] = Json::array();
-  for (const PassCountOf& each : summary.by_value) {
-    Json value{{"key", each.key}, {"value", ParameterJson(each.value)}};
+  for (const sweeper::PassCountOf& each : summary.by_value) {
+    Json value{{"key", each.key}, {"value", sweeper::ParameterJson(each.value)}};
     Put(each.count, value);
     json["parameters"].push_back(std::move(value));
   }
   json["edges"] = Json::array();
-  for (const PassEdgeOf& each : summary.edges) {
+  for (const sweeper::PassEdgeOf& each : summary.edges) {
     Json edge{{"key", each.key}, {"variant", each.variant}, {"pass_rate", each.pass_rate}};
     if (each.edge) Put(*each.edge, edge);
     edge["may_lie_beyond"] = each.may_lie_beyond;
@@ -185,4 +188,4 @@ std::string SummaryJson(const SweepOutcome& sweep, const SweepSummary& summary, 
   return Dump(json);
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

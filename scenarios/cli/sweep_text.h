@@ -2,13 +2,13 @@
 
 #include <string>
 
-#include "scenarios/sweep/sweep_summary.h"
+#include "scenarios/sweeper/analysis/sweep_summary.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 
 /// What is planned, and how much of it is flown already.
 struct DryRun {
-  SweepPlan plan = {};
+  sweeper::SweepPlan plan = {};
   int jobs = 1;
   int flown = 0;
   double left_s = 0.0;  ///< Expected time in the air of what is yet to be flown.
@@ -17,7 +17,7 @@ struct DryRun {
 };
 
 /// `rows`: what is in the sweep's folder already; nullptr without one.
-DryRun MakeDryRun(const SweepPlan& plan, int jobs, const SweepStore* rows);
+DryRun MakeDryRun(const sweeper::SweepPlan& plan, int jobs, const sweeper::SweepStore* rows);
 
 // For people, and as JSON.
 
@@ -25,7 +25,9 @@ std::string DryRunText(const DryRun& dry_run);
 std::string DryRunJson(const DryRun& dry_run);
 
 /// `out`: the sweep's folder.
-std::string SummaryText(const SweepOutcome& sweep, const SweepSummary& summary, const std::string& out);
-std::string SummaryJson(const SweepOutcome& sweep, const SweepSummary& summary, const std::string& out);
+std::string SummaryText(const sweeper::SweepOutcome& sweep, const sweeper::SweepSummary& summary,
+                        const std::string& out);
+std::string SummaryJson(const sweeper::SweepOutcome& sweep, const sweeper::SweepSummary& summary,
+                        const std::string& out);
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 
 /// What a command that works for long says, beside its errors.
 struct Talk {
@@ -18,4 +18,4 @@ inline void AddTalk(CLI::App& command, Talk& talk) {
   command.add_flag("--json", talk.json, "Print the result as JSON");
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

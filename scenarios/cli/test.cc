@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "scenarios/cli/interrupt.h"
-#include "scenarios/flight/output_file.h"
 #include "scenarios/report/junit.h"
-#include "scenarios/sweep/test_flights.h"
+#include "scenarios/sweeper/run/flight_suite.h"
+#include "scenarios/util/output_file.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 struct Options {
@@ -24,10 +24,10 @@ struct Options {
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };
 
-void Print(const TestedFlight& test) {
+void Print(const sweeper::TestedFlight& test) {
   fmt::print("{:<5} {:<32} {:6.1f} s  {} ({})\n", test.row.passed() ? "pass" : "FAIL", test.file.stem().string(),
              test.row.wall_s, test.row.outcome, test.row.reason);
-  for (const Check& check : test.checks) {
+  for (const runner::Check& check : test.checks) {
     if (check.pass) continue;
     const std::string value = check.value          ? fmt::format("{:.4g} {}", *check.value, check.unit)
                               : check.text.empty() ? "none"
@@ -38,23 +38,25 @@ void Print(const TestedFlight& test) {
   std::fflush(stdout);
 }
 
-std::string Junit(const std::vector<TestedFlight>& tests) {
-  std::vector<JunitSuite> suites;
-  for (const TestedFlight& test : tests) {
-    const Verdict verdict = test.row.verdict == "error" ? Verdict::kError : Verdict::kFail;
-    suites.push_back(SuiteOf(test.scenario, verdict, test.row.reason, test.row.metrics, test.checks));
+std::string Junit(const std::vector<sweeper::TestedFlight>& tests) {
+  std::vector<report::JunitSuite> suites;
+  for (const sweeper::TestedFlight& test : tests) {
+    const runner::Verdict verdict = test.row.verdict == "error" ? runner::Verdict::kError : runner::Verdict::kFail;
+    suites.push_back(report::SuiteOf(test.scenario, verdict, test.row.reason, test.row.metrics, test.checks));
   }
-  return JunitXml(suites);
+  return report::JunitXml(suites);
 }
 
 int Test(const Options& options) {
-  if (options.junit) CheckOutputFile(*options.junit, kJunitMark);
-  const std::vector<TestedFlight> tests = TestFlights(options.folder, options.jobs, InterruptRequested, Print);
-  if (options.junit) WriteOutputFile(*options.junit, Junit(tests), kJunitMark);
-  const auto passed = std::count_if(tests.begin(), tests.end(), [](const TestedFlight& t) { return t.row.passed(); });
+  if (options.junit) util::CheckOutputFile(*options.junit, report::kJunitMark);
+  const std::vector<sweeper::TestedFlight> tests =
+      sweeper::TestFlights(options.folder, options.jobs, InterruptRequested, Print);
+  if (options.junit) util::WriteOutputFile(*options.junit, Junit(tests), report::kJunitMark);
+  const auto passed =
+      std::count_if(tests.begin(), tests.end(), [](const sweeper::TestedFlight& t) { return t.row.passed(); });
   fmt::print("{} of {} flights passed\n", passed, tests.size());
   const bool is_error =
-      std::any_of(tests.begin(), tests.end(), [](const TestedFlight& t) { return t.row.verdict == "error"; });
+      std::any_of(tests.begin(), tests.end(), [](const sweeper::TestedFlight& t) { return t.row.verdict == "error"; });
   if (is_error) return kInternalError;
   return passed == static_cast<std::ptrdiff_t>(tests.size()) ? kPassed : kFailed;
 }
@@ -72,4 +74,4 @@ void AddTest(CLI::App& app, Run& run) {
   command.callback([options, &run] { run = [options] { return Test(*options); }; });
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

@@ -2,9 +2,9 @@
 
 #include "scenarios/cli/command.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 
 /// `touchdown test`: every scenario of a folder as a flight test.
 void AddTest(CLI::App& app, Run& run);
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

@@ -9,11 +9,11 @@
 #include "scenarios/cli/interrupt.h"
 #include "scenarios/cli/progress.h"
 #include "scenarios/cli/talk.h"
-#include "scenarios/flight/interrupted.h"
-#include "scenarios/flight/output_folder.h"
-#include "scenarios/study/classifier_study.h"
+#include "scenarios/training/classifier_study.h"
+#include "scenarios/util/interrupted.h"
+#include "scenarios/util/output_folder.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 struct Options {
@@ -26,19 +26,20 @@ struct Options {
 int TrainWith(const Options& options) {
   const models::PadLetter letter =
       options.letter == "rectangle" ? models::PadLetter::kRectangle : models::PadLetter::kH;
-  OutputFolder folder(options.out, {.files = ClassifierFileNames(letter), .mark = "\"touchdown.classifier\""});
-  ClassifierStudy study = [&] {
+  util::OutputFolder folder(options.out,
+                            {.files = training::ClassifierFileNames(letter), .mark = "\"touchdown.classifier\""});
+  training::ClassifierStudy study = [&] {
     Progress progress(!options.talk.ForPeople());
-    return StudyClassifier(ClassifierStudyConfig::For(letter), options.seed,
-                           [&](const std::string& text, double share) {
-                             if (InterruptRequested()) throw Interrupted();
-                             if (progress.IsDue()) progress.Tell(share, text);
-                           });
+    return training::StudyClassifier(training::ClassifierStudyConfig::For(letter), options.seed,
+                                     [&](const std::string& text, double share) {
+                                       if (InterruptRequested()) throw util::Interrupted();
+                                       if (progress.IsDue()) progress.Tell(share, text);
+                                     });
   }();
-  for (const StudyFile& file : ClassifierFiles(study)) folder.Write(file.name, file.content);
+  for (const training::StudyFile& file : training::ClassifierFiles(study)) folder.Write(file.name, file.content);
   folder.Commit();
-  if (options.talk.json) fmt::print("{}", ToJson(study.test, study.letter));
-  if (options.talk.ForPeople()) fmt::print("{}files in {}\n", ToText(study.test, study.letter), options.out);
+  if (options.talk.json) fmt::print("{}", training::ToJson(study.test, study.letter));
+  if (options.talk.ForPeople()) fmt::print("{}files in {}\n", training::ToText(study.test, study.letter), options.out);
   return kPassed;
 }
 
@@ -56,4 +57,4 @@ void AddTrain(CLI::App& app, Run& run) {
   command.callback([options, &run] { run = [options] { return TrainWith(*options); }; });
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

@@ -8,7 +8,7 @@
 
 #include "models/angles.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 using Ellipse = estimator::FrameTrace::Ellipse;
@@ -153,4 +153,4 @@ void DrawCaption(cv::Mat3b strip, const std::string& text, const cv::Scalar& col
               cv::LINE_AA);
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -11,7 +11,7 @@
 #include "models/camera_model.h"
 #include "models/signals.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 
 /// What an estimator made of a frame, as far as it is to be drawn.
 struct FrameAnnotation {
@@ -39,4 +39,4 @@ int CaptionHeight(const cv::Size& picture);
 /// The text is as high as suits the strip, or smaller where it is too long for it.
 void DrawCaption(cv::Mat3b strip, const std::string& text, const cv::Scalar& colour);
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -10,7 +10,7 @@
 
 #include "scenarios/report/annotated_frame.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 constexpr std::size_t kMostKept = 48;
@@ -19,7 +19,7 @@ constexpr std::size_t kTiles = 12;
 constexpr int kWidestTile_px = 480;
 constexpr int kHighestTile_px = 720;
 
-std::string Caption(const FrameRecord& record, double time_s) {
+std::string Caption(const runner::FrameRecord& record, double time_s) {
   return fmt::format("{:6.2f} s  {:.2f} m  {}  {}", time_s, record.X_WB.translation().z(), Name(record.phase),
                      Name(record.status));
 }
@@ -38,7 +38,7 @@ ContactSheet::ContactSheet(const models::CameraModel& camera, const models::Time
     : camera_(camera), time_(time), tile_(TileSize(camera)) {}
 
 void ContactSheet::OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate& estimate,
-                           const FrameRecord& record) {
+                           const runner::FrameRecord& record) {
   if (count_++ % stride_ != 0) return;
   kept_.push_back({frame.image, estimate.trace, record});
   if (kept_.size() < kMostKept) return;
@@ -81,4 +81,4 @@ std::optional<std::string> ContactSheet::Png() const {
   return std::string(png.begin(), png.end());
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

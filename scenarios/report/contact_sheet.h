@@ -9,19 +9,19 @@
 #include "estimator/estimator.h"
 #include "models/camera_model.h"
 #include "models/signals.h"
-#include "scenarios/flight/flight_log.h"
-#include "scenarios/flight/flight_observer.h"
+#include "scenarios/runner/flight_log.h"
+#include "scenarios/runner/flight_observer.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 
 /// Some annotated frames, evenly spread over a flight of unknown length, on one picture. It keeps fewer than 48 frames,
 /// however long the flight, and draws them when asked for the picture: during a flight it costs a copy of a frame.
-class ContactSheet final : public FlightObserver {
+class ContactSheet final : public runner::FlightObserver {
  public:
   ContactSheet(const models::CameraModel& camera, const models::TimeBase& time);
 
   void OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate& estimate,
-               const FrameRecord& record) override;
+               const runner::FrameRecord& record) override;
 
   /// The picture as PNG, four frames a row; nullopt when there were no frames. Throws std::runtime_error when it cannot
   /// be encoded.
@@ -31,7 +31,7 @@ class ContactSheet final : public FlightObserver {
   struct Kept {
     models::Image image;
     estimator::FrameTrace trace;
-    FrameRecord record;
+    runner::FrameRecord record;
   };
 
   std::vector<std::size_t> Selection() const;
@@ -45,4 +45,4 @@ class ContactSheet final : public FlightObserver {
   std::size_t count_ = 0;
 };
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -19,10 +19,10 @@
 #include <vector>
 
 #include "models/error.h"
-#include "scenarios/flight/scratch_folder.h"
 #include "scenarios/report/page_assets.h"
+#include "scenarios/util/scratch_folder.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -157,7 +157,7 @@ std::string Undated(std::string pdf) {
 }  // namespace
 
 DrawnFigure Draw(const Figure& figure) {
-  const ScratchFolder folder;
+  const util::ScratchFolder folder;
   std::ofstream(folder.path() / "data.csv") << figure.csv;
   std::ofstream(folder.path() / "figure.gp") << Script(figure, folder.path());
   RunGnuplot(folder.path() / "figure.gp", folder.path() / "words");
@@ -169,4 +169,4 @@ DrawnFigure Draw(const Figure& figure) {
   return drawn;
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

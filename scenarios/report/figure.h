@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 
 /// A figure as numbers and the way to draw them.
 struct Figure {
@@ -26,4 +26,4 @@ struct DrawnFigure {
 /// gnuplot is not there, std::runtime_error with its words when it refuses the commands.
 DrawnFigure Draw(const Figure& figure);
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

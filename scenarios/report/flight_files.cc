@@ -9,7 +9,7 @@
 
 #include "models/error.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -47,4 +47,4 @@ FlightFiles ReadFlightFiles(const fs::path& folder) {
   return files;
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 
 /// What result.json of a flight, and of nothing else, holds.
 inline constexpr char kFlightMark[] = "\"log_sha256\"";
@@ -26,4 +26,4 @@ struct FlightFiles {
 /// Reads them. Throws InputError when `folder` is no flight's folder, or a file cannot be read.
 FlightFiles ReadFlightFiles(const std::filesystem::path& folder);
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

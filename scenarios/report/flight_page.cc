@@ -11,15 +11,15 @@
 #include <utility>
 
 #include "models/error.h"
-#include "scenarios/flight/metrics.h"
-#include "scenarios/flight/scenario.h"
 #include "scenarios/report/flight_plots.h"
 #include "scenarios/report/flight_series.h"
 #include "scenarios/report/page_assets.h"
 #include "scenarios/report/published.h"
-#include "scenarios/report/text.h"
+#include "scenarios/runner/metrics.h"
+#include "scenarios/runner/scenario.h"
+#include "scenarios/util/text.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -72,7 +72,7 @@ class JsonFile {
 std::string Figure(double value) { return fmt::format("{:.4g}", value); }
 
 std::string Doc(std::string_view metric) {
-  const MetricInfo* const info = FindMetric(metric);
+  const runner::MetricInfo* const info = runner::FindMetric(metric);
   return info == nullptr ? "" : std::string(info->doc);
 }
 
@@ -82,7 +82,7 @@ void PutVerdict(const JsonFile& result, data& page) {
   page.set("verdict", passed ? "pass" : failed ? "fail" : "error");
   page.set("verdict_word", passed ? "Passed" : failed ? "Failed" : "Error");
   page.set("verdict_sign", passed ? "✓" : failed ? "✗" : "!");
-  page.set("outcome", Words(result.Text(result.root(), "outcome")));
+  page.set("outcome", util::Words(result.Text(result.root(), "outcome")));
   for (const char* key : {"scenario", "estimator", "version", "log_sha256"})
     page.set(key, result.Text(result.root(), key));
   const Json& seed = result.Member(result.root(), "seed");
@@ -99,9 +99,9 @@ void PutChecks(const JsonFile& result, data& page) {
     data row;
     row.set("name", result.Text(check, "name"));
     row.set("doc", Doc(result.Text(check, "name")));
-    row.set("value", value.is_number() ? Figure(value) : value.is_string() ? Words(value) : kNone);
+    row.set("value", value.is_number() ? Figure(value) : value.is_string() ? util::Words(value) : kNone);
     row.set("unit", result.Text(check, "unit"));
-    row.set("limit", WithSigns(Words(result.Text(check, "limit"))));
+    row.set("limit", util::WithSigns(util::Words(result.Text(check, "limit"))));
     row.set("kept", is_kept ? data::type::bool_true : data::type::bool_false);
     rows << row;
     kept += is_kept ? 1 : 0;
@@ -168,7 +168,7 @@ void PutTableOne(const Json& metrics, data& page) {
 
 void PutMetrics(const Json& metrics, data& page) {
   data rows{data::type::list};
-  for (const MetricInfo& info : AllMetrics()) {
+  for (const runner::MetricInfo& info : runner::AllMetrics()) {
     const auto value = Find(metrics, info.name);
     data row;
     row.set("name", std::string(info.name));
@@ -190,7 +190,7 @@ void PutPlatform(const JsonFile& result, data& page) {
   data rows{data::type::list};
   for (const auto& [name, value] : result.Members("platform", Json::value_t::object).items()) {
     data row;
-    row.set("name", Words(name));
+    row.set("name", util::Words(name));
     row.set("value", value.is_string() ? value.get<std::string>() : value.dump());
     rows << row;
   }
@@ -227,7 +227,8 @@ std::string Rendered(const data& page) {
 std::string FlightPage(const FlightFiles& files) {
   const JsonFile result(files.result_json, files.NameOf("result.json"));
   const JsonFile timing(files.timing_json, files.NameOf("timing.json"));
-  const Scenario scenario = ParseScenario(files.scenario_yaml, files.NameOf("scenario.yaml"), files.folder);
+  const runner::Scenario scenario =
+      runner::ParseScenario(files.scenario_yaml, files.NameOf("scenario.yaml"), files.folder);
   const Json& metrics = result.Members("metrics", Json::value_t::object);
 
   data page;
@@ -248,4 +249,4 @@ std::string FlightPage(const FlightFiles& files) {
   return Rendered(page);
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

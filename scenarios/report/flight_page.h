@@ -4,7 +4,7 @@
 
 #include "scenarios/report/flight_files.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 
 /// What every page of a flight holds.
 inline constexpr char kFlightPageMark[] = "<meta name=\"generator\" content=\"Touchdown flight report\">";
@@ -14,4 +14,4 @@ inline constexpr char kFlightPageMark[] = "<meta name=\"generator\" content=\"To
 /// Throws InputError, naming file, line and key or column, when a file is damaged.
 std::string FlightPage(const FlightFiles& files);
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -207,25 +207,25 @@ Json SpansJson(const std::vector<FlightSeries::Span>& spans) {
   return json;
 }
 
-std::string TextOf(const Event& event) {
+std::string TextOf(const runner::Event& event) {
   switch (event.kind) {
-    case Event::Kind::kPush:
+    case runner::Event::Kind::kPush:
       return event.force_n.isZero() ? fmt::format("push {:.3g} N m", event.torque_n_m.norm())
                                     : fmt::format("push {:.3g} N", event.force_n.norm());
-    case Event::Kind::kWind:
+    case runner::Event::Kind::kWind:
       return fmt::format("wind {:.3g} m/s", event.velocity_m_s.norm());
-    case Event::Kind::kCoverPad:
+    case runner::Event::Kind::kCoverPad:
       return "pad covered";
-    case Event::Kind::kLoseFrames:
+    case runner::Event::Kind::kLoseFrames:
       break;
   }
   return "frames lost";
 }
 
 /// Those that came to pass.
-Json EventsJson(const std::vector<Event>& events, double duration_s) {
+Json EventsJson(const std::vector<runner::Event>& events, double duration_s) {
   Json json = Json::array();
-  for (const Event& event : events) {
+  for (const runner::Event& event : events) {
     if (event.at_s > duration_s) continue;
     const double to_s = std::min(event.at_s + event.duration_s, duration_s);
     json.push_back({{"name", TextOf(event)}, {"from_s", Time(event.at_s)}, {"to_s", Time(to_s)}});
@@ -258,7 +258,7 @@ Json PadJson(const models::LandingPad& pad) {
 
 }  // namespace
 
-Json FlightPlots(const FlightSeries& flight, const Scenario& scenario) {
+Json FlightPlots(const FlightSeries& flight, const runner::Scenario& scenario) {
   Json json;
   json["duration_s"] = Time(flight.duration_s);
   json["phases"] = SpansJson(flight.phases);
@@ -275,4 +275,4 @@ Json FlightPlots(const FlightSeries& flight, const Scenario& scenario) {
   return json;
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

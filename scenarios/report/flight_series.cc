@@ -7,16 +7,16 @@
 #include <string_view>
 
 #include "models/error.h"
-#include "scenarios/flight/csv_table.h"
+#include "scenarios/util/csv_table.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 using Span = FlightSeries::Span;
 
 constexpr double kMissingFrame = 1.5;  // Of the camera's period, between two frames.
 
-PoseSeries ReadPose(const CsvTable& table, const std::string& whose) {
+PoseSeries ReadPose(const util::CsvTable& table, const std::string& whose) {
   return {table.Numbers(whose + "x_m"),      table.Numbers(whose + "y_m"),       table.Numbers(whose + "z_m"),
           table.Numbers(whose + "roll_deg"), table.Numbers(whose + "pitch_deg"), table.Numbers(whose + "yaw_deg")};
 }
@@ -94,7 +94,7 @@ std::optional<FlightSeries::Instant> FindTouchdown(const FlightSeries& flight,
 }
 
 void ReadTicks(const FlightFiles& files, FlightSeries& flight) {
-  const CsvTable table(files.flight_csv, files.NameOf("flight.csv"));
+  const util::CsvTable table(files.flight_csv, files.NameOf("flight.csv"));
   flight.t_s = table.Times("t_s");
   flight.truth = ReadPose(table, "true_");
   flight.estimate = ReadPose(table, "est_");
@@ -118,7 +118,7 @@ void ReadTicks(const FlightFiles& files, FlightSeries& flight) {
 
 Series ReadVisionTime(const FlightFiles& files, const std::vector<double>& frame_ticks) {
   const std::string name = files.NameOf("frame_timing.csv");
-  const CsvTable table(files.frame_timing_csv, name);
+  const util::CsvTable table(files.frame_timing_csv, name);
   if (table.AllNumbers("tick") != frame_ticks) {
     throw InputError(fmt::format("{}:1: tick: is not that of frames.csv beside it", name));
   }
@@ -126,7 +126,7 @@ Series ReadVisionTime(const FlightFiles& files, const std::vector<double>& frame
 }
 
 void ReadFrames(const FlightFiles& files, double frame_period_s, FlightSeries& flight) {
-  const CsvTable table(files.frames_csv, files.NameOf("frames.csv"));
+  const util::CsvTable table(files.frames_csv, files.NameOf("frames.csv"));
   flight.frame_t_s = table.Times("t_s");
   flight.frame_truth = ReadPose(table, "true_");
   flight.vision = ReadPose(table, "");
@@ -148,4 +148,4 @@ FlightSeries ReadFlightSeries(const FlightFiles& files, double frame_period_s) {
   return flight;
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -8,7 +8,7 @@
 #include "scenarios/report/flight_files.h"
 #include "scenarios/report/thinning.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 
 /// A pose over time: position in W in m, Tait-Bryan angles in deg. Yaw runs on beyond +-180 degrees where it turns.
 struct PoseSeries {
@@ -56,4 +56,4 @@ struct FlightSeries {
 /// that is damaged.
 FlightSeries ReadFlightSeries(const FlightFiles& files, double frame_period_s);
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

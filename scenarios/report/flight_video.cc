@@ -7,9 +7,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include "scenarios/report/annotated_frame.h"
-#include "sim/world.h"
+#include "sim/dynamics/world.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 constexpr int kMostPicturesPerSecond = 30;
@@ -30,14 +30,14 @@ cv::Size OnboardSize(const models::CameraModel& camera) {
 
 int Even(int px) { return px + px % 2; }
 
-std::string Caption(const FrameRecord& record, double time_s) {
+std::string Caption(const runner::FrameRecord& record, double time_s) {
   return fmt::format("{:6.2f} s   {}   {}   {:.2f} m high", time_s, Name(record.phase), Name(record.status),
                      record.X_WB.translation().z());
 }
 
 }  // namespace
 
-FlightVideo::FlightVideo(const Scenario& scenario, const std::filesystem::path& file)
+FlightVideo::FlightVideo(const runner::Scenario& scenario, const std::filesystem::path& file)
     : file_(file),
       camera_(scenario.assumed_camera()),
       pad_(scenario.pad),
@@ -61,7 +61,7 @@ void FlightVideo::HoldUntil(models::Tick tick) {
 }
 
 void FlightVideo::DrawOnboard(const models::ImageView& image, const estimator::FrameTrace& trace,
-                              const FrameRecord& record) {
+                              const runner::FrameRecord& record) {
   FrameAnnotation annotation{.trace = trace, .pad_px = record.pad_px, .X_WC = {}, .axis_length_m = pad_.outer_radius_m};
   if (record.status == estimator::FrameStatus::kOk) annotation.X_WC = record.pose->X_WB * X_BC_;
   const cv::Size size = OnboardSize(camera_);
@@ -71,7 +71,7 @@ void FlightVideo::DrawOnboard(const models::ImageView& image, const estimator::F
 }
 
 void FlightVideo::OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate& estimate,
-                          const FrameRecord& record) {
+                          const runner::FrameRecord& record) {
   if (!writer_) writer_.emplace(file_, picture_.size(), rate_);
   HoldUntil(frame.mid_exposure);
   if (frame.mid_exposure % period_ != 0) return;
@@ -90,4 +90,4 @@ void FlightVideo::Finish() {
   writer_->Finish();
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -8,12 +8,12 @@
 #include "models/camera_model.h"
 #include "models/time.h"
 #include "models/vehicle.h"
-#include "scenarios/flight/flight_observer.h"
-#include "scenarios/flight/scenario.h"
 #include "scenarios/report/video_writer.h"
-#include "sim/chase_view.h"
+#include "scenarios/runner/flight_observer.h"
+#include "scenarios/runner/scenario.h"
+#include "sim/render/chase_view.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 
 /// A flight as a film, written while it is flown: the onboard camera with what the estimator saw and the pose that it
 /// found drawn into it, beside the vehicle from outside, both 480 px high, and below them time, phase, status and the
@@ -22,23 +22,24 @@ namespace touchdown::scenarios {
 /// The film's time is the flight's: picture k of F a second shows the frame taken at k / F, the vehicle at that moment.
 /// F is the camera's rate, or the largest fraction of it that is at most 30. A frame that was lost leaves the last
 /// picture standing, to the flight's end.
-class FlightVideo final : public FlightObserver {
+class FlightVideo final : public runner::FlightObserver {
  public:
   /// The file is made with the first frame.
-  FlightVideo(const Scenario& scenario, const std::filesystem::path& file);
+  FlightVideo(const runner::Scenario& scenario, const std::filesystem::path& file);
 
   void OnStart(const sim::World& world) override;
   void OnImu(const models::ImuSample& sample, bool at_rest) override;
   /// Throws InputError when the file cannot be written.
   void OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate& estimate,
-               const FrameRecord& record) override;
+               const runner::FrameRecord& record) override;
 
   /// Completes the file; there is none when there were no frames. Throws InputError as OnFrame does.
   void Finish();
 
  private:
   void HoldUntil(models::Tick tick);
-  void DrawOnboard(const models::ImageView& image, const estimator::FrameTrace& trace, const FrameRecord& record);
+  void DrawOnboard(const models::ImageView& image, const estimator::FrameTrace& trace,
+                   const runner::FrameRecord& record);
 
   std::filesystem::path file_;
   models::CameraModel camera_;
@@ -54,4 +55,4 @@ class FlightVideo final : public FlightObserver {
   std::optional<VideoWriter> writer_;
 };
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -8,7 +8,7 @@
 
 #include "scenarios/report/annotated_frame.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 const cv::Size kMostVideo(1280, 960);
@@ -20,7 +20,8 @@ FrameRate RateOf(double frames_per_s) {
 
 }  // namespace
 
-FootageVideo::FootageVideo(const std::filesystem::path& file, const FootageSetup& setup, const FootageFacts& facts)
+FootageVideo::FootageVideo(const std::filesystem::path& file, const datasets::FootageSetup& setup,
+                           const datasets::FootageFacts& facts)
     : camera_(setup.camera),
       axis_length_m_(setup.pad.outer_radius_m),
       X_BC_(setup.mounting ? setup.mounting->X_BC : Eigen::Isometry3d::Identity()),
@@ -28,7 +29,7 @@ FootageVideo::FootageVideo(const std::filesystem::path& file, const FootageSetup
       size_(VideoSize({setup.camera.width_px, setup.camera.height_px}, kMostVideo)),
       writer_(file, size_, RateOf(facts.frames_per_s)) {}
 
-void FootageVideo::Add(const FootageFrame& frame, const FootageEstimate& estimate) {
+void FootageVideo::Add(const datasets::FootageFrame& frame, const datasets::FootageEstimate& estimate) {
   const estimator::FrameEstimate& seen = estimate.seen;
   FrameAnnotation annotation;
   annotation.trace = seen.trace;
@@ -43,4 +44,4 @@ void FootageVideo::Add(const FootageFrame& frame, const FootageEstimate& estimat
   writer_.Write(picture);
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

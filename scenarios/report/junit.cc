@@ -6,7 +6,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 struct Counts {
@@ -15,7 +15,8 @@ struct Counts {
 
   void Add(const JunitSuite& suite) {
     const auto count = static_cast<long long>(suite.checks.size());
-    const auto failed = std::count_if(suite.checks.begin(), suite.checks.end(), [](const Check& c) { return !c.pass; });
+    const auto failed =
+        std::count_if(suite.checks.begin(), suite.checks.end(), [](const runner::Check& c) { return !c.pass; });
     tests += count;
     failures += suite.error ? 0 : failed;
     errors += suite.error ? count : 0;
@@ -31,13 +32,13 @@ void PutCounts(pugi::xml_node node, const Counts& counts) {
 }
 
 /// "is 0.12 m, must be <= 0.06".
-std::string Explain(const Check& check) {
+std::string Explain(const runner::Check& check) {
   const std::string value =
       check.value ? fmt::format("{} {}", *check.value, check.unit) : (check.text.empty() ? "not there" : check.text);
   return fmt::format("is {}, must be {}", value, check.limit);
 }
 
-void PutCase(pugi::xml_node node, const JunitSuite& suite, const Check& check) {
+void PutCase(pugi::xml_node node, const JunitSuite& suite, const runner::Check& check) {
   pugi::xml_node test = node.append_child("testcase");
   test.append_attribute("classname") = suite.name.c_str();
   test.append_attribute("name") = check.name.c_str();
@@ -66,20 +67,20 @@ std::string JunitXml(const std::vector<JunitSuite>& suites) {
     Counts counts;
     counts.Add(suite);
     PutCounts(node, counts);
-    for (const Check& check : suite.checks) PutCase(node, suite, check);
+    for (const runner::Check& check : suite.checks) PutCase(node, suite, check);
   }
   std::ostringstream text;
   document.save(text, "  ");
   return text.str();
 }
 
-JunitSuite SuiteOf(const Scenario& scenario, Verdict verdict, const std::string& reason, const Metrics& metrics,
-                   const std::vector<Check>& checks) {
+JunitSuite SuiteOf(const runner::Scenario& scenario, runner::Verdict verdict, const std::string& reason,
+                   const runner::Metrics& metrics, const std::vector<runner::Check>& checks) {
   const auto time = metrics.find("flight.sim_time_s");
   return {.name = fmt::format("{}.seed{}", scenario.name, scenario.seed),
           .time_s = time == metrics.end() ? 0.0 : time->second,
           .checks = checks,
-          .error = verdict == Verdict::kError ? std::optional(reason) : std::nullopt};
+          .error = verdict == runner::Verdict::kError ? std::optional(reason) : std::nullopt};
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "scenarios/flight/fly.h"
+#include "scenarios/runner/fly.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 
 /// What a JUnit file of Touchdown's, and none of another program's, holds.
 inline constexpr char kJunitMark[] = "<testsuites name=\"touchdown\"";
@@ -15,7 +15,7 @@ inline constexpr char kJunitMark[] = "<testsuites name=\"touchdown\"";
 struct JunitSuite {
   std::string name;
   double time_s = 0.0;  ///< Simulated.
-  std::vector<Check> checks;
+  std::vector<runner::Check> checks;
   std::optional<std::string> error;  ///< What went wrong with the simulation, in place of its checks.
 };
 
@@ -23,7 +23,7 @@ struct JunitSuite {
 /// simulation went wrong is an error of every case.
 std::string JunitXml(const std::vector<JunitSuite>& suites);
 
-JunitSuite SuiteOf(const Scenario& scenario, Verdict verdict, const std::string& reason, const Metrics& metrics,
-                   const std::vector<Check>& checks);
+JunitSuite SuiteOf(const runner::Scenario& scenario, runner::Verdict verdict, const std::string& reason,
+                   const runner::Metrics& metrics, const std::vector<runner::Check>& checks);
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -11,7 +11,7 @@
 
 #include "models/angles.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 using models::LandingPad;
@@ -184,4 +184,4 @@ std::string PadSheet(const LandingPad& pad, SheetFormat format) {
   return bytes;
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -4,7 +4,7 @@
 
 #include "models/landing_pad.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 
 /// Every sheet holds this text.
 inline constexpr char kPadSheetMark[] = "Touchdown landing pad";
@@ -16,4 +16,4 @@ enum class SheetFormat { kPdf, kSvg };
 /// larger than the sheet and a dashed line shows where to cut. Throws InputError when the pad is not valid.
 std::string PadSheet(const models::LandingPad& pad, SheetFormat format);
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

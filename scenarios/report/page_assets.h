@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 
 // The parts of the pages that every page has, from scenarios/report/web/. The build puts them into the program.
 
@@ -24,4 +24,4 @@ std::string_view PageStyle();
 /// Its script, with uPlot.
 std::string_view PageScript();
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

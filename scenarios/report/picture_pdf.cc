@@ -6,7 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
@@ -51,4 +51,4 @@ std::string PicturePdf(const std::string& jpeg, double width_cm) {
   return bytes;
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

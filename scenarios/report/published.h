@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 
 /// A row of the paper's Table I: RMSE of vision's pose.
 struct TableOneRow {
@@ -23,4 +23,4 @@ inline constexpr std::array<TableOneRow, 6> kTableOne = {
      {"Pitch", "estimate.pitch_rmse_deg", "pitch_deg", 1.0, "deg", {1.2, 1.4, 1.5}},
      {"Yaw", "estimate.yaw_rmse_deg", "yaw_deg", 1.0, "deg", {7.2, 4.8, 2.7}}}};
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

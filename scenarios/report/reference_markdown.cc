@@ -4,10 +4,10 @@
 
 #include <string_view>
 
-#include "scenarios/flight/metrics.h"
-#include "scenarios/flight/scenario.h"
+#include "scenarios/runner/metrics.h"
+#include "scenarios/runner/scenario.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 std::string Code(std::string_view text) { return text.empty() ? "" : fmt::format("`{}`", text); }
@@ -21,7 +21,7 @@ std::string_view WithoutMustBe(std::string_view range) {
 
 std::string KeysMarkdown() {
   std::string table = "| key | unit | default | allowed | meaning |\n| --- | --- | --- | --- | --- |\n";
-  for (const ScenarioKey& key : ScenarioReference()) {
+  for (const config::KeyRow& key : runner::ScenarioReference()) {
     table += fmt::format("| {} | {} | {} | {} | {} |\n", Code(key.path), key.unit == "-" ? "" : key.unit,
                          Code(key.default_value), WithoutMustBe(key.range), key.doc);
   }
@@ -30,10 +30,10 @@ std::string KeysMarkdown() {
 
 std::string MetricsMarkdown() {
   std::string table = "| metric | unit | meaning |\n| --- | --- | --- |\n";
-  for (const MetricInfo& info : AllMetrics()) {
+  for (const runner::MetricInfo& info : runner::AllMetrics()) {
     table += fmt::format("| {} | {} | {} |\n", Code(info.name), info.unit, info.doc);
   }
   return table;
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

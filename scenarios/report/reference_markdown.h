@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 
 /// Every key of a scenario with unit, default, range and meaning, as a Markdown table.
 std::string KeysMarkdown();
@@ -10,4 +10,4 @@ std::string KeysMarkdown();
 /// Every metric with its unit and meaning, as a Markdown table.
 std::string MetricsMarkdown();
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -5,7 +5,7 @@
 
 #include "scenarios/report/figure.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 
 struct ReportTable {
   std::string name = {};     ///< Of its CSV file.
@@ -33,4 +33,4 @@ struct ReportSection {
   std::vector<ReportTable> tables = {};
 };
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -3,12 +3,12 @@
 #include <kainjow/mustache.hpp>
 #include <stdexcept>
 
-#include "scenarios/report/base64.h"
 #include "scenarios/report/page_assets.h"
 #include "scenarios/report/picture_pdf.h"
-#include "scenarios/report/text.h"
+#include "scenarios/util/base64.h"
+#include "scenarios/util/text.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 using kainjow::mustache::data;
@@ -51,7 +51,7 @@ data PictureData(const ReportPicture& picture) {
   result.set("name", picture.name);
   result.set("title", picture.title);
   result.set("caption", picture.caption);
-  result.set("base64", Base64(picture.jpeg));
+  result.set("base64", util::Base64(picture.jpeg));
   return result;
 }
 
@@ -68,8 +68,8 @@ void AddFiles(const ReportPicture& picture, Files& files) {
 }
 
 void AddFiles(const ReportTable& table, Files& files) {
-  std::string csv = QuotedCsvLine(table.head);
-  for (const auto& row : table.rows) csv += QuotedCsvLine(row);
+  std::string csv = util::QuotedCsvLine(table.head);
+  for (const auto& row : table.rows) csv += util::QuotedCsvLine(row);
   files["figures/" + table.name + ".table.csv"] = csv;
 }
 
@@ -111,4 +111,4 @@ SectionWithFiles DrawSection(const ReportSection& section) {
   return result;
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

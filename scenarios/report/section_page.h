@@ -5,7 +5,7 @@
 
 #include "scenarios/report/section.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 
 /// A section as a part of a page.
 std::string SectionHtml(const ReportSection& section);
@@ -21,4 +21,4 @@ struct SectionWithFiles {
 /// Both throw as Draw does.
 SectionWithFiles DrawSection(const ReportSection& section);
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 constexpr std::size_t kRowsNotWorthThinning = 4;  // In a bucket.
@@ -42,4 +42,4 @@ std::vector<std::size_t> ThinnedRows(std::span<const Series> series, std::size_t
   return thinned;
 }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 
 /// One value for each of a plot's times; nullopt where there is none.
 using Series = std::vector<std::optional<double>>;
@@ -15,4 +15,4 @@ using Series = std::vector<std::optional<double>>;
 /// of a gap's edge. All rows when there are no more than four for each bucket. In rising order.
 std::vector<std::size_t> ThinnedRows(std::span<const Series> series, std::size_t buckets);
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

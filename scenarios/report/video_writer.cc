@@ -20,7 +20,7 @@ extern "C" {
 
 #include "models/error.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -206,4 +206,4 @@ std::int64_t VideoWriter::count() const { return impl_->count; }
 
 void VideoWriter::Finish() { impl_->Finish(); }
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -6,7 +6,7 @@
 #include <opencv2/core/mat.hpp>
 #include <opencv2/core/types.hpp>
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 
 /// `pictures` in `seconds`: {30, 1} is 30 a second, {100, 7} about 14.3.
 struct FrameRate {
@@ -49,4 +49,4 @@ class VideoWriter {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

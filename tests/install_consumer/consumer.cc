@@ -4,10 +4,10 @@
 #include <cstdio>
 #include <string>
 
-#include "controller/flight_controller.h"
-#include "estimator/make_estimator.h"
-#include "estimator/state_estimator.h"
-#include "models/vehicle.h"
+#include <touchdown/controller/flight_controller.h>
+#include <touchdown/estimator/make_estimator.h>
+#include <touchdown/estimator/state_estimator.h>
+#include <touchdown/models/vehicle.h>
 
 using touchdown::controller::Phase;
 

@@ -12,12 +12,12 @@
 #include <opencv2/videoio.hpp>
 #include <string>
 
-#include "scenarios/flight/fly.h"
-#include "scenarios/flight/scenario.h"
-#include "scenarios/report/flight_folder.h"
+#include "scenarios/cli/flight_folder.h"
+#include "scenarios/runner/fly.h"
+#include "scenarios/runner/scenario.h"
 #include "tests/support/docs_picture.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::runner {
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,7 +54,7 @@ constexpr double kSamePicture = 8.0;
 TEST(Flights, TakeoffHoverLandPassesAndLooksAsInTheREADME) {
   const fs::path place = fs::path(::testing::TempDir()) / "flights_test_takeoff_hover_land";
   fs::remove_all(place);
-  ExpectPass(FlyIntoFolder(Flight("takeoff_hover_land"), place));
+  ExpectPass(cli::FlyIntoFolder(Flight("takeoff_hover_land"), place));
   cv::Mat sheet;
   cv::VideoCapture film((place / "flight.mp4").string());
   EXPECT_GT(film.get(cv::CAP_PROP_FRAME_COUNT), 400);
@@ -108,7 +108,7 @@ TEST(Flights, TheResolvedScenarioFliesTheSameFlight) {
 TEST(Flights, LeaveTheirFolderWhole) {
   const fs::path place = fs::path(::testing::TempDir()) / "flights_test_folder";
   fs::remove_all(place);
-  const FlightResult result = FlyIntoFolder(Flight("landing", Short()), place);
+  const FlightResult result = cli::FlyIntoFolder(Flight("landing", Short()), place);
   EXPECT_EQ(result.verdict, Verdict::kFail);
   for (const char* name :
        {"scenario.yaml", "result.json", "flight.csv", "frames.csv", "tracking.csv", "truth.tum", "estimate.tum",
@@ -132,17 +132,17 @@ TEST(Flights, AreTheSameWithAndWithoutTheirFilm) {
   const Scenario scenario = Flight("landing", {"time_limit_s=2",
                                                "events=[{at_s: 0.5, do: cover_pad, duration_s: 0.5}, "
                                                "{at_s: 1.2, do: lose_frames, duration_s: 0.2}]"});
-  const FlightResult without = FlyIntoFolder(scenario, place, {.video = false});
+  const FlightResult without = cli::FlyIntoFolder(scenario, place, {.video = false});
   EXPECT_FALSE(fs::exists(place / "flight.mp4"));
-  const FlightResult with = FlyIntoFolder(scenario, place, {.video = true});
+  const FlightResult with = cli::FlyIntoFolder(scenario, place, {.video = true});
   EXPECT_TRUE(fs::exists(place / "flight.mp4"));
   EXPECT_EQ(with.log_sha256, without.log_sha256);
   EXPECT_EQ(with.tables.flight_csv, without.tables.flight_csv);
   // A film of an earlier flight does not stay beside a later one.
-  FlyIntoFolder(scenario, place, {.video = false});
+  cli::FlyIntoFolder(scenario, place, {.video = false});
   EXPECT_FALSE(fs::exists(place / "flight.mp4"));
   fs::remove_all(place);
 }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::runner

@@ -2,16 +2,16 @@
 
 #include <cmath>
 
-#include "scenarios/flight/fly.h"
+#include "scenarios/runner/fly.h"
 
 namespace touchdown::tests {
 namespace {
 
 using controller::Phase;
-using scenarios::FlightLog;
-using scenarios::FrameRecord;
-using scenarios::Scenario;
-using scenarios::TickRecord;
+using runner::FlightLog;
+using runner::FrameRecord;
+using runner::Scenario;
+using runner::TickRecord;
 
 constexpr models::Tick kImuPeriod = 6;
 constexpr models::Tick kCameraPeriod = 20;
@@ -36,7 +36,7 @@ FlightLog MadeFlight(const Scenario& scenario, double duration_s) {
   FlightLog log;
   log.time = scenario.time;
   log.end = scenario.time.FromSeconds(duration_s);
-  log.outcome = scenarios::Outcome::kLanded;
+  log.outcome = runner::Outcome::kLanded;
   log.wall_s = 1.0;
   const auto share = [&log](models::Tick tick) { return static_cast<double>(tick) / static_cast<double>(log.end); };
   for (models::Tick tick = 0; tick <= log.end; tick += kImuPeriod) {
@@ -64,9 +64,9 @@ FlightLog MadeFlight(const Scenario& scenario, double duration_s) {
   return log;
 }
 
-scenarios::FlightFiles FilesOf(const Scenario& scenario, const FlightLog& log) {
-  const scenarios::FlightResult result = scenarios::JudgeFlight(scenario, log);
-  scenarios::FlightFiles files;
+report::FlightFiles FilesOf(const Scenario& scenario, const FlightLog& log) {
+  const runner::FlightResult result = runner::JudgeFlight(scenario, log);
+  report::FlightFiles files;
   files.folder = "flight";
   files.result_json = ResultJson(scenario, result);
   files.scenario_yaml = ScenarioYaml(scenario);

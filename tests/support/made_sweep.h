@@ -2,14 +2,14 @@
 
 #include <string>
 
-#include "scenarios/sweep/sweep_summary.h"
+#include "scenarios/sweeper/analysis/sweep_summary.h"
 
 namespace touchdown::tests {
 
 /// 20 flights: five seeds of two noises and two exposures; with the larger noise and exposure all but one fail.
 /// Flight n touched down n mm along X and 1 mm along -Y.
-inline scenarios::SweepOutcome MadeSweep() {
-  using namespace scenarios;
+inline sweeper::SweepOutcome MadeSweep() {
+  using namespace sweeper;
   SweepOutcome sweep{.terms = {.name = "night <1>",
                                .description = "Of & for people.",
                                .axes = {{"camera.noise_sigma", {"10", "2"}},

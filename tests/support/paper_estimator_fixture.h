@@ -39,7 +39,8 @@ class PaperEstimatorFixture : public testing::Test {
 
   estimator::EstimatorSetup setup_{.camera = {}, .pad = {}, .X_BC = models::Vehicle().X_BC(), .time = {}};
   models::RandomStream random_{1, "tests.paper_estimator"};
-  std::unique_ptr<estimator::PaperEstimator> estimator_ = std::make_unique<estimator::PaperEstimator>(setup_);
+  std::unique_ptr<estimator::paper::PaperEstimator> estimator_ =
+      std::make_unique<estimator::paper::PaperEstimator>(setup_);
   models::Tick tick_ = 0;
 };
 

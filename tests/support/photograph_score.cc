@@ -38,7 +38,7 @@ PhotoScore Score(const Photograph& photo) {
       .camera = photo.camera, .pad = photo.pad, .time = {}, .frame_order = estimator::FrameOrder::kUnrelated};
   setup.X_BC = Eigen::Isometry3d::Identity();
   setup.X_BC.linear() = NominalR_BC();
-  estimator::PaperEstimator estimator(setup);
+  estimator::paper::PaperEstimator estimator(setup);
   const Eigen::Isometry3d X_WB = photo.X_WC * setup.X_BC.inverse();
   PhotoScore score;
   score.estimate = estimator.Estimate(photo.image.View(), 0, GravityIn(X_WB));

@@ -7,8 +7,8 @@
 #include "models/angles.h"
 #include "models/signals.h"
 #include "models/vehicle.h"
-#include "sim/mujoco_model.h"
-#include "sim/scene.h"
+#include "sim/dynamics/mujoco_model.h"
+#include "sim/scene/scene.h"
 
 namespace touchdown::tests {
 

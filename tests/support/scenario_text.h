@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "models/error.h"
-#include "scenarios/flight/scenario.h"
+#include "scenarios/runner/scenario.h"
 
 namespace touchdown::tests {
 
@@ -17,13 +17,11 @@ inline std::string With(const std::string& lines) {
 }
 
 /// As --set gives them.
-inline std::vector<scenarios::Override> Overrides(const std::vector<std::string>& set) {
-  return {set.begin(), set.end()};
-}
+inline std::vector<runner::Override> Overrides(const std::vector<std::string>& set) { return {set.begin(), set.end()}; }
 
 /// Reads it as the file f.yaml at the project's root.
-inline scenarios::Scenario Parse(const std::string& text, const std::vector<std::string>& set = {}) {
-  return scenarios::ParseScenario(text, "f.yaml", TOUCHDOWN_SOURCE_DIR, Overrides(set));
+inline runner::Scenario Parse(const std::string& text, const std::vector<std::string>& set = {}) {
+  return runner::ParseScenario(text, "f.yaml", TOUCHDOWN_SOURCE_DIR, Overrides(set));
 }
 
 /// What is said of a text that is wrong.

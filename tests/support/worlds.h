@@ -1,8 +1,8 @@
 #pragma once
 
 #include "models/vehicle.h"
-#include "sim/scene.h"
-#include "sim/world.h"
+#include "sim/dynamics/world.h"
+#include "sim/scene/scene.h"
 
 namespace touchdown::tests {
 

@@ -24,7 +24,7 @@ define(PageStyle ${style})
 define(PageScript ${licence}${script})
 file(WRITE ${OUT} "#include \"scenarios/report/page_assets.h\"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 ${code}
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report
 ")

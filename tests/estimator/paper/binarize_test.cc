@@ -8,7 +8,7 @@
 #include "models/random_stream.h"
 #include "tests/support/synthetic_pad.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 namespace {
 
 models::Image RandomImage(int width, int height, std::uint64_t seed) {
@@ -97,4 +97,4 @@ TEST(Binarize, RefusesImpossibleSettings) {
 }
 
 }  // namespace
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

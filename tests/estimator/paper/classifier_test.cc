@@ -14,7 +14,7 @@
 #include "models/angles.h"
 #include "tests/support/synthetic_pad.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 namespace {
 
 using Eigen::Vector2d;
@@ -258,4 +258,4 @@ TEST(Classify, SeldomTakesChecksForAnHAndNeverForARing) {
 }
 
 }  // namespace
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

@@ -10,7 +10,7 @@
 #include "models/error.h"
 #include "models/random_stream.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 namespace {
 
 constexpr ComponentsConfig kKeepAll{1, 1, 1};
@@ -106,7 +106,7 @@ TEST(Components, ComeInTheOrderOfTheirFirstPixelWithTheirRunsInRasterOrder) {
   EXPECT_EQ(set.components[1].u, 7);
   const auto runs = set.RunsOf(set.components[1]);
   ASSERT_EQ(runs.size(), 3u);
-  for (int v = 0; v < 3; ++v) EXPECT_EQ(runs[static_cast<std::size_t>(v)], (estimator::Run{v, 7, 8}));
+  for (int v = 0; v < 3; ++v) EXPECT_EQ(runs[static_cast<std::size_t>(v)], (paper::Run{v, 7, 8}));
 }
 
 TEST(Components, DropWhatIsTooSmallAndKeepTheRestUnchanged) {
@@ -144,4 +144,4 @@ TEST(Components, RefuseImpossibleSettings) {
 }
 
 }  // namespace
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

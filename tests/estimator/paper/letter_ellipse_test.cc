@@ -8,7 +8,7 @@
 #include "models/error.h"
 #include "tests/support/synthetic_pad.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 namespace {
 
 TEST(LetterEllipse, TakesTheMajorAxisForTheStrokesOfAHighH) {
@@ -86,4 +86,4 @@ TEST(LetterEllipse, RefusesAnImpossiblePad) {
 }
 
 }  // namespace
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

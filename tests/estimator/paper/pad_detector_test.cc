@@ -10,7 +10,7 @@
 #include "models/random_stream.h"
 #include "tests/support/synthetic_pad.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 namespace {
 
 using Label = FrameTrace::Label;
@@ -161,4 +161,4 @@ TEST(PadDetector, RefusesImpossibleSettings) {
 }
 
 }  // namespace
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

@@ -9,7 +9,7 @@
 #include "models/vehicle.h"
 #include "tests/support/synthetic_pad.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 namespace {
 
 using Eigen::Matrix3d;
@@ -33,16 +33,17 @@ TEST(ReferenceNormal, IsUpInTheCameraForAnyRollAndPitch) {
 }
 
 TEST(ResolveByGravity, PicksTheNormalNearerToTheReference) {
-  const CirclePose left{Vector3d(-0.2, 0.0, -1.0).normalized(), {0.0, 0.0, 1.0}};
-  const CirclePose right{Vector3d(0.2, 0.0, -1.0).normalized(), {0.0, 0.0, 1.1}};
+  const pad::CirclePose left{Vector3d(-0.2, 0.0, -1.0).normalized(), {0.0, 0.0, 1.0}};
+  const pad::CirclePose right{Vector3d(0.2, 0.0, -1.0).normalized(), {0.0, 0.0, 1.1}};
   EXPECT_EQ(ResolveByGravity({left, right}, Vector3d(-0.01, 0.1, -1.0).normalized()), 0u);
   EXPECT_EQ(ResolveByGravity({left, right}, Vector3d(0.01, 0.1, -1.0).normalized()), 1u);
 }
 
 TEST(WrongBranchProbability, IsTheShareOfWrongChoicesAmongSimulatedOnes) {
   const double half_angle = 0.03, sigma = 0.02;
-  const std::array<CirclePose, 2> poses{CirclePose{Vector3d(-std::sin(half_angle), 0.0, -std::cos(half_angle)), {}},
-                                        CirclePose{Vector3d(std::sin(half_angle), 0.0, -std::cos(half_angle)), {}}};
+  const std::array<pad::CirclePose, 2> poses{
+      pad::CirclePose{Vector3d(-std::sin(half_angle), 0.0, -std::cos(half_angle)), {}},
+      pad::CirclePose{Vector3d(std::sin(half_angle), 0.0, -std::cos(half_angle)), {}}};
   models::RandomStream random(2, "tests.pad_pose");
   double claimed = 0.0, wrong = 0.0;
   constexpr int kTrials = 20000;
@@ -130,4 +131,4 @@ TEST(PadPose, PutsTheBodyWhereItIsForAnyPoseAndMounting) {
 }
 
 }  // namespace
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

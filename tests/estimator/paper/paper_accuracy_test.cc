@@ -7,7 +7,7 @@
 #include "models/vehicle.h"
 #include "tests/support/synthetic_pad.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 namespace {
 
 using Eigen::Vector3d;
@@ -16,7 +16,7 @@ struct Conditions {
   double distance_m = 1.0;
   double tilt_deg = 0.0;        ///< About a random horizontal axis, the pad near the image's centre.
   double tilt_sigma_deg = 0.0;  ///< Added to it.
-  ContourPoints contour_points = ContourPoints::kSubpixel;
+  pad::ContourPoints contour_points = pad::ContourPoints::kSubpixel;
 };
 
 struct Accuracy {
@@ -117,7 +117,7 @@ TEST(PaperAccuracy, TiltedBy40DegreesAtAMetre) {
 TEST(PaperAccuracy, IsSeveralTimesBetterWithSubpixelContours) {
   const Accuracy subpixel = AccuracyIn({.distance_m = 1.0, .tilt_sigma_deg = 2.0});
   const Accuracy integer =
-      AccuracyIn({.distance_m = 1.0, .tilt_sigma_deg = 2.0, .contour_points = ContourPoints::kInteger});
+      AccuracyIn({.distance_m = 1.0, .tilt_sigma_deg = 2.0, .contour_points = pad::ContourPoints::kInteger});
   EXPECT_LT(subpixel.xy_m, 0.5 * integer.xy_m);
   EXPECT_LT(subpixel.z_m, 0.5 * integer.z_m);
   EXPECT_GT(integer.xy_m, 0.02);
@@ -137,4 +137,4 @@ TEST(PaperAccuracy, ClaimsCovariancesOfTheRightSize) {
 }
 
 }  // namespace
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

@@ -8,7 +8,7 @@
 #include "tests/support/paper_estimator_fixture.h"
 #include "tests/support/synthetic_pad.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 namespace {
 
 using tests::GravityIn;
@@ -103,4 +103,4 @@ TEST_F(PaperEstimatorStatus, CallsAJumpAnOutlierAndTellsItsPose) {
 }
 
 }  // namespace
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

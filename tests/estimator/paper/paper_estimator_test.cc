@@ -12,7 +12,7 @@
 #include "tests/support/paper_estimator_fixture.h"
 #include "tests/support/synthetic_pad.h"
 
-namespace touchdown::estimator {
+namespace touchdown::estimator::paper {
 namespace {
 
 using Eigen::Vector3d;
@@ -332,4 +332,4 @@ TEST_F(PaperEstimatorTest, ClaimsAPositiveDefiniteCovarianceThatGrowsWithHeight)
 }
 
 }  // namespace
-}  // namespace touchdown::estimator
+}  // namespace touchdown::estimator::paper

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "scenarios/flight/scenario.h"
+#include "scenarios/runner/scenario.h"
 #include "tests/support/program_fixture.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,20 +34,20 @@ TEST_F(CalibrateCommand, LeavesOneFileThatAScenarioTakes) {
   for (const char* name : {"calibration.json", "calibration.yaml", "camera.yaml", "views.png"}) {
     EXPECT_TRUE(fs::exists(folder_ / "found" / name)) << name;
   }
-  const Calibration found = LoadCalibration(folder_ / "found/calibration.yaml");
+  const runner::Calibration found = runner::LoadCalibration(folder_ / "found/calibration.yaml");
   ASSERT_TRUE(found.camera_model && found.camera && found.imu);
-  EXPECT_EQ(LoadCameraModel(folder_ / "found/camera.yaml"), *found.camera_model);
-  EXPECT_EQ(CalibrationYaml(found), folder_.Content("found/calibration.yaml"));
+  EXPECT_EQ(runner::LoadCameraModel(folder_ / "found/camera.yaml"), *found.camera_model);
+  EXPECT_EQ(runner::CalibrationYaml(found), folder_.Content("found/calibration.yaml"));
 
   folder_.Put("fly.yaml", folder_.Content("skew.yaml") + "calibration: found/calibration.yaml\n");
   EXPECT_EQ(Run({"fly", "fly.yaml", "--out", "flight", "--video", "off"}).status, 0);
-  EXPECT_EQ(LoadScenario(folder_ / "flight/scenario.yaml").assumed_camera(), *found.camera_model);
+  EXPECT_EQ(runner::LoadScenario(folder_ / "flight/scenario.yaml").assumed_camera(), *found.camera_model);
 }
 
 TEST_F(CalibrateCommand, CalibratesTheImuAloneAndFromARealOnesSamples) {
   EXPECT_EQ(
       Run({"calibrate", "imu", "skew.yaml", "--out", "imu", "--set", "imu.accelerometer_bias_sigma_m_s2=0"}).status, 0);
-  const Calibration found = LoadCalibration(folder_ / "imu/calibration.yaml");
+  const runner::Calibration found = runner::LoadCalibration(folder_ / "imu/calibration.yaml");
   EXPECT_FALSE(found.camera || found.camera_model);
   EXPECT_THAT(folder_.Content("imu/calibration.json"), HasSubstr("\"not_observable\": \"yaw\""));
 
@@ -80,4 +80,4 @@ TEST_F(CalibrateCommand, RefusesWhatItCannotUseInOneLine) {
 }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

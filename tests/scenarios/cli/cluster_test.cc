@@ -13,11 +13,11 @@
 #include <thread>
 #include <vector>
 
-#include "scenarios/sweep/sweep_store.h"
+#include "scenarios/sweeper/plan/sweep_store.h"
 #include "tests/support/program_fixture.h"
 #include "tests/support/short_sweep.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -99,7 +99,7 @@ TEST_F(ClusterTest, CollectsIntoWhatAKilledCollectLeft) {
   }
   folder_.Put("empty/sweep.db", "");
   fs::create_directories(folder_ / "planless");
-  SweepStore(folder_ / "planless", SweepStore::Access::kWrite);
+  sweeper::SweepStore(folder_ / "planless", sweeper::SweepStore::Access::kWrite);
   EXPECT_THAT(ErrorOf({"collect", "all", "part1", "planless"}), HasSubstr("planless: has no plan of a sweep yet"));
   EXPECT_EQ(CollectedCsv({"empty", "part1", "part2"}), whole);
   EXPECT_EQ(CollectedCsv({"planless", "part1", "part2"}), whole);
@@ -201,8 +201,9 @@ TEST_F(AnsweringSlurmTest, TellsWhatWasFlownForARowWhoseProcessCrashed) {
   PutSweep(2);
   Submit();
   {
-    SweepStore store(folder_ / "out", SweepStore::Access::kWrite);
-    for (const PlannedFlight& flight : store.Plan().flights) store.Put({.id = flight.id, .program = store.program()});
+    sweeper::SweepStore store(folder_ / "out", sweeper::SweepStore::Access::kWrite);
+    for (const sweeper::PlannedFlight& flight : store.Plan().flights)
+      store.Put({.id = flight.id, .program = store.program()});
   }
   EXPECT_THAT(OutOf({"status", "out"}), StartsWith("sweep: 2 of 2 flights\n  passed 0\n  failed 2 (2 crashed)\nSlurm"));
   EXPECT_EQ(Status("out").at("processes").at("crashed"), 2);
@@ -327,4 +328,4 @@ TEST_F(SlurmClusterTest, FliesTheSameRowsWhenANodeIsLost) {
 }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

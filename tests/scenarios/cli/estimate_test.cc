@@ -13,7 +13,7 @@
 #include "tests/support/program_fixture.h"
 #include "tests/support/small_mount.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -103,4 +103,4 @@ TEST_F(EstimateCommand, LeavesEarlierPosesInAFullOrReadOnlyFolder) {
 }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

@@ -13,7 +13,7 @@
 #include "tests/support/program_fixture.h"
 #include "tests/support/small_mount.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -217,4 +217,4 @@ TEST_F(FlyCommand, ExitsWithThreeWhenTheSimulationGoesWrong) {
 }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

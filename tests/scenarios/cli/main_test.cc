@@ -7,7 +7,7 @@
 
 #include "tests/support/program_fixture.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 using ::testing::AllOf;
@@ -54,4 +54,4 @@ TEST_F(Program, ExitsWithThreeWhenItsOutputCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

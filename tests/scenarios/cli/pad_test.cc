@@ -9,7 +9,7 @@
 
 #include "tests/support/program_fixture.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -72,4 +72,4 @@ TEST_F(PadCommand, LeavesAUsersFilesAndDrawsNoPadThatIsNone) {
 }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

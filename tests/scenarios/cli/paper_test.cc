@@ -11,7 +11,7 @@
 
 #include "tests/support/program_fixture.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -78,4 +78,4 @@ TEST_F(PaperCommand, RefusesBadUsage) {
 }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

@@ -8,7 +8,7 @@
 #include "tests/support/program_fixture.h"
 #include "tests/support/small_mount.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -86,4 +86,4 @@ TEST_F(ReportCommand, LeavesTheEarlierPageInAFullOrReadOnlyFolder) {
 }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

@@ -15,13 +15,13 @@
 #include <vector>
 
 #include "models/error.h"
-#include "scenarios/sweep/run_sweep.h"
-#include "scenarios/sweep/sweep_store.h"
+#include "scenarios/sweeper/plan/sweep_store.h"
+#include "scenarios/sweeper/run/run_sweep.h"
 #include "tests/support/program_fixture.h"
 #include "tests/support/short_sweep.h"
 #include "tests/support/small_mount.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,7 +49,8 @@ class SweepCommand : public tests::ProgramFixture {
   /// By the wall clock, of each row: a flight that is flown again takes another time.
   std::string WallTimes(const std::string& folder) const {
     std::string walls;
-    for (const SweepResult& result : SweepStore(folder_ / folder, SweepStore::Access::kRead).Results()) {
+    for (const sweeper::SweepResult& result :
+         sweeper::SweepStore(folder_ / folder, sweeper::SweepStore::Access::kRead).Results()) {
       walls += std::to_string(result.row.wall_s) + "\n";
     }
     return walls;
@@ -58,8 +59,9 @@ class SweepCommand : public tests::ProgramFixture {
   std::map<std::string, double> KeptRows(const std::string& folder) const {
     std::map<std::string, double> kept;
     try {
-      for (const FlightRow& row : LeftRows(folder_ / folder)) kept[row.id] = row.wall_s;
-      for (const SweepResult& result : SweepStore(folder_ / folder, SweepStore::Access::kRead).Results()) {
+      for (const sweeper::FlightRow& row : sweeper::LeftRows(folder_ / folder)) kept[row.id] = row.wall_s;
+      for (const sweeper::SweepResult& result :
+           sweeper::SweepStore(folder_ / folder, sweeper::SweepStore::Access::kRead).Results()) {
         kept[result.row.id] = result.row.wall_s;
       }
     } catch (const InputError&) {
@@ -276,8 +278,9 @@ TEST_F(SweepCommand, TellsOfAFlightThatNeedsTooMuchMemory) {
     PutSweep(1, "limits: {memory_mb: " + limit + "}\n");
     ASSERT_EQ(Run({"sweep", "sweep.yaml", "--out", limit, "--csv", limit + ".csv"}).status, 0);
     EXPECT_THAT(folder_.Content(limit + ".csv"), HasSubstr(",error,out_of_memory,"));
-    const SweepResult result = SweepStore(folder_ / limit, SweepStore::Access::kRead).Results().at(0);
-    EXPECT_EQ(result.row.end, RowEnd::kOutOfMemory) << limit << " MB: " << result.row.reason;
+    const sweeper::SweepResult result =
+        sweeper::SweepStore(folder_ / limit, sweeper::SweepStore::Access::kRead).Results().at(0);
+    EXPECT_EQ(result.row.end, sweeper::RowEnd::kOutOfMemory) << limit << " MB: " << result.row.reason;
     EXPECT_EQ(result.row.verdict, "error");
   }
 }
@@ -331,4 +334,4 @@ TEST_F(SweepCommand, RefusesBadInputAndLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

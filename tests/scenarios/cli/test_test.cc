@@ -6,7 +6,7 @@
 
 #include "tests/support/program_fixture.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::cli {
 namespace {
 
 using ::testing::AllOf;
@@ -74,4 +74,4 @@ TEST_F(TestCommand, AStoredBaselineGatesAChangeThatMakesFlightsWorse) {
 }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::cli

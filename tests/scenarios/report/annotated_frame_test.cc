@@ -7,7 +7,7 @@
 
 #include "models/vehicle.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 using Eigen::Vector2d;
@@ -128,4 +128,4 @@ TEST(DrawCaption, WritesItsTextIntoTheStripAlone) {
 }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -4,7 +4,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 cv::Mat Decode(const std::string& png) {
@@ -59,4 +59,4 @@ TEST(ContactSheet, ShowsTwelveFramesOfALongFlightFromItsStartToItsEnd) {
 }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

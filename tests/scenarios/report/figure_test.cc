@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 using testing::HasSubstr;
@@ -60,4 +60,4 @@ TEST(Figure, TellsWhatGnuplotSays) {
 }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -13,7 +13,7 @@
 #include "models/error.h"
 #include "tests/support/made_flight.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 using ::testing::HasSubstr;
@@ -22,8 +22,8 @@ using tests::FilesOf;
 using tests::MadeFlight;
 using Json = nlohmann::json;
 
-Scenario Parsed(const std::string& more = "") {
-  return ParseScenario("script: [{do: takeoff, height_m: 1}, {do: land}]\n" + more, "made.yaml", ".");
+runner::Scenario Parsed(const std::string& more = "") {
+  return runner::ParseScenario("script: [{do: takeoff, height_m: 1}, {do: land}]\n" + more, "made.yaml", ".");
 }
 
 FlightFiles MadeFiles(double duration_s = 2.0) { return FilesOf(Parsed(), MadeFlight(Parsed(), duration_s)); }
@@ -35,7 +35,9 @@ Json DataOf(const std::string& page) {
   return Json::parse(page.substr(at, page.find("</script>", at) - at));
 }
 
-Json DataOf(const Scenario& scenario, const FlightLog& log) { return DataOf(FlightPage(FilesOf(scenario, log))); }
+Json DataOf(const runner::Scenario& scenario, const runner::FlightLog& log) {
+  return DataOf(FlightPage(FilesOf(scenario, log)));
+}
 
 /// Times and values of a curve, by the titles of plot and curve.
 struct Curve {
@@ -77,14 +79,14 @@ Eigen::Isometry3d TurnedTo(double yaw_deg, double x_m) {
 }
 
 TEST(FlightPage, IsTitledByScenarioSeedAndVerdict) {
-  Scenario scenario = Parsed("seed: 7\n");
+  runner::Scenario scenario = Parsed("seed: 7\n");
   scenario.name = "gusts";
   EXPECT_THAT(FlightPage(FilesOf(scenario, MadeFlight(scenario, 2.0))),
               HasSubstr("<title>gusts, seed 7: Passed</title>"));
-  FlightLog crash = MadeFlight(scenario, 2.0);
-  crash.outcome = Outcome::kCrashed;
+  runner::FlightLog crash = MadeFlight(scenario, 2.0);
+  crash.outcome = runner::Outcome::kCrashed;
   EXPECT_THAT(FlightPage(FilesOf(scenario, crash)), HasSubstr("<title>gusts, seed 7: Failed</title>"));
-  crash.outcome = Outcome::kError;
+  crash.outcome = runner::Outcome::kError;
   EXPECT_THAT(FlightPage(FilesOf(scenario, crash)), HasSubstr("<title>gusts, seed 7: Error</title>"));
 }
 
@@ -108,7 +110,7 @@ TEST(FlightPage, LeavesTheVideoOutOfAFlightWithoutOne) {
 }
 
 TEST(FlightPage, ShowsWhatAUserWroteAsText) {
-  Scenario scenario = Parsed();
+  runner::Scenario scenario = Parsed();
   scenario.description = "{{scenario}} </script><script>alert(1)</script>";
   const std::string page = FlightPage(FilesOf(scenario, MadeFlight(scenario, 1.0)));
   EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
@@ -116,8 +118,8 @@ TEST(FlightPage, ShowsWhatAUserWroteAsText) {
 }
 
 TEST(FlightPage, KeepsEveryExtremeOfALongFlight) {
-  const Scenario scenario = Parsed();
-  FlightLog log = MadeFlight(scenario, 66.0);
+  const runner::Scenario scenario = Parsed();
+  runner::FlightLog log = MadeFlight(scenario, 66.0);
   log.ticks[6000].truth.X_WB.translation().z() = 1.75;
   log.ticks[9001].truth.X_WB.translation().z() = 0.625;
   log.frames[2000].vision_ms = 40.0;
@@ -131,10 +133,10 @@ TEST(FlightPage, KeepsEveryExtremeOfALongFlight) {
 }
 
 TEST(FlightPage, DrawsOfTwoTwinsTheOneNearerToTheTruth) {
-  const Scenario scenario = Parsed();
-  FlightLog log = MadeFlight(scenario, 1.0);
-  for (TickRecord& record : log.ticks) record.truth.X_WB = TurnedTo(170.0, 0.3);
-  for (FrameRecord& frame : log.frames) frame.X_WB = TurnedTo(170.0, 0.3);
+  const runner::Scenario scenario = Parsed();
+  runner::FlightLog log = MadeFlight(scenario, 1.0);
+  for (runner::TickRecord& record : log.ticks) record.truth.X_WB = TurnedTo(170.0, 0.3);
+  for (runner::FrameRecord& frame : log.frames) frame.X_WB = TurnedTo(170.0, 0.3);
   log.frames[30].pose->X_WB = TurnedTo(-8.0, -0.29);
   log.frames[31].pose->X_WB = TurnedTo(-11.0, -0.31);
   const Json data = DataOf(scenario, log);
@@ -146,8 +148,8 @@ TEST(FlightPage, DrawsOfTwoTwinsTheOneNearerToTheTruth) {
 }
 
 TEST(FlightPage, DrawsATurnWithoutAJump) {
-  const Scenario scenario = Parsed();
-  FlightLog log = MadeFlight(scenario, 1.0);
+  const runner::Scenario scenario = Parsed();
+  runner::FlightLog log = MadeFlight(scenario, 1.0);
   for (std::size_t i = 0; i < log.ticks.size(); ++i) {
     log.ticks[i].truth.X_WB = TurnedTo(static_cast<double>(i) * 3.0, 0.0);
   }
@@ -156,8 +158,8 @@ TEST(FlightPage, DrawsATurnWithoutAJump) {
 }
 
 TEST(FlightPage, LeavesGapsWhereThereIsNothingToTell) {
-  const Scenario scenario = Parsed();
-  FlightLog log = MadeFlight(scenario, 2.0);
+  const runner::Scenario scenario = Parsed();
+  runner::FlightLog log = MadeFlight(scenario, 2.0);
   log.frames.erase(log.frames.begin() + 60, log.frames.begin() + 66);
   const Json data = DataOf(scenario, log);
   EXPECT_TRUE(CurveOf(data, "x", "estimate").values.front().is_null());
@@ -169,7 +171,7 @@ TEST(FlightPage, LeavesGapsWhereThereIsNothingToTell) {
 }
 
 TEST(FlightPage, TellsPhasesEventsAndTouchdown) {
-  const Scenario scenario = Parsed("events: [{at_s: 0.5, do: push, force_n: [3, 4, 0], duration_s: 0.25}]\n");
+  const runner::Scenario scenario = Parsed("events: [{at_s: 0.5, do: push, force_n: [3, 4, 0], duration_s: 0.25}]\n");
   const Json data = DataOf(scenario, MadeFlight(scenario, 2.0));
   ASSERT_EQ(data.at("phases").size(), 5u);
   EXPECT_EQ(data["phases"][2]["name"], "hover");
@@ -181,9 +183,9 @@ TEST(FlightPage, TellsPhasesEventsAndTouchdown) {
 }
 
 TEST(FlightPage, SetsTheFiguresBesideThePapers) {
-  const Scenario scenario = Parsed();
-  FlightLog log = MadeFlight(scenario, 1.0);
-  for (FrameRecord& frame : log.frames) {
+  const runner::Scenario scenario = Parsed();
+  runner::FlightLog log = MadeFlight(scenario, 1.0);
+  for (runner::FrameRecord& frame : log.frames) {
     if (frame.pose) frame.pose->X_WB.translation().x() += 0.01685;
   }
   EXPECT_THAT(FlightPage(FilesOf(scenario, log)),
@@ -193,19 +195,19 @@ TEST(FlightPage, SetsTheFiguresBesideThePapers) {
 }
 
 TEST(FlightPage, IsMadeOfAFlightThatHadNothingToShow) {
-  const Scenario scenario = Parsed();
-  FlightLog blind = MadeFlight(scenario, 1.0);
-  for (FrameRecord& frame : blind.frames) {
+  const runner::Scenario scenario = Parsed();
+  runner::FlightLog blind = MadeFlight(scenario, 1.0);
+  for (runner::FrameRecord& frame : blind.frames) {
     frame.status = estimator::FrameStatus::kNoComponent;
     frame.pose.reset();
   }
-  FlightLog without_frames = MadeFlight(scenario, 1.0);
+  runner::FlightLog without_frames = MadeFlight(scenario, 1.0);
   without_frames.frames.clear();
-  FlightLog nothing;
+  runner::FlightLog nothing;
   nothing.time = scenario.time;
-  FlightLog one_tick = nothing;
+  runner::FlightLog one_tick = nothing;
   one_tick.ticks.emplace_back();
-  for (const FlightLog* log : {&blind, &without_frames, &nothing, &one_tick}) {
+  for (const runner::FlightLog* log : {&blind, &without_frames, &nothing, &one_tick}) {
     const std::string page = FlightPage(FilesOf(scenario, *log));
     EXPECT_EQ(DataOf(page).at("plots").size(), 13u);
     EXPECT_THAT(page, HasSubstr("<th scope=\"row\">XY</th><td class=\"number\"><b>–</b>"));
@@ -236,4 +238,4 @@ TEST(FlightPage, NamesWhatIsDamaged) {
 }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

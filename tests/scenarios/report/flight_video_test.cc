@@ -7,7 +7,7 @@
 
 #include "tests/support/worlds.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,7 +35,7 @@ class FlightVideoTest : public ::testing::Test {
     models::CameraFrame frame;
     frame.mid_exposure = number * CameraPeriod();
     frame.image = models::Image(model.width_px, model.height_px, grey);
-    FrameRecord record;
+    runner::FrameRecord record;
     record.mid_exposure = frame.mid_exposure;
     record.X_WB.translation() << 0.0, 0.0, 0.2 + 0.2 * scenario_.time.ToSeconds(frame.mid_exposure);
     record.pad_is_covered = pad_is_covered;
@@ -53,7 +53,7 @@ class FlightVideoTest : public ::testing::Test {
   }
   static int OnboardGrey(const cv::Mat3b& picture) { return picture(100, 100)[1]; }
 
-  Scenario scenario_;
+  runner::Scenario scenario_;
   std::unique_ptr<sim::World> world_;
   std::unique_ptr<FlightVideo> video_;
   const fs::path file_ =
@@ -142,4 +142,4 @@ TEST_F(FlightVideoTest, IsNoFileWithoutFrames) {
 }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -4,18 +4,18 @@
 
 #include <pugixml.hpp>
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
-Scenario Named() {
-  Scenario scenario;
+runner::Scenario Named() {
+  runner::Scenario scenario;
   scenario.name = "calm";
   scenario.seed = 7;
   return scenario;
 }
 
-FlightResult Result(Verdict verdict) {
-  FlightResult result;
+runner::FlightResult Result(runner::Verdict verdict) {
+  runner::FlightResult result;
   result.verdict = verdict;
   result.reason = "MuJoCo: <bad> & worse";
   result.metrics["flight.sim_time_s"] = 12.5;
@@ -26,13 +26,13 @@ FlightResult Result(Verdict verdict) {
   return result;
 }
 
-std::string Xml(Verdict verdict) {
-  const FlightResult result = Result(verdict);
+std::string Xml(runner::Verdict verdict) {
+  const runner::FlightResult result = Result(verdict);
   return JunitXml({SuiteOf(Named(), result.verdict, result.reason, result.metrics, result.checks)});
 }
 
 TEST(Junit, SumsUpItsSuites) {
-  const FlightResult result = Result(Verdict::kFail);
+  const runner::FlightResult result = Result(runner::Verdict::kFail);
   const JunitSuite suite = SuiteOf(Named(), result.verdict, result.reason, result.metrics, result.checks);
   pugi::xml_document document;
   ASSERT_TRUE(document.load_string(JunitXml({suite, suite}).c_str()));
@@ -44,7 +44,7 @@ TEST(Junit, SumsUpItsSuites) {
 
 TEST(Junit, HasACaseForEachCheckAndCountsThoseThatFailed) {
   pugi::xml_document document;
-  ASSERT_TRUE(document.load_string(Xml(Verdict::kFail).c_str()));
+  ASSERT_TRUE(document.load_string(Xml(runner::Verdict::kFail).c_str()));
   const pugi::xml_node suite = document.child("testsuites").child("testsuite");
   EXPECT_STREQ(suite.attribute("name").value(), "calm.seed7");
   EXPECT_EQ(suite.attribute("tests").as_int(), 2);
@@ -58,7 +58,7 @@ TEST(Junit, HasACaseForEachCheckAndCountsThoseThatFailed) {
 }
 
 TEST(Junit, IsAnErrorOfEveryCaseWhenTheSimulationWentWrong) {
-  const std::string text = Xml(Verdict::kError);
+  const std::string text = Xml(runner::Verdict::kError);
   EXPECT_NE(text.find(kJunitMark), std::string::npos);
   pugi::xml_document document;
   ASSERT_TRUE(document.load_string(text.c_str()));
@@ -71,4 +71,4 @@ TEST(Junit, IsAnErrorOfEveryCaseWhenTheSimulationWentWrong) {
 }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

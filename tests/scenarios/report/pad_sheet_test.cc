@@ -15,7 +15,7 @@
 #include "models/vehicle.h"
 #include "tests/support/synthetic_pad.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -210,4 +210,4 @@ TEST(PadSheet, RefusesAPadThatIsNone) {
 }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -8,18 +8,18 @@
 #include <string>
 #include <vector>
 
-#include "scenarios/flight/scenario.h"
-#include "scenarios/report/flight_folder.h"
+#include "scenarios/cli/flight_folder.h"
 #include "scenarios/report/flight_page.h"
-#include "scenarios/sweep/rows_csv.h"
-#include "scenarios/sweep/sweep_report.h"
+#include "scenarios/runner/scenario.h"
+#include "scenarios/sweeper/analysis/rows_csv.h"
+#include "scenarios/sweeper/page/sweep_report.h"
 #include "tests/support/docs_picture.h"
 #include "tests/support/made_flight.h"
 #include "tests/support/made_sweep.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,7 +32,7 @@ class PageInABrowser : public ::testing::Test {
   }
 
   /// Leaves a page that has no video beside it.
-  std::string PageOf(const std::string& name, const Scenario& scenario, const FlightLog& log) const {
+  std::string PageOf(const std::string& name, const runner::Scenario& scenario, const runner::FlightLog& log) const {
     return folder_.Put(name, FlightPage(tests::FilesOf(scenario, log))).string();
   }
 
@@ -48,8 +48,8 @@ class PageInABrowser : public ::testing::Test {
   const tests::TemporaryFolder folder_;
 };
 
-Scenario TakeoffHoverLand() {
-  return LoadScenario(fs::path(TOUCHDOWN_SOURCE_DIR) / "scenarios" / "flights" / "takeoff_hover_land.yaml");
+runner::Scenario TakeoffHoverLand() {
+  return runner::LoadScenario(fs::path(TOUCHDOWN_SOURCE_DIR) / "scenarios" / "flights" / "takeoff_hover_land.yaml");
 }
 
 /// The same flight's page is off by 0.05, by what the wall clock says; another seed's by 2.5; one with everything below
@@ -58,20 +58,20 @@ Scenario TakeoffHoverLand() {
 constexpr double kSameLayout = 4.0;
 
 TEST_F(PageInABrowser, DoesWhatItsReaderAsksAndLooksAsInTheDocs) {
-  const Scenario scenario = TakeoffHoverLand();
+  const runner::Scenario scenario = TakeoffHoverLand();
   const fs::path flight = folder_ / "flight";
-  FlyIntoFolder(scenario, flight);
+  cli::FlyIntoFolder(scenario, flight);
 
-  Scenario marked = scenario;
+  runner::Scenario marked = scenario;
   marked.pad.marks = {{.shape = models::PadMark::Shape::kDisc, .centre_m = {0.02, 0.05}, .diameter_m = 0.01},
                       {.shape = models::PadMark::Shape::kBar,
                        .centre_m = {-0.02, 0.05},
                        .length_m = 0.02,
                        .width_m = 0.004,
                        .angle = models::DegToRad(30.0)}};
-  FlightLog without_frames = tests::MadeFlight(scenario, 2.0);
+  runner::FlightLog without_frames = tests::MadeFlight(scenario, 2.0);
   without_frames.frames.clear();
-  FlightLog nothing;
+  runner::FlightLog nothing;
   nothing.time = scenario.time;
   Node("page_in_browser.mjs",
        {(flight / "report.html").string(), PageOf("marked.html", marked, tests::MadeFlight(marked, 2.0)),
@@ -87,8 +87,8 @@ TEST_F(PageInABrowser, ShowsEveryFigureOfThePaperWholeInAnyWindow) {
 }
 
 TEST_F(PageInABrowser, ShowsEveryFigureOfASweepWholeInAnyWindow) {
-  const fs::path page =
-      folder_.Put("report.html", SweepPage(tests::MadeSweep(), Summarize(tests::MadeSweep()), folder_.path()));
+  const fs::path page = folder_.Put(
+      "report.html", sweeper::SweepPage(tests::MadeSweep(), sweeper::Summarize(tests::MadeSweep()), folder_.path()));
   // A pass rate over each of three parameters and each two of them, the touchdowns, and a histogram.
   Node("section_page_in_browser.mjs", {page.string(), "8"});
 }
@@ -96,15 +96,17 @@ TEST_F(PageInABrowser, ShowsEveryFigureOfASweepWholeInAnyWindow) {
 /// The page of the wind's sweep, from its rows in docs/sweeps.
 TEST_F(PageInABrowser, OfTheSweepOverTheWindLooksAsInTheDocs) {
   const fs::path root = TOUCHDOWN_SOURCE_DIR;
-  const SweepFile file = LoadSweepFile(root / "scenarios/sweeps/wind.yaml");
-  SweepOutcome sweep{.terms = TermsOf(file), .results = ReadRowsCsv(root / "docs/sweeps/wind.csv").results};
+  const sweeper::SweepFile file = sweeper::LoadSweepFile(root / "scenarios/sweeps/wind.yaml");
+  sweeper::SweepOutcome sweep{.terms = sweeper::TermsOf(file),
+                              .results = sweeper::ReadRowsCsv(root / "docs/sweeps/wind.csv").results};
   sweep.planned = sweep.whole = sweep.results.size();
-  for (SweepResult& result : sweep.results) result.row.scenario_yaml = ScenarioYaml(LoadScenario(file.base));
-  const fs::path page = folder_.Put("report.html", SweepPage(sweep, Summarize(sweep), "out/wind"));
+  for (sweeper::SweepResult& result : sweep.results)
+    result.row.scenario_yaml = runner::ScenarioYaml(runner::LoadScenario(file.base));
+  const fs::path page = folder_.Put("report.html", sweeper::SweepPage(sweep, sweeper::Summarize(sweep), "out/wind"));
   const std::string picture = (folder_ / "sweep.png").string();
   Node("photograph_page.mjs", {page.string(), picture, "1200", "1290"});
   tests::ExpectPicture("sweep.png", cv::imread(picture), 1.0);
 }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

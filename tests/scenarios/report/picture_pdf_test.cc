@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 using testing::HasSubstr;
@@ -33,4 +33,4 @@ TEST(PicturePdf, RefusesWhatIsNoPicture) {
 }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

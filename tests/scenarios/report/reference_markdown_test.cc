@@ -9,7 +9,7 @@
 #include <iterator>
 #include <string>
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 const std::string kDoc = std::string(TOUCHDOWN_SOURCE_DIR) + "/docs/scenarios.md";
@@ -38,4 +38,4 @@ TEST(Docs, ListEveryMetric) { ExpectInDoc("metrics", MetricsMarkdown()); }
 TEST(Docs, ListEveryKey) { ExpectInDoc("keys", KeysMarkdown()); }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 using Rows = std::vector<std::size_t>;
@@ -79,4 +79,4 @@ TEST(Thinning, KeepsTheEdgesOfAGap) {
 }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -13,7 +13,7 @@
 #include "models/error.h"
 #include "tests/support/disk_of_size.h"
 
-namespace touchdown::scenarios {
+namespace touchdown::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -197,4 +197,4 @@ TEST(VideoSize, IsEvenAndOfThePicturesShapeWithinTheMost) {
 }
 
 }  // namespace
-}  // namespace touchdown::scenarios
+}  // namespace touchdown::report

@@ -1,0 +1,18 @@
+#include "estimator/calibration/camera_mounting.h"
+
+#include <vector>
+
+#include "models/error.h"
+
+namespace touchdown::estimator::calibration {
+
+Eigen::Isometry3d CameraInBody(const PatternView& view) { return view.X_WB.inverse() * view.X_WE * view.X_EC; }
+
+PoseMean FindCameraMounting(std::span<const PatternView> views) {
+  if (views.empty()) throw InputError("there is no view of the calibration pattern");
+  std::vector<Eigen::Isometry3d> found;
+  for (const PatternView& view : views) found.push_back(CameraInBody(view));
+  return MeanPose(found);
+}
+
+}  // namespace touchdown::estimator::calibration

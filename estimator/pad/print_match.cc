@@ -1,0 +1,347 @@
+#include "estimator/pad/print_match.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <opencv2/imgproc.hpp>
+#include <utility>
+
+#include "models/angles.h"
+#include "models/error.h"
+
+namespace touchdown::estimator::pad {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr int kCells = RectifiedDisc::kCells;
+constexpr int kTexels = 256;
+constexpr double kBlurred = 0.03;        // Standard deviation, in inner radii.
+constexpr double kFarthestOffset = 0.1;  // In inner radii.
+constexpr double kLargestScale = 1.12;
+
+float Quantile(std::vector<float> values, double share) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// Interpolated bilinearly; nullopt outside the image.
+std::optional<float> GreyAt(const models::ImageView& image, const Vector2d& pixel) {
+  if (!(pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() < image.width - 1 && pixel.y() < image.height - 1)) {
+    return std::nullopt;
+  }
+  const int u = static_cast<int>(pixel.x()), v = static_cast<int>(pixel.y());
+  const auto a = static_cast<float>(pixel.x() - u), b = static_cast<float>(pixel.y() - v);
+  const std::uint8_t* upper = image.Row(v) + u;
+  const std::uint8_t* lower = image.Row(v + 1) + u;
+  return (1 - b) * ((1 - a) * upper[0] + a * upper[1]) + b * ((1 - a) * lower[0] + a * lower[1]);
+}
+
+/// What is printed within the ring.
+Cells DrawPrint(const models::LandingPad& pad) {
+  constexpr int kSamples = 3;
+  Cells print(kTexels, kTexels);
+  const double step = 2.0 * pad.inner_radius_m() / (kTexels * kSamples);
+  for (int row = 0; row < kTexels; ++row) {
+    for (int column = 0; column < kTexels; ++column) {
+      int black = 0;
+      for (int sample = 0; sample < kSamples * kSamples; ++sample) {
+        const Vector2d p_W(step * (kSamples * column + sample % kSamples + 0.5) - pad.inner_radius_m(),
+                           step * (kSamples * row + sample / kSamples + 0.5) - pad.inner_radius_m());
+        black += p_W.norm() < pad.inner_radius_m() && pad.IsBlack(p_W);
+      }
+      print(row, column) = static_cast<float>(black) / (kSamples * kSamples);
+    }
+  }
+  return print;
+}
+
+Cells Smoothed(const Cells& print, double sigma) {
+  Cells smoothed(kTexels, kTexels);
+  const cv::Mat1f source(kTexels, kTexels, const_cast<float*>(print.data()));
+  cv::Mat1f target(kTexels, kTexels, smoothed.data());
+  cv::GaussianBlur(source, target, {}, sigma * kTexels / 2.0, 0.0, cv::BORDER_CONSTANT);
+  return smoothed;
+}
+
+double LetterReach(const models::LandingPad& pad) { return 0.5 * std::hypot(pad.h_height_m, pad.h_width_m); }
+
+/// Whether nothing is printed on a circle around W's origin.
+bool IsWhite(const models::LandingPad& pad, double radius_m) {
+  constexpr int kDirections = 360;
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 2.0 * models::kPi * i / kDirections;
+    if (pad.IsBlack(radius_m * Vector2d(std::cos(angle), std::sin(angle)))) return false;
+  }
+  return true;
+}
+
+/// Standard deviation, in inner radii, of a blur that leaves the middle of a stroke black.
+double Sharpness(const models::LandingPad& pad) {
+  constexpr double kUsual = 0.012, kOfStroke = 0.15;
+  return std::min(kUsual, kOfStroke * pad.h_stroke_m / pad.inner_radius_m());
+}
+
+/// How far from the edges of an H its parts are looked at, m.
+double EdgeMargin(const models::LandingPad& pad, double cell_m) {
+  double narrowest_m = pad.h_stroke_m;
+  if (pad.letter() == models::PadLetter::kH) {
+    const double between_strokes_m = pad.h_width_m - 2.0 * pad.h_stroke_m;
+    narrowest_m = std::min({narrowest_m, between_strokes_m, 0.5 * (pad.h_height_m - pad.h_stroke_m)});
+  }
+  return std::min(0.25 * narrowest_m, 0.1 * pad.h_stroke_m + 0.5 * cell_m);
+}
+
+/// The parts of an H, each of which another letter may lack; of a rectangle its four corners stand for the strokes'
+/// ends, and the rest for the bar.
+enum Part { kBar, kFirstStroke, kFirstBetween = kFirstStroke + 4, kBeside = kFirstBetween + 2, kParts };
+
+std::optional<int> PartAt(const models::LandingPad& pad, double margin_m, const Vector2d& p_W) {
+  const double x = std::abs(p_W.x()), y = std::abs(p_W.y());
+  const double half_height = pad.h_height_m / 2.0, half_width = pad.h_width_m / 2.0, stroke = pad.h_stroke_m;
+  const double between = half_width - stroke, half_bar = stroke / 2.0;
+  const int stroke_end = kFirstStroke + (p_W.x() > 0.0 ? 1 : 0) + (p_W.y() > 0.0 ? 2 : 0);
+  const bool inside = x < half_height - margin_m && y < half_width - margin_m;
+  if (pad.letter() == models::PadLetter::kRectangle) {
+    constexpr double kCorner = 0.7;  // Of the way from the middle. An ellipse of the same area lacks half of it.
+    if (inside) return x > kCorner * half_height && y > kCorner * half_width ? stroke_end : kBar;
+  } else if (x < half_bar - margin_m && y < between) {
+    return kBar;
+  }
+  if (inside && x > half_bar && y > between + margin_m) return stroke_end;
+  if (x > half_bar + margin_m && x < half_height && y < between - margin_m) return kFirstBetween + (p_W.x() > 0.0);
+  const bool on_box = x < half_height + margin_m && y < half_width + margin_m;
+  if (!on_box && x < half_height + stroke && y < half_width + stroke) return kBeside;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Vector2d PrintPlace::OnPlane(const Vector2d& p_W) const {
+  return offset_m + Eigen::Rotation2Dd(angle) * p_W.cwiseProduct(scale);
+}
+
+Vector2d PrintPlace::OnPrint(const Vector2d& p_plane) const {
+  return (Eigen::Rotation2Dd(-angle) * (p_plane - offset_m)).cwiseQuotient(scale);
+}
+
+void PrintMatchConfig::Validate() const {
+  for (const double share : {least_ring, least_between_strokes, least_bar, least_rectangle, least_stroke, least_strokes,
+                             least_beside, least_contrast}) {
+    if (!(share > 0.0 && share <= 1.0)) throw InputError("a print's least shares must be within (0, 1]");
+  }
+}
+
+PrintMatch::PrintMatch(const models::LandingPad& pad, const PrintMatchConfig& config)
+    : pad_(pad),
+      config_(config),
+      reach_m_(std::min(0.98 * pad.inner_radius_m(), 1.15 * LetterReach(pad) + kFarthestOffset * pad.inner_radius_m())),
+      white_m_(std::max(0.5 * (LetterReach(pad) + pad.inner_radius_m()), 0.85 * pad.inner_radius_m())),
+      is_white_within_(IsWhite(pad, white_m_)) {
+  const Cells print = DrawPrint(pad);
+  print_ = Smoothed(print, Sharpness(pad));
+  blurred_ = Smoothed(print, kBlurred);
+}
+
+bool PrintMatch::IsAt(const models::ImageView& image, const SeenPlane& plane, const PrintPlace& place) const {
+  const auto within = Within(image, plane);
+  return within && Passes(At(within->disc, place), within->ring_contrast);
+}
+
+std::optional<PrintMatch::Found> PrintMatch::Find(const models::ImageView& image, const SeenPlane& plane) const {
+  const auto within = Within(image, plane);
+  if (!within) return std::nullopt;
+  const auto& [disc, ring_contrast] = *within;
+  constexpr double kNoiseShare = 0.15, kLeastLikeness = 0.3;
+  const Cells levelled = disc.Levelled(kNoiseShare * ring_contrast);
+  const PrintPlace turned = Turned(levelled, disc);
+  if (Likeness(levelled, disc, turned, 1) < kLeastLikeness) return std::nullopt;
+  const Found found = Refined(levelled, disc, turned);
+  constexpr double kLargestSize = 1.1;
+  const double size = std::sqrt(found.place.scale.prod());
+  if (size > kLargestSize || size < 1.0 / kLargestSize) return std::nullopt;
+  if (!Passes(At(disc, found.place), ring_contrast)) return std::nullopt;
+  return found;
+}
+
+std::optional<PrintMatch::WithinRing> PrintMatch::Within(const models::ImageView& image, const SeenPlane& plane) const {
+  constexpr double kFaintest = 5.0;
+  const SeenRing ring = RingAt(image, plane);
+  if (ring.contrast < kFaintest || ring.share < config_.least_ring) return std::nullopt;
+  const auto disc = RectifiedDisc::Of(image, plane, reach_m_);
+  if (!disc) return std::nullopt;
+  return WithinRing{*disc, ring.contrast};
+}
+
+PrintMatch::Seen PrintMatch::At(const RectifiedDisc& disc, const PrintPlace& place) const {
+  const double margin_m = EdgeMargin(pad_, disc.cell_m());
+  constexpr float kSurelyWhite = 0.1F, kSurelyBlack = 0.9F;
+  Cells black(kCells, kCells), white(kCells, kCells), expected(kCells, kCells);
+  Eigen::ArrayXXi parts = Eigen::ArrayXXi::Constant(kCells, kCells, -1);
+  for (int row = 0; row < kCells; ++row) {
+    for (int column = 0; column < kCells; ++column) {
+      const Vector2d p_W = place.OnPrint(disc.PointOf(column, row));
+      expected(row, column) = BlackAt(print_, p_W);
+      const bool inside = disc.Holds(column, row);
+      black(row, column) = inside && expected(row, column) > kSurelyBlack;
+      white(row, column) = inside && expected(row, column) < kSurelyWhite;
+      const bool is_sure = black(row, column) + white(row, column) > 0.0F;
+      if (is_sure) parts(row, column) = PartAt(pad_, margin_m, p_W).value_or(-1);
+    }
+  }
+  const Cells paper = RectifiedDisc::LocalMean(disc.grey(), white);
+  const Cells ink = RectifiedDisc::LocalMean(disc.grey(), black);
+  Seen seen;
+  seen.contrast = ((paper - ink) * black).sum() / std::max(1.0F, black.sum());
+
+  constexpr double kDark = 0.45, kFaintest = 0.1;  // Of the way from paper to ink; of the mean contrast.
+  std::array<double, kParts> right{}, all{};
+  for (int row = 0; row < kCells; ++row) {
+    for (int column = 0; column < kCells; ++column) {
+      const int part = parts(row, column);
+      if (part < 0) continue;
+      const double contrast = std::max<double>(paper(row, column) - ink(row, column), kFaintest * seen.contrast);
+      const bool is_dark = paper(row, column) - disc.grey()(row, column) > kDark * contrast;
+      const auto i = static_cast<std::size_t>(part);
+      all[i] += 1.0;
+      right[i] += is_dark == (expected(row, column) > 0.5F);
+    }
+  }
+  const auto share = [&](int part) {
+    const auto i = static_cast<std::size_t>(part);
+    return all[i] > 0.0 ? right[i] / all[i] : 1.0;  // What is narrower than a cell tells nothing.
+  };
+  seen.bar = share(kBar);
+  seen.between_strokes = std::min(share(kFirstBetween), share(kFirstBetween + 1));
+  seen.stroke = 1.0;
+  for (int i = 0; i < 4; ++i) {
+    seen.stroke = std::min(seen.stroke, share(kFirstStroke + i));
+    seen.strokes += share(kFirstStroke + i) / 4.0;
+  }
+  seen.beside = share(kBeside);
+  return seen;
+}
+
+bool PrintMatch::Passes(const Seen& seen, double ring_contrast) const {
+  const bool is_rectangle = pad_.letter() == models::PadLetter::kRectangle;
+  const double least_bar = is_rectangle ? config_.least_rectangle : config_.least_bar;
+  return seen.contrast >= config_.least_contrast * ring_contrast &&
+         seen.between_strokes >= config_.least_between_strokes && seen.bar >= least_bar &&
+         seen.stroke >= config_.least_stroke && seen.strokes >= config_.least_strokes &&
+         seen.beside >= config_.least_beside;
+}
+
+/// Correlation, -1 to 1, of every stride-th cell with the print.
+double PrintMatch::Likeness(const Cells& levelled, const RectifiedDisc& disc, const PrintPlace& place,
+                            int stride) const {
+  const Eigen::Matrix2d to_print =
+      place.scale.cwiseInverse().asDiagonal() * Eigen::Rotation2Dd(-place.angle).toRotationMatrix();
+  double count = 0.0, a = 0.0, aa = 0.0, b = 0.0, bb = 0.0, ab = 0.0;
+  for (int row = 0; row < kCells; row += stride) {
+    for (int column = 0; column < kCells; column += stride) {
+      if (!disc.Holds(column, row)) continue;
+      const Vector2d p = disc.PointOf(column, row);
+      const double seen = levelled(row, column), print = BlackAt(blurred_, to_print * (p - place.offset_m));
+      count += 1.0;
+      a += seen;
+      aa += seen * seen;
+      b += print;
+      bb += print * print;
+      ab += seen * print;
+    }
+  }
+  const double variances = (aa - a * a / count) * (bb - b * b / count);
+  return variances > 0.0 ? (ab - a * b / count) / std::sqrt(variances) : -1.0;
+}
+
+PrintPlace PrintMatch::Turned(const Cells& levelled, const RectifiedDisc& disc) const {
+  constexpr int kAngles = 45, kCoarse = 2;
+  const int half_turns = pad_.marks.empty() ? 1 : 2;  // After one the H looks the same, marks may not.
+  Found best{{}, -2.0};
+  for (int i = 0; i < half_turns * kAngles; ++i) {
+    const PrintPlace place{.angle = models::kPi * i / kAngles};
+    const double likeness = Likeness(levelled, disc, place, kCoarse);
+    if (likeness > best.likeness) best = {place, likeness};
+  }
+  return best.place;
+}
+
+/// The place of the greatest likeness near `start`, a coordinate after the other in ever smaller steps.
+PrintMatch::Found PrintMatch::Refined(const Cells& levelled, const RectifiedDisc& disc, const PrintPlace& start) const {
+  const double radius = pad_.inner_radius_m(), farthest = kFarthestOffset * radius;
+  const auto moved = [&](PrintPlace place, int coordinate, double step) {
+    constexpr double kTurn = 0.05, kShift = 0.03, kStretch = 0.05;
+    if (coordinate == 0) place.angle += kTurn * step;
+    if (coordinate == 1) place.offset_m.x() += kShift * radius * step;
+    if (coordinate == 2) place.offset_m.y() += kShift * radius * step;
+    if (coordinate == 3) place.scale.x() += kStretch * step;
+    if (coordinate == 4) place.scale.y() += kStretch * step;
+    place.offset_m = place.offset_m.cwiseMax(-farthest).cwiseMin(farthest);
+    place.scale = place.scale.cwiseMax(1.0 / kLargestScale).cwiseMin(kLargestScale);
+    return place;
+  };
+  Found best{start, -1.0};
+  for (const double step : {1.0, 0.5, 0.25, 0.125}) {
+    const int stride = step >= 0.5 ? 2 : 1;
+    best.likeness = Likeness(levelled, disc, best.place, stride);
+    constexpr int kRounds = 3;
+    constexpr double kLeastGain = 1e-3;
+    for (int round = 0; round < kRounds; ++round) {
+      const double before = best.likeness;
+      for (int coordinate = 0; coordinate < 5; ++coordinate) {
+        for (const double sign : {-1.0, 1.0}) {
+          const PrintPlace place = moved(best.place, coordinate, sign * step);
+          const double likeness = Likeness(levelled, disc, place, stride);
+          if (likeness > best.likeness) best = {place, likeness};
+        }
+      }
+      if (best.likeness < before + kLeastGain) break;
+    }
+  }
+  return best;
+}
+
+PrintMatch::SeenRing PrintMatch::RingAt(const models::ImageView& image, const SeenPlane& plane) const {
+  constexpr int kDirections = 60, kSteps = 5;
+  constexpr double kCurl = 0.03;  // Of the radius.
+  const double from_m = pad_.inner_radius_m() - kCurl * pad_.outer_radius_m;
+  const double step_m = (pad_.ring_width_m + 2.0 * kCurl * pad_.outer_radius_m) / (kSteps + 1);
+  // Where the sheet's white goes on outside, it is looked at too.
+  constexpr double kLeastMargin = 0.06, kOutside = 0.1;
+  const double margin_m = 0.5 * std::min(pad_.sheet_length_m, pad_.sheet_width_m) - pad_.outer_radius_m;
+  const bool has_margin = margin_m > kLeastMargin * pad_.outer_radius_m;
+  const double outside_m = pad_.outer_radius_m + std::min(0.5 * margin_m, kOutside * pad_.outer_radius_m);
+  std::vector<float> contrasts, ratios;  // Of white to black, and over the white: the same in a shadow.
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 2.0 * models::kPi * i / kDirections;
+    const auto grey_at = [&](double radius_m) -> std::optional<float> {
+      const auto pixel = plane.PixelAt(radius_m * Vector2d(std::cos(angle), std::sin(angle)));
+      return pixel ? GreyAt(image, *pixel) : std::nullopt;
+    };
+    auto darkest = grey_at(from_m + step_m);
+    for (int k = 2; k <= kSteps; ++k) darkest = std::min(darkest, grey_at(from_m + k * step_m));
+    const auto within = grey_at(white_m_), outside = has_margin ? grey_at(outside_m) : within;
+    if (!within || !darkest) return {};
+    const float around = outside.value_or(*within);
+    const float white = is_white_within_ ? std::min(*within, around) : has_margin ? around : std::max(*within, around);
+    contrasts.push_back(white - *darkest);
+    ratios.push_back((white - *darkest) / std::max(white, 1.0F));
+  }
+  const float usual_ratio = Quantile(ratios, 0.8);
+  constexpr float kDark = 0.45F;
+  const auto dark = std::count_if(ratios.begin(), ratios.end(), [&](float r) { return r > kDark * usual_ratio; });
+  return {Quantile(contrasts, 0.5), static_cast<double>(dark) / kDirections};
+}
+
+float PrintMatch::BlackAt(const Cells& print, const Vector2d& p_W) const {
+  const double texels_per_m = kTexels / (2.0 * pad_.inner_radius_m()), middle = 0.5 * kTexels;
+  const auto texel = [&](double coordinate_m) {
+    return std::clamp(static_cast<int>(middle + texels_per_m * coordinate_m), 0, kTexels - 1);
+  };
+  return print(texel(p_W.y()), texel(p_W.x()));
+}
+
+}  // namespace touchdown::estimator::pad

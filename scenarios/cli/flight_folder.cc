@@ -1,0 +1,59 @@
+#include "scenarios/cli/flight_folder.h"
+
+#include <optional>
+#include <vector>
+
+#include "scenarios/datasets/flight_bag.h"
+#include "scenarios/datasets/flight_recording.h"
+#include "scenarios/report/contact_sheet.h"
+#include "scenarios/report/flight_files.h"
+#include "scenarios/report/flight_page.h"
+#include "scenarios/report/flight_video.h"
+#include "scenarios/util/output_folder.h"
+
+namespace touchdown::cli {
+namespace {
+
+constexpr const char* kRecordingFolder = "recording";
+
+}  // namespace
+
+runner::FlightResult FlyIntoFolder(const runner::Scenario& scenario, const std::filesystem::path& place,
+                                   const FlightExtras& extras, runner::FlightObservers observers,
+                                   const util::StopRequested& stop_requested) {
+  util::OutputFolder folder(
+      place, {.files = {"result.json", "scenario.yaml", "flight.csv", "frames.csv", "tracking.csv", "truth.tum",
+                        "estimate.tum", "tracking.tum", "frame_timing.csv", "timing.json", "frames.png", "flight.mp4",
+                        "flight.bag", "report.html"},
+              .mark = report::kFlightMark,
+              .subfolders = {{kRecordingFolder, datasets::IsOfFlightRecording}}});
+  report::ContactSheet sheet(scenario.assumed_camera(), scenario.time);
+  std::vector<runner::FlightObserver*> all(observers.begin(), observers.end());
+  all.push_back(&sheet);
+  std::optional<report::FlightVideo> video;
+  if (extras.video) all.push_back(&video.emplace(scenario, folder.PathOf("flight.mp4")));
+  std::optional<datasets::FlightRecording> recording;
+  if (extras.recording) all.push_back(&recording.emplace(scenario, folder.PathOf(kRecordingFolder)));
+  std::optional<datasets::FlightBag> bag;
+  if (extras.bag) all.push_back(&bag.emplace(scenario, folder.PathOf("flight.bag")));
+  const runner::FlightResult result = runner::Fly(scenario, all, stop_requested);
+  if (video) video->Finish();
+  if (recording) recording->Finish(result.truth);
+  if (bag) bag->Finish(result);
+  folder.Write("scenario.yaml", runner::ScenarioYaml(scenario));
+  folder.Write("flight.csv", result.tables.flight_csv);
+  folder.Write("frames.csv", result.tables.frames_csv);
+  folder.Write("tracking.csv", result.tables.tracking_csv);
+  folder.Write("truth.tum", result.tables.truth_tum);
+  folder.Write("estimate.tum", result.tables.estimate_tum);
+  folder.Write("tracking.tum", result.tables.tracking_tum);
+  folder.Write("frame_timing.csv", result.tables.frame_timing_csv);
+  folder.Write("timing.json", runner::TimingJson(result.timing));
+  if (const auto png = sheet.Png()) folder.Write("frames.png", *png);
+  folder.Write("result.json", runner::ResultJson(scenario, result));
+  folder.Write("report.html", report::FlightPage(report::ReadFlightFiles(folder.PathOf(""))));
+  folder.Commit();
+  return result;
+}
+
+}  // namespace touchdown::cli

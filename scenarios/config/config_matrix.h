@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "scenarios/config/config_visitor.h"
+
+namespace touchdown::config {
+
+/// A matrix as ROS and EuRoC files hold it, in a section of rows, cols and data. Row by row; empty when it is not
+/// given.
+struct ConfigMatrix {
+  int rows = 0;
+  int cols = 0;
+  std::vector<double> data;
+};
+
+/// A section of so many rows and columns, with as many numbers.
+void DescribeMatrix(ConfigVisitor& v, const Key& key, ConfigMatrix& matrix, const Range& rows, const Range& cols);
+
+}  // namespace touchdown::config

@@ -1,0 +1,303 @@
+#include "scenarios/config/config_reader.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+
+namespace touchdown::config {
+namespace {
+
+template <typename T>
+struct Parsed {
+  std::optional<T> value;
+  bool out_of_range = false;
+};
+
+template <typename T>
+Parsed<T> ParseWhole(const std::string& text) {
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (end != text.data() + text.size()) return {};
+  if (error == std::errc::result_out_of_range) return {std::nullopt, true};
+  return error == std::errc() ? Parsed<T>{value, false} : Parsed<T>{};
+}
+
+std::string Excerpt(const std::string& text) {
+  return text.size() <= 40 ? fmt::format("'{}'", text) : fmt::format("'{}...'", text.substr(0, 40));
+}
+
+double ParseNumber(const ConfigNode& node, const std::string& path, const Unit& unit, const Range& range) {
+  const auto fail = [&](const std::string& message) -> InputError { return ConfigError(node.origin, path, message); };
+  if (node.kind != ConfigNode::Kind::kText || node.quoted) throw fail("must be a number");
+  static constexpr std::string_view kNotFinite[] = {".nan", ".NaN",  ".NAN",  ".inf",  ".Inf",
+                                                    ".INF", "-.inf", "-.Inf", "-.INF", "+.inf"};
+  const bool named_not_finite =
+      std::find(std::begin(kNotFinite), std::end(kNotFinite), node.text) != std::end(kNotFinite);
+  const Parsed<double> parsed = ParseWhole<double>(node.text);
+  if (named_not_finite || parsed.out_of_range || (parsed.value && !std::isfinite(*parsed.value))) {
+    throw fail("must be a finite number, is " + Excerpt(node.text));
+  }
+  if (!parsed.value) throw fail("must be a number, is " + Excerpt(node.text));
+  if (!range.Contains(*parsed.value)) throw fail(fmt::format("{}, is {}", range.Describe(), node.text));
+  const double value = unit.ToSi(*parsed.value);
+  if (!std::isfinite(value)) throw fail("must be a finite number, is " + Excerpt(node.text));
+  return value;
+}
+
+std::size_t EditDistance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string UnknownKeyMessage(std::string_view key, const std::set<std::string, std::less<>>& known) {
+  if (known.empty()) return "unknown key";
+  const std::string& nearest = *std::min_element(known.begin(), known.end(), [key](const auto& a, const auto& b) {
+    return EditDistance(key, a) < EditDistance(key, b);
+  });
+  if (EditDistance(key, nearest) <= 1 + key.size() / 3) return fmt::format("unknown key, did you mean {}?", nearest);
+  return fmt::format("unknown key, known here: {}", fmt::join(known, ", "));
+}
+
+}  // namespace
+
+std::string Range::Describe() const {
+  if (min == max) return fmt::format("must be {}", min);
+  const bool has_min = std::isfinite(min), has_max = std::isfinite(max);
+  if (has_min && has_max && !min_is_open) return fmt::format("must be from {} to {}", min, max);
+  const std::string low = has_min ? fmt::format("{} {}", min_is_open ? "above" : "at least", min) : "";
+  const std::string high = has_max ? fmt::format("at most {}", max) : "";
+  return fmt::format("must be {}{}{}", low, has_min && has_max ? " and " : "", high);
+}
+
+ConfigReader::ConfigReader(const ConfigNode& root, OriginByPath& origins) : origins_(origins) { EnterKeys(&root, ""); }
+
+std::string ConfigReader::PathOf(std::string_view key) const {
+  const std::string& parent = open_.back().path;
+  return parent.empty() ? std::string(key) : fmt::format("{}.{}", parent, key);
+}
+
+const ConfigNode* ConfigReader::Visit(const Key& key) {
+  Open& open = open_.back();
+  open.visited.emplace(key.name);
+  if (open.node == nullptr) return nullptr;
+  const ConfigNode* const node = open.node->Find(key.name);
+  if (node == nullptr) {
+    if (key.required && !open.node->patch) throw ConfigError(open.node->origin, PathOf(key.name), "must be given");
+    return nullptr;
+  }
+  if (node->kind == ConfigNode::Kind::kNothing) throw ConfigError(node->origin, PathOf(key.name), "has no value");
+  origins_[PathOf(key.name)] = node->origin;
+  return node;
+}
+
+const ConfigNode* ConfigReader::VisitText(const Key& key, std::string_view what) {
+  const ConfigNode* const node = Visit(key);
+  if (node != nullptr && node->kind != ConfigNode::Kind::kText) {
+    throw ConfigError(node->origin, PathOf(key.name), fmt::format("must be {}", what));
+  }
+  return node;
+}
+
+void ConfigReader::Number(const Key& key, double& value_si, const Unit& unit, const Range& range) {
+  if (const ConfigNode* const node = Visit(key)) value_si = ParseNumber(*node, PathOf(key.name), unit, range);
+}
+
+void ConfigReader::OptionalNumber(const Key& key, std::optional<double>& value_si, const Unit& unit,
+                                  const Range& range) {
+  if (const ConfigNode* const node = Visit(key)) value_si = ParseNumber(*node, PathOf(key.name), unit, range);
+}
+
+void ConfigReader::Numbers(const Key& key, const std::vector<double*>& values_si, const Unit& unit,
+                           const Range& range) {
+  const ConfigNode* const node = Visit(key);
+  if (node == nullptr) return;
+  const std::string path = PathOf(key.name);
+  if (node->kind == ConfigNode::Kind::kKeys && node->patch) {
+    for (const auto& [index_text, value] : node->keys) {
+      const auto index = ParseWhole<std::size_t>(index_text).value;
+      if (!index || *index >= values_si.size()) throw ConfigError(value.origin, path + "." + index_text, "unknown key");
+      *values_si[*index] = ParseNumber(value, path + "." + index_text, unit, range);
+    }
+    return;
+  }
+  if (node->kind != ConfigNode::Kind::kList || node->items.size() != values_si.size()) {
+    throw ConfigError(node->origin, path, fmt::format("must be a list of {} numbers", values_si.size()));
+  }
+  for (std::size_t i = 0; i < values_si.size(); ++i) {
+    *values_si[i] = ParseNumber(node->items[i], fmt::format("{}.{}", path, i), unit, range);
+  }
+}
+
+void ConfigReader::Integer64(const Key& key, std::int64_t& value, const Range& range) {
+  const ConfigNode* const node = VisitText(key, "a whole number");
+  if (node == nullptr) return;
+  const Parsed<std::int64_t> parsed = node->quoted ? Parsed<std::int64_t>{} : ParseWhole<std::int64_t>(node->text);
+  const auto fail = [&](const std::string& message) { return ConfigError(node->origin, PathOf(key.name), message); };
+  if (parsed.out_of_range) throw fail("is too large a number");
+  if (!parsed.value) throw fail("must be a whole number, is " + Excerpt(node->text));
+  if (!range.Contains(static_cast<double>(*parsed.value))) {
+    throw fail(fmt::format("{}, is {}", range.Describe(), node->text));
+  }
+  value = *parsed.value;
+}
+
+void ConfigReader::Boolean(const Key& key, bool& value) {
+  const ConfigNode* const node = VisitText(key, "true or false");
+  if (node == nullptr) return;
+  if (node->quoted || (node->text != "true" && node->text != "false")) {
+    throw ConfigError(node->origin, PathOf(key.name), "must be true or false, is " + Excerpt(node->text));
+  }
+  value = node->text == "true";
+}
+
+void ConfigReader::Text(const Key& key, std::string& value) {
+  if (const ConfigNode* const node = VisitText(key, "text")) value = node->text;
+}
+
+void ConfigReader::Choice(const Key& key, int& index, std::span<const std::string_view> names) {
+  const std::string one_of = fmt::format("{}{}", names.size() > 1 ? "one of " : "", fmt::join(names, ", "));
+  const ConfigNode* const node = VisitText(key, one_of);
+  if (node == nullptr) return;
+  const auto found = std::find(names.begin(), names.end(), node->text);
+  if (found == names.end()) {
+    throw ConfigError(node->origin, PathOf(key.name), fmt::format("must be {}, is {}", one_of, Excerpt(node->text)));
+  }
+  index = static_cast<int>(found - names.begin());
+}
+
+void ConfigReader::Section(const Key& key, const SectionFile& file,
+                           const std::function<void(ConfigVisitor&)>& describe) {
+  const ConfigNode* node = Visit(key);
+  const std::string path = PathOf(key.name);
+  if (node != nullptr && node->kind == ConfigNode::Kind::kText && file.allowed) {
+    try {
+      ConfigNode root = ReadConfigFile(node->origin.folder / node->text);
+      node = &files_.emplace_back(file.translate ? file.translate(std::move(root)) : std::move(root));
+    } catch (const InputError& error) {
+      throw ConfigError(node->origin, path, error.what());
+    }
+    origins_[path] = node->origin;
+  }
+  if (node != nullptr && node->kind != ConfigNode::Kind::kKeys) {
+    throw ConfigError(node->origin, path, file.allowed ? "must be keys or the name of a file" : "must be keys");
+  }
+  EnterKeys(node, path);
+  describe(*this);
+  LeaveKeys();
+}
+
+void ConfigReader::OptionalSection(const Key& key, bool is_set, const SectionFile& file,
+                                   const std::function<void(ConfigVisitor&)>& describe) {
+  Open& open = open_.back();
+  open.visited.emplace(key.name);
+  if (is_set || (open.node != nullptr && open.node->Find(key.name) != nullptr)) Section(key, file, describe);
+}
+
+void ConfigReader::List(const Key& key, std::size_t count, const std::function<void(std::size_t)>& resize,
+                        const std::function<void(ConfigVisitor&, std::size_t)>& describe) {
+  const ConfigNode* const node = Visit(key);
+  if (node == nullptr) return;
+  const std::string path = PathOf(key.name);
+  if (node->patch && node->kind == ConfigNode::Kind::kKeys) {
+    PatchItems(*node, path, count, describe);
+    return;
+  }
+  if (node->kind != ConfigNode::Kind::kList) throw ConfigError(node->origin, path, "must be a list");
+  resize(node->items.size());
+  for (std::size_t i = 0; i < node->items.size(); ++i) {
+    const std::string item_path = fmt::format("{}.{}", path, i);
+    if (node->items[i].kind != ConfigNode::Kind::kKeys) {
+      throw ConfigError(node->items[i].origin, item_path, "must be keys");
+    }
+    origins_[item_path] = node->items[i].origin;
+    EnterKeys(&node->items[i], item_path);
+    describe(*this, i);
+    LeaveKeys();
+  }
+}
+
+void ConfigReader::PatchItems(const ConfigNode& node, const std::string& path, std::size_t count,
+                              const std::function<void(ConfigVisitor&, std::size_t)>& describe) {
+  for (const auto& [index_text, item] : node.keys) {
+    const std::string item_path = path + "." + index_text;
+    const auto index = ParseWhole<std::size_t>(index_text).value;
+    if (!index || *index >= count) {
+      throw ConfigError(item.origin, item_path, fmt::format("unknown key, the list has {} items", count));
+    }
+    if (item.kind != ConfigNode::Kind::kKeys) throw ConfigError(item.origin, item_path, "must be keys");
+    origins_[item_path] = item.origin;
+    EnterKeys(&item, item_path);
+    describe(*this, *index);
+    LeaveKeys();
+  }
+}
+
+void ConfigReader::EnterKeys(const ConfigNode* node, const std::string& path) { open_.push_back({node, path, {}}); }
+
+void ConfigReader::LeaveKeys() {
+  const Open open = std::move(open_.back());
+  open_.pop_back();
+  if (open.node == nullptr) return;
+  for (const auto& [name, node] : open.node->keys) {
+    if (!open.visited.contains(name)) {
+      const std::string path = open.path.empty() ? name : fmt::format("{}.{}", open.path, name);
+      throw ConfigError(node.origin, path, UnknownKeyMessage(name, open.visited));
+    }
+  }
+}
+
+std::string ConfigChecker::PathOf(std::string_view key) const {
+  if (path_.empty() || key.empty()) return path_ + std::string(key);
+  return fmt::format("{}.{}", path_, key);
+}
+
+const Origin& ConfigChecker::OriginOf(std::string_view path) const {
+  for (;;) {
+    if (const auto origin = origins_.find(path); origin != origins_.end()) return origin->second;
+    const std::size_t dot = path.rfind('.');
+    if (dot == std::string_view::npos) return fallback_;
+    path = path.substr(0, dot);
+  }
+}
+
+void ConfigChecker::Section(const Key& key, const SectionFile&, const std::function<void(ConfigVisitor&)>& describe) {
+  const std::string parent = std::exchange(path_, PathOf(key.name));
+  describe(*this);
+  path_ = parent;
+}
+
+void ConfigChecker::List(const Key& key, std::size_t count, const std::function<void(std::size_t)>&,
+                         const std::function<void(ConfigVisitor&, std::size_t)>& describe) {
+  const std::string parent = path_;
+  for (std::size_t i = 0; i < count; ++i) {
+    path_ = parent;
+    path_ = fmt::format("{}.{}", PathOf(key.name), i);
+    describe(*this, i);
+  }
+  path_ = parent;
+}
+
+void ConfigChecker::Check(std::string_view key, const std::function<void()>& check) {
+  try {
+    check();
+  } catch (const InputError& error) {
+    const std::string path = PathOf(key);
+    throw ConfigError(OriginOf(path), path, error.what());
+  }
+}
+
+}  // namespace touchdown::config

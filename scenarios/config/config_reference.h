@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenarios/config/config_visitor.h"
+
+namespace touchdown::config {
+
+/// One row for each key that a configuration may hold.
+struct KeyRow {
+  std::string path;           ///< "camera.model.k1"; items of lists as "events.N.at_s".
+  std::string unit;           ///< "-" for none.
+  std::string default_value;  ///< As YAML.
+  std::string range;          ///< "must be above 0"; empty when anything goes.
+  std::string doc;
+};
+
+/// Lists every key it visits, with the defaults that the visited structs hold. What is visited depends on the values of
+/// choices: `variant` says which of the choices each list's items, and every yes or no, are shown with. The rows of
+/// several variants come together in one reference.
+class ConfigReference : public ConfigVisitor {
+ public:
+  const std::vector<KeyRow>& rows() const { return rows_; }
+
+  /// To be called before the description is walked once more.
+  void BeginVariant(int variant);
+
+  void Number(const Key& key, double& value_si, const Unit& unit, const Range& range) override;
+  void OptionalNumber(const Key& key, std::optional<double>& value_si, const Unit& unit, const Range& range) override;
+  void Numbers(const Key& key, const std::vector<double*>& values_si, const Unit& unit, const Range& range) override;
+  void Integer64(const Key& key, std::int64_t& value, const Range& range) override;
+  void Boolean(const Key& key, bool& value) override;
+  void Text(const Key& key, std::string& value) override;
+  void Choice(const Key& key, int& index, std::span<const std::string_view> names) override;
+  void Section(const Key& key, const SectionFile& file, const std::function<void(ConfigVisitor&)>& describe) override;
+  void OptionalSection(const Key& key, bool is_set, const SectionFile& file,
+                       const std::function<void(ConfigVisitor&)>& describe) override;
+  void List(const Key& key, std::size_t count, const std::function<void(std::size_t)>& resize,
+            const std::function<void(ConfigVisitor&, std::size_t)>& describe) override;
+  void Check(std::string_view, const std::function<void()>&) override {}
+
+ private:
+  void Row(const Key& key, std::string_view unit, const std::string& default_value, const std::string& range);
+
+  std::vector<KeyRow> rows_;
+  std::size_t next_ = 0;  ///< Where a row that is new in this variant goes.
+  std::string path_;
+  bool is_optional_ = false;  ///< Within a section that may be absent: its keys have no defaults of their own.
+  int variant_ = 0;
+};
+
+}  // namespace touchdown::config

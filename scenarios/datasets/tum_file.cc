@@ -1,0 +1,60 @@
+#include "scenarios/datasets/tum_file.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "models/error.h"
+
+namespace touchdown::datasets {
+namespace {
+
+/// Throws InputError without a place.
+TimedPose ParseLine(const std::string& line) {
+  std::istringstream stream(line);
+  std::array<double, 8> numbers{};
+  std::string rest;
+  for (double& number : numbers) {
+    if (!(stream >> number) || !std::isfinite(number)) throw InputError("must be eight numbers: t x y z qx qy qz qw");
+  }
+  if (stream >> rest) throw InputError("must be eight numbers and nothing else: t x y z qx qy qz qw");
+  const auto& [t_s, x, y, z, qx, qy, qz, qw] = numbers;
+  const Eigen::Quaterniond q(qw, qx, qy, qz);
+  constexpr double kRoundOff = 1e-2;
+  if (std::abs(q.norm() - 1.0) > kRoundOff) throw InputError(fmt::format("its quaternion has length {}", q.norm()));
+  TimedPose pose;
+  pose.t_s = t_s;
+  pose.X_WB.linear() = q.normalized().toRotationMatrix();
+  pose.X_WB.translation() << x, y, z;
+  return pose;
+}
+
+}  // namespace
+
+std::vector<TimedPose> ReadTumFile(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  if (!stream) throw InputError(fmt::format("{}: cannot be read", file.string()));
+  std::vector<TimedPose> poses;
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    if (const std::size_t begin = line.find_first_not_of(" \t\r"); begin == std::string::npos || line[begin] == '#') {
+      continue;
+    }
+    try {
+      const TimedPose pose = ParseLine(line);
+      if (!poses.empty() && pose.t_s <= poses.back().t_s)
+        throw InputError("its time does not come after the one before");
+      poses.push_back(pose);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}:{}: {}", file.string(), number, error.what()));
+    }
+  }
+  if (poses.empty()) throw InputError(fmt::format("{}: has no poses", file.string()));
+  return poses;
+}
+
+}  // namespace touchdown::datasets

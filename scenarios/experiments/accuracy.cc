@@ -1,0 +1,285 @@
+#include "scenarios/experiments/accuracy.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "models/angles.h"
+#include "models/landing_pad.h"
+#include "models/random_stream.h"
+#include "scenarios/experiments/circle_limit.h"
+#include "scenarios/experiments/still_room.h"
+#include "scenarios/util/text.h"
+#include "sim/scene/scene.h"
+
+namespace touchdown::experiments {
+namespace {
+
+using Eigen::Vector3d;
+using models::DegToRad;
+using models::RadToDeg;
+using models::RandomStream;
+
+constexpr std::array<double, 5> kDistances_m = {0.5, 0.75, 1.0, 1.25, 1.5};
+constexpr std::array<double, 5> kRolls_deg = {0.0, 10.0, 20.0, 30.0, 40.0};
+
+// "We manually fix the quadrotor": how well a hand sets it to the pose that is asked for.
+constexpr double kHandTilt_rad = DegToRad(0.5);
+constexpr double kHandYaw_rad = DegToRad(2.0);
+constexpr double kHandShift_m = 0.005;
+// Of the IMU's vertical at rest, about each axis: it decides between the two poses of the circle.
+constexpr double kGravity_rad = DegToRad(0.5);
+constexpr double kPublishedAttitude_deg = 1.5;
+
+/// The body with its camera at that distance from the pad, the pad's centre on the optical axis.
+Eigen::Isometry3d PoseOf(const models::Vehicle& vehicle, double distance_m, double roll_rad, RandomStream& hand) {
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  X_WB.linear() = models::RotationFromTaitBryan({.roll = roll_rad + kHandTilt_rad * hand.Normal(),
+                                                 .pitch = kHandTilt_rad * hand.Normal(),
+                                                 .yaw = kHandYaw_rad * hand.Normal()});
+  const Eigen::Isometry3d X_BC = vehicle.X_BC();
+  const Vector3d p_WC = -distance_m * (X_WB.linear() * X_BC.linear()).col(2) + kHandShift_m * hand.NormalVector3();
+  X_WB.translation() = p_WC - X_WB.linear() * X_BC.translation();
+  return X_WB;
+}
+
+/// Step of the grey values across the ring's edge, as a frame shows it: paper less ink.
+double EdgeStep(const models::Image& image, const models::LandingPad& pad, const models::CameraModel& camera,
+                const Eigen::Isometry3d& X_WC) {
+  constexpr int kPoints = 24;
+  const double ink_m = pad.outer_radius_m - 0.5 * pad.ring_width_m;
+  const double paper_m = 0.25 * (2.0 * pad.outer_radius_m + pad.sheet_width_m);
+  double step = 0.0;
+  for (int i = 0; i < kPoints; ++i) {
+    const double angle = 2.0 * models::kPi * i / kPoints;
+    const auto grey = [&](double radius_m) -> double {
+      const Vector3d p_W(radius_m * std::cos(angle), radius_m * std::sin(angle), 0.0);
+      const Eigen::Vector2d pixel = camera.Project(X_WC.inverse() * p_W).value();
+      return image.View().At(static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())));
+    };
+    step += (grey(paper_m) - grey(ink_m)) / kPoints;
+  }
+  return step;
+}
+
+/// Sums over a placement's frames: position error in W, m, and roll and pitch error, rad.
+struct ErrorSums {
+  int frames = 0;
+  Vector3d position = Vector3d::Zero();
+  Eigen::Vector2d tilt = Eigen::Vector2d::Zero();
+  double position_squares = 0.0;
+  double tilt_squares = 0.0;
+
+  void Add(const Eigen::Isometry3d& found, const Eigen::Isometry3d& truth) {
+    const models::TaitBryan is = models::TaitBryanFromRotation(truth.linear());
+    const Eigen::Isometry3d X_WB = models::NearerTwin(found, is.yaw);
+    const models::TaitBryan seen = models::TaitBryanFromRotation(X_WB.linear());
+    const Vector3d position_error = X_WB.translation() - truth.translation();
+    const Eigen::Vector2d tilt_error(models::WrapToPi(seen.roll - is.roll), seen.pitch - is.pitch);
+    position += position_error;
+    tilt += tilt_error;
+    position_squares += position_error.squaredNorm();
+    tilt_squares += tilt_error.squaredNorm();
+    ++frames;
+  }
+};
+
+Json CellJson(const ErrorSums& sums, int frames, double noise_share, const std::optional<CircleLimit>& limit) {
+  Json json{{"frames", frames}, {"found", sums.frames}, {"noise_share", noise_share}};
+  const double n = std::max(1, sums.frames);
+  json["position_square_mm2"] = 1e6 * sums.position_squares / n;
+  json["position_mean_square_mm2"] = 1e6 * (sums.position / n).squaredNorm();
+  json["tilt_square_deg2"] = std::pow(RadToDeg(1.0), 2) * sums.tilt_squares / n;
+  json["tilt_mean_square_deg2"] = std::pow(RadToDeg(1.0), 2) * (sums.tilt / n).squaredNorm();
+  if (limit) {
+    json["position_limit_mm"] = 1e3 * limit->position_m;
+    json["tilt_limit_deg"] = RadToDeg(limit->tilt_rad);
+  }
+  return json;
+}
+
+/// All cells, each with the vehicle placed by hand once: in a room of its own, frames apart in their noise alone.
+Json MeasurePlacement(const PaperVehicle& vehicle, int placement, int frames,
+                      const util::StopRequested& stop_requested) {
+  const auto seed = static_cast<std::uint64_t>(1 + placement);
+  RandomStream hand(seed, "paper.accuracy.hand");
+  runner::Scenario told;
+  vehicle.Equip(told);
+  const models::CameraModel camera = told.camera.model;
+  StillRoom room(told, sim::MakeScene({}, told.pad, seed), seed);
+  Json cells = Json::array();
+  for (const double distance_m : kDistances_m) {
+    for (const double roll_deg : kRolls_deg) {
+      if (stop_requested && stop_requested()) throw util::Interrupted();
+      const Eigen::Isometry3d X_WB = PoseOf(vehicle.truth, distance_m, DegToRad(roll_deg), hand);
+      const Eigen::Isometry3d X_WC = X_WB * vehicle.truth.X_BC();
+      const Vector3d gravity_error(kGravity_rad * hand.Normal(), kGravity_rad * hand.Normal(), 0.0);
+      const Vector3d gravity_B = models::RotationExp(gravity_error) * DownIn(X_WB);
+      ErrorSums sums;
+      models::Image image = room.Take({.X_WC = X_WC});
+      const double noise_share = StillRoom::kFlightNoise[0] / EdgeStep(image, told.pad, camera, X_WC);
+      for (int frame = 0; frame < frames; ++frame) {
+        if (frame > 0) image = room.TakeAgain();
+        const auto seen = room.Estimate(image, gravity_B);
+        if (seen.pose) sums.Add(seen.pose->X_WB, X_WB);
+      }
+      cells.push_back(
+          CellJson(sums, frames, noise_share, LimitForCircle(camera, told.pad.outer_radius_m, X_WC, noise_share)));
+    }
+  }
+  return cells;
+}
+
+/// A cell over all placements. Of a placement's error its mean is systematic, what remains is random.
+struct Cell {
+  double distance_m = 0.0, roll_deg = 0.0;
+  int frames = 0, found = 0;
+  double position_rmse_mm = 0.0, position_systematic_mm = 0.0, position_random_mm = 0.0;
+  double tilt_rmse_deg = 0.0, tilt_systematic_deg = 0.0, tilt_random_deg = 0.0;
+  std::optional<double> position_limit_mm = std::nullopt, tilt_limit_deg = std::nullopt;
+};
+
+std::string IdOf(int placement) { return fmt::format("accuracy_{}", 1 + placement); }
+
+Cell Summed(const Measured& measured, int placements, std::size_t index) {
+  Cell cell{.distance_m = kDistances_m[index / kRolls_deg.size()], .roll_deg = kRolls_deg[index % kRolls_deg.size()]};
+  double position = 0.0, position_mean = 0.0, tilt = 0.0, tilt_mean = 0.0, position_limit = 0.0, tilt_limit = 0.0;
+  bool has_limit = true;
+  for (int i = 0; i < placements; ++i) {
+    const Json& json = measured.at(IdOf(i)).at(index);
+    cell.frames += json.at("frames").get<int>();
+    cell.found += json.at("found").get<int>();
+    position += json.at("position_square_mm2").get<double>() / placements;
+    position_mean += json.at("position_mean_square_mm2").get<double>() / placements;
+    tilt += json.at("tilt_square_deg2").get<double>() / placements;
+    tilt_mean += json.at("tilt_mean_square_deg2").get<double>() / placements;
+    has_limit = has_limit && json.contains("tilt_limit_deg");
+    if (!has_limit) continue;
+    position_limit += std::pow(json.at("position_limit_mm").get<double>(), 2) / placements;
+    tilt_limit += std::pow(json.at("tilt_limit_deg").get<double>(), 2) / placements;
+  }
+  cell.position_rmse_mm = std::sqrt(position);
+  cell.position_systematic_mm = std::sqrt(position_mean);
+  cell.position_random_mm = std::sqrt(std::max(0.0, position - position_mean));
+  cell.tilt_rmse_deg = std::sqrt(tilt);
+  cell.tilt_systematic_deg = std::sqrt(tilt_mean);
+  cell.tilt_random_deg = std::sqrt(std::max(0.0, tilt - tilt_mean));
+  if (has_limit) {
+    cell.position_limit_mm = std::sqrt(position_limit);
+    cell.tilt_limit_deg = std::sqrt(tilt_limit);
+  }
+  return cell;
+}
+
+std::string CellsCsv(const std::vector<Cell>& cells) {
+  std::string csv =
+      "distance_m,roll_deg,frames,found,position_rmse_mm,position_systematic_mm,position_random_mm,position_limit_mm,"
+      "attitude_rmse_deg,attitude_systematic_deg,attitude_random_deg,attitude_limit_deg\n";
+  const auto or_none = [](const std::optional<double>& value) {
+    return value ? util::Fixed(*value, 4) : std::string();
+  };
+  for (const Cell& cell : cells) {
+    csv += util::CsvLine(
+        {util::Fixed(cell.distance_m, 2), util::Fixed(cell.roll_deg, 0), std::to_string(cell.frames),
+         std::to_string(cell.found), util::Fixed(cell.position_rmse_mm, 3), util::Fixed(cell.position_systematic_mm, 3),
+         util::Fixed(cell.position_random_mm, 3), or_none(cell.position_limit_mm), util::Fixed(cell.tilt_rmse_deg, 4),
+         util::Fixed(cell.tilt_systematic_deg, 4), util::Fixed(cell.tilt_random_deg, 4), or_none(cell.tilt_limit_deg)});
+  }
+  return csv;
+}
+
+/// A line for each distance over roll, and the limit of the nearest and the farthest dashed.
+std::string PlotOverRoll(const std::string& column, const std::string& limit, const std::string& label) {
+  constexpr std::array<const char*, 5> kColours = {"SECOND", "ESTIMATE", "FOURTH", "FIRST", "SET_POINT"};
+  std::string curves;
+  for (std::size_t i = 0; i < kDistances_m.size(); ++i) {
+    curves += fmt::format(
+        "data using 'roll_deg':(column('distance_m')=={0} ? column('{1}') : NaN) with linespoints pt 7 ps 0.6 lw 1.6 "
+        "lc rgb {2} title '{0} m', \\\n",
+        kDistances_m[i], column, kColours[i]);
+  }
+  for (const std::size_t i : {std::size_t{0}, kDistances_m.size() - 1}) {
+    curves += fmt::format(
+        "data using 'roll_deg':(column('distance_m')=={0} ? column('{1}') : NaN) with lines dt 2 lw 1.2 lc rgb {2} "
+        "title 'limit, {0} m', \\\n",
+        kDistances_m[i], limit, kColours[i]);
+  }
+  return fmt::format(
+      "set key outside right\nset xlabel 'roll, deg'\nset ylabel '{}'\nset yrange [0:*]\nset xrange [-2:42]\nset "
+      "datafile missing NaN\nplot {}NaN notitle\n",
+      label, curves);
+}
+
+PaperSection Report(const PaperPlan& plan, const Measured& measured) {
+  std::vector<Cell> cells;
+  for (std::size_t i = 0; i < kDistances_m.size() * kRolls_deg.size(); ++i) {
+    cells.push_back(Summed(measured, plan.placements, i));
+  }
+  PaperSection section{{.id = "accuracy", .title = "5 DOF accuracy (Sec. VI-B.5, Fig. 10)"}};
+  section.paragraphs = {fmt::format(
+      "The vehicle is held still with the pad's centre on the optical axis: {} placements a cell, each in a room of "
+      "its own, {} frames each. A placement's mean error is systematic (calibration, pixel grid), what remains over "
+      "its frames is random. Roll and pitch errors together are the attitude's; the vertical that chooses between the "
+      "circle's two poses is 0.5° off about each axis. The limit is the Cram&eacute;r-Rao bound for the ring's outer "
+      "edge alone, for pixels as sharp as they can be, at the noise and contrast of the frames; it holds for the "
+      "random part. Seen frontally there is none: a tilt moves the edge as a shift does. At large roll most of the "
+      "position's error is systematic: the H, seen askew, turns the position about the pad by the error of its yaw.",
+      plan.placements, plan.frames_per_placement)};
+  const std::string csv = CellsCsv(cells);
+  section.figures.push_back({.name = "fig_10a_position",
+                             .title = "Fig. 10a: position",
+                             .caption = "RMSE of the position in space over roll, for each distance; dashed the limit.",
+                             .csv = csv,
+                             .plot = PlotOverRoll("position_rmse_mm", "position_limit_mm", "position RMSE, mm")});
+  section.figures.push_back({.name = "fig_10b_attitude",
+                             .title = "Fig. 10b: attitude",
+                             .caption = "RMSE of the attitude over roll, for each distance; dashed the limit.",
+                             .csv = csv,
+                             .plot = PlotOverRoll("attitude_rmse_deg", "attitude_limit_deg", "attitude RMSE, deg")});
+  report::ReportTable table{
+      .name = "fig_10_cells",
+      .caption = "Position (mm) and attitude (deg): RMSE, systematic and random part, limit of the random part.",
+      .head = {"distance, m", "roll, deg", "found", "position", "syst.", "random", "limit", "attitude", "syst.",
+               "random", "limit"}};
+  const Cell* worst = &cells.front();
+  for (const Cell& cell : cells) {
+    const auto or_none = [](const std::optional<double>& value, int digits) {
+      return value ? util::Fixed(*value, digits) : std::string("none");
+    };
+    table.rows.push_back({util::Fixed(cell.distance_m, 2), util::Fixed(cell.roll_deg, 0),
+                          util::Fixed(100.0 * cell.found / cell.frames, 1) + " %",
+                          util::Fixed(cell.position_rmse_mm, 1), util::Fixed(cell.position_systematic_mm, 1),
+                          util::Fixed(cell.position_random_mm, 1), or_none(cell.position_limit_mm, 1),
+                          util::Fixed(cell.tilt_rmse_deg, 2), util::Fixed(cell.tilt_systematic_deg, 2),
+                          util::Fixed(cell.tilt_random_deg, 2), or_none(cell.tilt_limit_deg, 2)});
+    if (cell.tilt_rmse_deg > worst->tilt_rmse_deg) worst = &cell;
+  }
+  section.tables.push_back(std::move(table));
+  section.compared.push_back(
+      {.quantity = "Attitude RMSE, worst cell of Fig. 10",
+       .unit = "deg",
+       .published = kPublishedAttitude_deg,
+       .ours = worst->tilt_rmse_deg,
+       .spread = fmt::format("at {:.2f} m and {:.0f}° of roll", worst->distance_m, worst->roll_deg),
+       .why = "Roll and pitch together. Near frontal views the circle's tilt is hardly observable (see the limit)."});
+  return section;
+}
+
+}  // namespace
+
+Experiment AccuracyExperiment(const PaperPlan& plan, const PaperVehicle& vehicle) {
+  constexpr double kFrame_s = 0.008, kRoom_s = 3.0;
+  Experiment experiment;
+  for (int i = 0; i < plan.placements; ++i) {
+    experiment.measurements.push_back(
+        {.id = IdOf(i),
+         .expected_s = kRoom_s + kFrame_s * plan.frames_per_placement * kDistances_m.size() * kRolls_deg.size(),
+         .take = [vehicle, i, frames = plan.frames_per_placement](const util::StopRequested& stop_requested) {
+           return MeasurePlacement(vehicle, i, frames, stop_requested);
+         }});
+  }
+  experiment.report = [plan](const Measured& measured) { return Report(plan, measured); };
+  return experiment;
+}
+
+}  // namespace touchdown::experiments

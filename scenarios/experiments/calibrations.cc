@@ -1,0 +1,133 @@
+#include "scenarios/experiments/calibrations.h"
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+
+#include "models/angles.h"
+#include "scenarios/laboratory/calibration_bench.h"
+#include "scenarios/util/statistics.h"
+#include "scenarios/util/text.h"
+
+namespace touchdown::experiments {
+namespace {
+
+using models::DegToRad;
+using models::RadToDeg;
+
+std::string IdOf(int seed) { return fmt::format("calibration_{}", seed); }
+
+Json MountingJson(const models::Mounting& mounting) {
+  const Eigen::Vector3d& p = mounting.position_m;
+  const models::TaitBryan& angles = mounting.misalignment;
+  return {{"position_m", {p.x(), p.y(), p.z()}}, {"misalignment_rad", {angles.roll, angles.pitch, angles.yaw}}};
+}
+
+models::Mounting MountingFrom(const Json& json) {
+  const auto position = json.at("position_m").get<std::array<double, 3>>();
+  const auto angles = json.at("misalignment_rad").get<std::array<double, 3>>();
+  return {.position_m = {position[0], position[1], position[2]}, .misalignment = {angles[0], angles[1], angles[2]}};
+}
+
+Json Measure(int seed, const util::StopRequested& stop_requested) {
+  runner::Scenario scenario;
+  scenario.seed = static_cast<std::uint64_t>(seed);
+  scenario.vehicle = TrueVehicle();
+  const laboratory::ImuCalibration imu = laboratory::CalibrateImu(scenario);
+  const laboratory::CameraCalibration camera = laboratory::CalibrateCamera(scenario, {}, [&](double) {
+    if (stop_requested && stop_requested()) throw util::Interrupted();
+  });
+  const models::CameraModel& model = camera.fit.model;
+  return {{"camera_model",
+           {{"width_px", model.width_px},
+            {"height_px", model.height_px},
+            {"fx_px", model.fx_px},
+            {"fy_px", model.fy_px},
+            {"cx_px", model.cx_px},
+            {"cy_px", model.cy_px},
+            {"k1", model.k1},
+            {"k2", model.k2}}},
+          {"camera", MountingJson(camera.mounting)},
+          {"imu", MountingJson(imu.mounting)},
+          {"reprojection_px", camera.fit.rms_px},
+          {"focal_error_px", camera.focal_error_px},
+          {"principal_point_error_px", camera.principal_point_error_px},
+          {"position_error_mm", 1e3 * camera.position_error_m},
+          {"rotation_error_deg", RadToDeg(camera.rotation_error_rad)},
+          {"imu_tilt_error_deg", RadToDeg(imu.tilt_error_rad)}};
+}
+
+PaperSection Report(const PaperPlan& plan, const Measured& measured) {
+  struct Row {
+    const char* label;
+    const char* key;
+    const char* unit;
+    int digits;
+  };
+  constexpr std::array<Row, 6> kRows = {{{"focal length", "focal_error_px", "px", 3},
+                                         {"principal point", "principal_point_error_px", "px", 3},
+                                         {"corners off the fit, RMS", "reprojection_px", "px", 3},
+                                         {"camera in body: position", "position_error_mm", "mm", 2},
+                                         {"camera in body: rotation", "rotation_error_deg", "deg", 3},
+                                         {"IMU in body: tilt", "imu_tilt_error_deg", "deg", 3}}};
+  PaperSection section{{.id = "calibrations", .title = "Calibrations (Sec. III-D, Eqs. 1 and 2)"}};
+  section.paragraphs.push_back(
+      fmt::format("The camera looks at a chessboard from 27 places while the tracking system sees vehicle and board: "
+                  "intrinsics and the board's pose from the corners, the camera's mounting by Eq. 2. The IMU's "
+                  "mounting is the shortest rotation that takes the gravity measured on level ground to the body's "
+                  "vertical: it holds the accelerometer's bias of that day, and cannot tell a turn about the vertical. "
+                  "{} calibrations of the same vehicle; the first is what all flights below are flown with.",
+                  plan.seeds));
+  report::ReportTable table{.name = "calibrations",
+                            .caption = "Errors against the truth.",
+                            .head = {"of", "unit", "mean", "worst", "flown with"}};
+  for (const Row& row : kRows) {
+    std::vector<double> values;
+    for (int seed = 1; seed <= plan.seeds; ++seed) values.push_back(measured.at(IdOf(seed)).at(row.key).get<double>());
+    table.rows.push_back({row.label, row.unit, util::Fixed(util::Mean(values), row.digits),
+                          util::Fixed(*std::max_element(values.begin(), values.end()), row.digits),
+                          util::Fixed(values.front(), row.digits)});
+  }
+  section.tables.push_back(std::move(table));
+  return section;
+}
+
+}  // namespace
+
+models::Vehicle TrueVehicle() {
+  models::Vehicle vehicle;
+  vehicle.camera = {.position_m = {0.004, -0.003, -0.052},
+                    .misalignment = {.roll = DegToRad(0.6), .pitch = DegToRad(2.0), .yaw = DegToRad(-0.8)}};
+  vehicle.imu = {.misalignment = {.roll = DegToRad(1.5), .pitch = DegToRad(-1.0), .yaw = DegToRad(2.0)}};
+  return vehicle;
+}
+
+Experiment CalibrationsExperiment(const PaperPlan& plan) {
+  constexpr double kCalibration_s = 6.0;
+  Experiment experiment;
+  for (int seed = 1; seed <= plan.seeds; ++seed) {
+    experiment.measurements.push_back(
+        {.id = IdOf(seed), .expected_s = kCalibration_s, .take = [seed](const util::StopRequested& stop_requested) {
+           return Measure(seed, stop_requested);
+         }});
+  }
+  experiment.report = [plan](const Measured& measured) { return Report(plan, measured); };
+  return experiment;
+}
+
+runner::Calibration CalibrationOf(const Measured& measured) {
+  const Json& found = measured.at(IdOf(1));
+  const Json& json = found.at("camera_model");
+  models::CameraModel model;
+  model.width_px = json.at("width_px").get<int>();
+  model.height_px = json.at("height_px").get<int>();
+  model.fx_px = json.at("fx_px").get<double>();
+  model.fy_px = json.at("fy_px").get<double>();
+  model.cx_px = json.at("cx_px").get<double>();
+  model.cy_px = json.at("cy_px").get<double>();
+  model.k1 = json.at("k1").get<double>();
+  model.k2 = json.at("k2").get<double>();
+  return {.camera_model = model, .camera = MountingFrom(found.at("camera")), .imu = MountingFrom(found.at("imu"))};
+}
+
+}  // namespace touchdown::experiments

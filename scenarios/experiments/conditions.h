@@ -1,0 +1,11 @@
+#pragma once
+
+#include "scenarios/experiments/experiment.h"
+#include "scenarios/experiments/paper_plan.h"
+
+namespace touchdown::experiments {
+
+/// Which condition of the flight makes how much of the error: noise, blur, vibration, clutter, calibration.
+Experiment ConditionsExperiment(const PaperPlan& plan, const PaperVehicle& vehicle);
+
+}  // namespace touchdown::experiments

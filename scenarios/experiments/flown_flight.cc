@@ -1,0 +1,154 @@
+#include "scenarios/experiments/flown_flight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <stdexcept>
+
+#include "models/angles.h"
+#include "scenarios/experiments/shadow_estimator.h"
+#include "scenarios/experiments/shipped_flights.h"
+#include "scenarios/report/published.h"
+#include "scenarios/runner/closed_loop.h"
+#include "scenarios/runner/metrics.h"
+
+namespace touchdown::experiments {
+namespace {
+
+using models::RadToDeg;
+
+double Rounded(double value, double step) { return std::round(value / step) * step; }
+
+/// In mm and deg, by short names.
+Json ErrorsJson(std::span<const runner::FrameRecord> frames) {
+  const runner::Metrics errors = runner::PoseErrors(frames);
+  Json json = Json::object();
+  for (const report::TableOneRow& row : report::kTableOne) {
+    if (const auto found = errors.find(row.metric); found != errors.end()) {
+      json[std::string(row.key)] = found->second * row.scale;
+    }
+  }
+  return json;
+}
+
+/// The tracking system's word at a tick, between its poses before and after; nullopt in its gaps.
+std::optional<Eigen::Isometry3d> TrackedAt(std::span<const runner::TrackingRecord> tracking, models::Tick tick,
+                                           models::Tick period) {
+  const auto after =
+      std::lower_bound(tracking.begin(), tracking.end(), tick,
+                       [](const runner::TrackingRecord& r, models::Tick t) { return r.tracked.tick < t; });
+  if (after == tracking.end()) return std::nullopt;
+  if (after->tracked.tick == tick) return after->tracked.X_WB;
+  if (after == tracking.begin()) return std::nullopt;
+  const models::TrackedPose &a = (after - 1)->tracked, &b = after->tracked;
+  if (b.tick - a.tick > period) return std::nullopt;
+  const double share = static_cast<double>(tick - a.tick) / static_cast<double>(b.tick - a.tick);
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  X_WB.linear() =
+      a.X_WB.linear() * models::RotationExp(share * models::RotationLog(a.X_WB.linear().transpose() * b.X_WB.linear()));
+  X_WB.translation() = a.X_WB.translation() + share * (b.X_WB.translation() - a.X_WB.translation());
+  return X_WB;
+}
+
+/// The frames with the tracking system's word in place of the truth, without those that it has none for.
+std::vector<runner::FrameRecord> AgainstTracking(std::span<const runner::FrameRecord> frames,
+                                                 std::span<const runner::TrackingRecord> tracking,
+                                                 models::Tick period) {
+  std::vector<runner::FrameRecord> against;
+  for (runner::FrameRecord frame : frames) {
+    const auto tracked = TrackedAt(tracking, frame.mid_exposure, period);
+    if (!tracked) continue;
+    frame.X_WB = *tracked;
+    against.push_back(std::move(frame));
+  }
+  return against;
+}
+
+/// x, y, z in m and roll, pitch, yaw in deg; null for each where there is no pose.
+void PutPose(Json& row, const std::optional<Eigen::Isometry3d>& X_WB) {
+  if (!X_WB) {
+    for (int i = 0; i < 6; ++i) row.push_back(nullptr);
+    return;
+  }
+  constexpr double kStep_m = 1e-5, kStep_deg = 1e-3;
+  const models::TaitBryan angles = models::TaitBryanFromRotation(X_WB->linear());
+  for (int i = 0; i < 3; ++i) row.push_back(Rounded(X_WB->translation()[i], kStep_m));
+  for (const double angle : {angles.roll, angles.pitch, angles.yaw}) row.push_back(Rounded(RadToDeg(angle), kStep_deg));
+}
+
+/// Rows of time, truth, tracking and vision: at most so many.
+Json SeriesJson(const runner::FlightLog& log, models::Tick tracking_period) {
+  constexpr std::size_t kMostRows = 700;
+  const std::size_t stride = 1 + log.frames.size() / kMostRows;
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < log.frames.size(); i += stride) {
+    const runner::FrameRecord& frame = log.frames[i];
+    Json row = Json::array({Rounded(log.time.ToSeconds(frame.mid_exposure), 1e-4)});
+    PutPose(row, frame.X_WB);
+    PutPose(row, TrackedAt(log.tracking, frame.mid_exposure, tracking_period));
+    std::optional<Eigen::Isometry3d> seen;
+    if (frame.status == estimator::FrameStatus::kOk) {
+      seen = models::NearerTwin(frame.pose.value().X_WB, models::TaitBryanFromRotation(frame.X_WB.linear()).yaw);
+    }
+    PutPose(row, seen);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Json RestJson(const runner::FlightLog& log) {
+  const Eigen::Isometry3d& X_WB = log.ticks.back().truth.X_WB;
+  return {{"x_mm", 1e3 * X_WB.translation().x()},
+          {"y_mm", 1e3 * X_WB.translation().y()},
+          {"yaw_deg", RadToDeg(models::WrapToHalfPi(models::TaitBryanFromRotation(X_WB.linear()).yaw))}};
+}
+
+}  // namespace
+
+runner::Scenario ShippedFlight(const std::string& name, std::uint64_t seed, const std::vector<std::string>& set) {
+  std::vector<runner::Override> overrides(set.begin(), set.end());
+  overrides.emplace_back("seed=" + std::to_string(seed));
+  for (const auto& [flight, yaml] : ShippedFlights()) {
+    if (flight == name) return runner::ParseScenario(std::string(yaml), name + ".yaml", {}, overrides);
+  }
+  throw std::logic_error("no flight of the name " + name);
+}
+
+Json FlyAndSumUp(const runner::Scenario& scenario, const FlightSummaryOptions& options,
+                 const util::StopRequested& stop_requested) {
+  std::optional<ShadowEstimator> shadow;
+  std::vector<runner::FlightObserver*> observers;
+  if (options.integer_contours) {
+    estimator::EstimatorConfig whole_pixels = scenario.estimator;
+    whole_pixels.paper.contour_points = estimator::pad::ContourPoints::kInteger;
+    observers.push_back(&shadow.emplace(scenario, whole_pixels));
+  }
+  const runner::FlightLog log = runner::FlyClosedLoop(scenario, observers, stop_requested);
+  if (log.outcome == runner::Outcome::kError) throw std::runtime_error(scenario.name + ": " + log.reason);
+
+  const models::Tick tracking_period = scenario.time.PeriodOf(scenario.tracking.rate_hz);
+  const runner::Metrics metrics = runner::ComputeMetrics(log);
+  const std::vector<runner::Check> checks = runner::Judge(scenario, log.outcome, metrics);
+  Json json{
+      {"seed", scenario.seed},
+      {"outcome", Name(log.outcome)},
+      {"as_expected", log.outcome == scenario.expected_outcome()},
+      {"passed", std::all_of(checks.begin(), checks.end(), [](const runner::Check& check) { return check.pass; })},
+      {"truth", ErrorsJson(log.frames)},
+      {"tracking", ErrorsJson(AgainstTracking(log.frames, log.tracking, tracking_period))}};
+  if (shadow) json["integer"] = ErrorsJson(shadow->frames());
+  for (const char* name :
+       {"estimate.availability", "estimate.false_pads", "estimate.ring_frames", "flight.max_tilt_deg",
+        "flight.sim_time_s", "flight.max_xy_offset_m", "flight.touchdown_xy_error_m", "flight.touchdown_speed_m_s"}) {
+    if (const auto found = metrics.find(name); found != metrics.end()) json[name] = found->second;
+  }
+  double height_m = 0.0;
+  for (const runner::TickRecord& tick : log.ticks) height_m = std::max(height_m, tick.truth.X_WB.translation().z());
+  json["max_height_m"] = height_m;
+  if (log.outcome == runner::Outcome::kLanded) json["rest"] = RestJson(log);
+  if (options.series) json["series"] = SeriesJson(log, tracking_period);
+  return json;
+}
+
+}  // namespace touchdown::experiments

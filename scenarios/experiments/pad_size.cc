@@ -1,0 +1,132 @@
+#include "scenarios/experiments/pad_size.h"
+
+#include <array>
+#include <cmath>
+
+#include "models/angles.h"
+#include "models/random_stream.h"
+#include "scenarios/experiments/still_room.h"
+#include "scenarios/util/text.h"
+
+namespace touchdown::experiments {
+namespace {
+
+using models::RandomStream;
+
+constexpr std::array<double, 6> kRadii_m = {0.045, 0.060, 0.090, 0.120, 0.150, 0.180};
+constexpr double kLowest_m = 0.03, kHighest_m = 8.0, kStep = 1.18;  // Heights of the camera over the pad.
+constexpr double kFoundShare = 0.9;
+
+/// The built-in pad at another scale.
+models::LandingPad PadOfRadius(double radius_m) {
+  models::LandingPad pad;
+  const double scale = radius_m / pad.outer_radius_m;
+  for (double* const size : {&pad.outer_radius_m, &pad.ring_width_m, &pad.h_height_m, &pad.h_width_m, &pad.h_stroke_m,
+                             &pad.sheet_length_m, &pad.sheet_width_m}) {
+    *size *= scale;
+  }
+  return pad;
+}
+
+/// Above the pad, nearly level, as a hover or a landing has it.
+Eigen::Isometry3d DrawPose(double height_m, const Eigen::Isometry3d& X_BC, RandomStream& random) {
+  constexpr double kTilt_rad = models::DegToRad(2.0), kOff = 0.05;
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  X_WB.linear() = models::RotationFromTaitBryan(
+      {kTilt_rad * random.Normal(), kTilt_rad * random.Normal(), random.Uniform(-1.4, 1.4)});
+  const Eigen::Vector3d p_WC(kOff * height_m * random.Normal(), kOff * height_m * random.Normal(), height_m);
+  X_WB.translation() = p_WC - X_WB.linear() * X_BC.translation();
+  return X_WB;
+}
+
+Json Measure(const PaperVehicle& vehicle, double radius_m, int frames, const util::StopRequested& stop_requested) {
+  const auto seed = static_cast<std::uint64_t>(std::lround(1e3 * radius_m));
+  runner::Scenario told;
+  vehicle.Equip(told);
+  told.pad = PadOfRadius(radius_m);
+  StillRoom room(told, sim::MakeScene({}, told.pad, seed), seed);
+  RandomStream random(seed, "paper.pad_size");
+  Json heights = Json::array();
+  for (double height_m = kLowest_m; height_m < kHighest_m; height_m *= kStep) {
+    int found = 0;
+    for (int i = 0; i < frames; ++i) {
+      if (stop_requested && stop_requested()) throw util::Interrupted();
+      const Eigen::Isometry3d X_WB = DrawPose(height_m, vehicle.truth.X_BC(), random);
+      const models::Image image = room.Take({.X_WC = X_WB * vehicle.truth.X_BC()});
+      const auto seen = room.Estimate(image, DownIn(X_WB));
+      // A third of the height: the right ring, whatever its pose's noise.
+      if (seen.pose && (seen.pose->X_WB.translation() - X_WB.translation()).norm() < height_m / 3.0) ++found;
+    }
+    heights.push_back({height_m, found});
+  }
+  return heights;
+}
+
+std::string IdOf(double radius_m) { return fmt::format("pad_size_{:.0f}_mm", 1e3 * radius_m); }
+
+/// The longest run of heights at which the pad is found well enough.
+std::pair<double, double> WorkingRange(const Json& heights, int frames) {
+  std::pair<double, double> longest{0.0, 0.0}, run{0.0, 0.0};
+  for (const Json& row : heights) {
+    const double height_m = row[0].get<double>();
+    if (row[1].get<int>() < kFoundShare * frames) {
+      run = {0.0, 0.0};
+      continue;
+    }
+    run = {run.first == 0.0 ? height_m : run.first, height_m};
+    if (run.second - run.first >= longest.second - longest.first) longest = run;
+  }
+  return longest;
+}
+
+PaperSection Report(const PaperPlan& plan, const Measured& measured) {
+  PaperSection section{{.id = "pad-size", .title = "Working distance against blind range (Sec. III-B)"}};
+  section.paragraphs.push_back(fmt::format(
+      "\"A larger radius would lead to a larger working distance for the vision system, but would lead to a larger "
+      "'blind' range.\" The pad at other scales, in a cluttered room, seen from {} places about each height: the "
+      "heights of the camera between which it is found in at least {:.0f} % of the frames (heights rise by {:.0f} %).",
+      plan.trade_frames, 100.0 * kFoundShare, 100.0 * (kStep - 1.0)));
+  report::ReportTable table{.name = "pad_size",
+                            .caption = "The pad's outer radius, and the heights between which it is found.",
+                            .head = {"radius, mm", "blind below, m", "working up to, m", "ratio"}};
+  std::string csv = "radius_mm,blind_below_m,working_up_to_m\n";
+  for (const double radius_m : kRadii_m) {
+    const auto [low, high] = WorkingRange(measured.at(IdOf(radius_m)), plan.trade_frames);
+    table.rows.push_back({util::Fixed(1e3 * radius_m, 0), util::Fixed(low, 2), util::Fixed(high, 2),
+                          low > 0.0 ? util::Fixed(high / low, 0) : "none"});
+    csv += util::CsvLine({util::Fixed(1e3 * radius_m, 0), util::Fixed(low, 4), util::Fixed(high, 4)});
+  }
+  section.tables.push_back(std::move(table));
+  section.figures.push_back(
+      {.name = "pad_size",
+       .title = "Working distance and blind range",
+       .caption = "Both grow in proportion to the pad: their ratio is the camera's.",
+       .csv = csv,
+       .plot = "set key top left\nset xlabel 'outer radius of the pad, mm'\nset ylabel 'height of the camera, m'\n"
+               "set logscale y\nset yrange [0.03:10]\n"
+               "plot data using 'radius_mm':'working_up_to_m' with linespoints pt 7 ps 0.7 lw 1.6 lc rgb ESTIMATE "
+               "title 'working distance', \\\n"
+               "     data using 'radius_mm':'blind_below_m' with linespoints pt 7 ps 0.7 lw 1.6 lc rgb SET_POINT title "
+               "'blind range'\n",
+       .width_cm = 13.0});
+  return section;
+}
+
+}  // namespace
+
+Experiment PadSizeExperiment(const PaperPlan& plan, const PaperVehicle& vehicle) {
+  constexpr double kFrame_s = 0.02, kHeights = 32.0, kRoom_s = 3.0;
+  Experiment experiment;
+  for (const double radius_m : kRadii_m) {
+    experiment.measurements.push_back(
+        {.id = IdOf(radius_m),
+         .expected_s = kRoom_s + kFrame_s * kHeights * plan.trade_frames,
+         .take = [vehicle, radius_m, frames = plan.trade_frames](const util::StopRequested& stop_requested) {
+           return Measure(vehicle, radius_m, frames, stop_requested);
+         }});
+  }
+  experiment.report = [plan](const Measured& measured) { return Report(plan, measured); };
+  return experiment;
+}
+
+}  // namespace touchdown::experiments

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+
+#include "scenarios/runner/flight_observer.h"
+
+namespace touchdown::runner {
+
+using FlightObservers = std::span<FlightObserver* const>;
+
+/// Several observers as one, and the wall-clock time that they take.
+class FlightAudience final : public FlightObserver {
+ public:
+  explicit FlightAudience(FlightObservers observers) : observers_(observers) {}
+
+  void OnStart(const sim::World& world) override;
+  void OnImu(const models::ImuSample& sample, bool at_rest) override;
+  void OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate& estimate,
+               const FrameRecord& record) override;
+
+  double seconds() const { return seconds_; }
+
+ private:
+  template <typename Tell>
+  void TellAll(const Tell& tell);
+
+  FlightObservers observers_;
+  double seconds_ = 0.0;
+};
+
+}  // namespace touchdown::runner

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <deque>
+
+#include "scenarios/runner/flight_log.h"
+#include "scenarios/runner/scenario.h"
+#include "scenarios/runner/vision_timer.h"
+
+namespace touchdown::runner {
+
+/// Writes a flight's log while it is flown. It sees the truth, and tells nobody.
+class FlightRecorder {
+ public:
+  explicit FlightRecorder(const Scenario& scenario);
+
+  /// The truth of every tick, in order, with the camera's true pose and whether the pad lies open.
+  void OnTruth(const sim::TrueState& truth, const Eigen::Isometry3d& X_WC, bool pad_is_covered,
+               controller::Phase phase);
+  /// What the estimator made of a frame that is delivered now. Returns the frame's record.
+  const FrameRecord& OnFrame(const estimator::FrameEstimate& estimate, double render_ms, const VisionTime& vision);
+  void OnTracking(const models::TrackedPose& tracked);
+  void OnControl(const models::VehicleEstimate& estimate, const controller::ControlOutput& control);
+
+  /// Closes the log.
+  FlightLog Finish(Outcome outcome, std::string reason);
+
+ private:
+  /// What a frame's truth needs, for the frames that are still on their way.
+  struct Instant {
+    sim::TrueState truth;
+    Eigen::Isometry3d X_WC;
+    bool pad_is_covered;
+  };
+
+  void WatchContact(const sim::TrueState& truth, controller::Phase phase);
+  const Instant& At(models::Tick tick) const;
+
+  models::CameraModel camera_;
+  models::LandingPad pad_;
+  bool has_pad_;
+  models::Tick history_ticks_;
+  std::deque<Instant> history_;  ///< One for each tick, the newest last.
+  controller::Phase phase_ = controller::Phase::kStandby;
+  bool is_clear_of_ground_ = false;
+  FlightLog log_;
+};
+
+}  // namespace touchdown::runner

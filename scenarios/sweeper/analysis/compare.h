@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenarios/sweeper/analysis/rows_csv.h"
+#include "scenarios/util/statistics.h"
+
+namespace touchdown::sweeper {
+
+/// The results of a sweep, from its folder or from a CSV file that `touchdown sweep --csv` wrote. Throws InputError
+/// when it is neither, or cannot be read.
+StoredResults LoadResults(const std::string& source);
+
+/// The results of one variant, as if they were a sweep without variants, to be held against another's. Throws
+/// InputError when there are none.
+StoredResults OfVariant(const StoredResults& stored, const std::string& variant);
+
+/// How a quantity differs between two sweeps, over the flights that both flew: B less A.
+struct PairedDifference {
+  std::string name = {};  ///< "pass_rate", or a metric's.
+  std::string unit = {};
+  int pairs = 0;
+  int seeds = 0;   ///< Of these pairs.
+  double a = 0.0;  ///< Its mean.
+  double b = 0.0;
+  util::Interval difference = {};  ///< With 95 % confidence.
+  double resolvable = 0.0;         ///< The smallest change that so many seeds show with 80 % chance.
+  double margin = 0.0;             ///< How much worse it may be.
+  bool larger_is_better = false;
+  bool is_worse = false;  ///< Surely worse, and by more than the margin.
+};
+
+/// What may be worse by how much.
+struct Margin {
+  std::string name = {};
+  double margin = 0.0;
+};
+
+struct Comparison {
+  int only_a = 0;  ///< Flights of A that B does not have.
+  int only_b = 0;
+  std::vector<PairedDifference> differences = {};  ///< The pass rate first.
+
+  bool is_worse() const;
+};
+
+/// Pairs the flights of the same seed, variant and parameters. The pass rates are compared by Bonett and Price's
+/// interval for paired shares (2012), metrics by Student's t on the differences, over the pairs that both have. All
+/// pairs of a seed, which share its floor, light and gusts, count as one, by their mean. A quantity counts as worse
+/// when its interval lies wholly on the worse side of zero and its difference beyond the margin, 0 for those that have
+/// none. Throws InputError when they have no flight in common, or for a margin of an unknown metric, or of one that
+/// fewer than two seeds have.
+Comparison Compare(const StoredResults& a, const StoredResults& b, const std::vector<Margin>& margins);
+
+}  // namespace touchdown::sweeper

@@ -1,0 +1,65 @@
+#include "scenarios/sweeper/analysis/pass_edge.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace touchdown::sweeper {
+namespace {
+
+constexpr int kPlaces = 121, kWidths = 17;
+// Of the range: from a step between neighbouring places to a slope over all of it.
+constexpr double kNarrowest = 0.005, kWidest = 0.5;
+constexpr std::array<double, 3> kLapses = {0.002, 0.02, 0.06};
+
+/// Of the logistic 1 / (1 + exp(x)), so that it falls from 1 to 0.
+double Falling(double x) { return 1.0 / (1.0 + std::exp(x)); }
+
+}  // namespace
+
+PassEdge::PassEdge(double min, double max, double level) : min_(min), max_(max) {
+  const double range = max - min;
+  for (int place = 0; place < kPlaces; ++place) {
+    for (int i = 0; i < kWidths; ++i) {
+      for (const double lapse : kLapses) {
+        if (level >= 1.0 - lapse) continue;  // This curve never reaches the level.
+        const double x_at_level = std::log((1.0 - lapse) / level - 1.0);
+        for (const double sign : {1.0, -1.0}) {
+          const double edge = min + range * place / (kPlaces - 1);
+          const double width = sign * range * kNarrowest * std::pow(kWidest / kNarrowest, i / (kWidths - 1.0));
+          curves_.push_back({edge, edge - x_at_level * width, width, lapse, 0.0});
+        }
+      }
+    }
+  }
+}
+
+void PassEdge::Take(double value, int passed, int failed) {
+  constexpr double kLeastChance = 1e-12;
+  for (Curve& curve : curves_) {
+    const double pass_rate = (1.0 - curve.lapse) * Falling((value - curve.middle) / curve.width);
+    if (passed > 0) curve.log_posterior += passed * std::log(std::max(kLeastChance, pass_rate));
+    if (failed > 0) curve.log_posterior += failed * std::log(std::max(kLeastChance, 1.0 - pass_rate));
+  }
+}
+
+double PassEdge::Quantile(double share) const {
+  const double most = std::max_element(curves_.begin(), curves_.end(), [](const Curve& a, const Curve& b) {
+                        return a.log_posterior < b.log_posterior;
+                      })->log_posterior;
+  std::array<double, kPlaces> weights{};
+  for (const Curve& curve : curves_) {
+    const double place = (curve.edge - min_) / (max_ - min_) * (kPlaces - 1);
+    weights[static_cast<std::size_t>(std::lround(place))] += std::exp(curve.log_posterior - most);
+  }
+  const double wanted = share * std::accumulate(weights.begin(), weights.end(), 0.0);
+  double sum = 0.0;
+  for (int place = 0; place < kPlaces; ++place) {
+    sum += weights[static_cast<std::size_t>(place)];
+    if (sum >= wanted && place < kPlaces - 1) return min_ + (max_ - min_) * place / (kPlaces - 1);
+  }
+  return max_;
+}
+
+}  // namespace touchdown::sweeper

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scenarios/sweeper/plan/sweep_store.h"
+
+namespace touchdown::sweeper {
+
+/// What tells a file of rows from any other: see WriteOutputFile.
+inline constexpr const char* kRowsCsvMark = "id,variant,";
+
+/// The results of a sweep, wherever they were kept.
+struct StoredResults {
+  std::string source = {};  ///< The sweep's folder or the CSV file.
+  std::vector<std::string> keys = {};
+  std::vector<SweepResult> results = {};
+};
+
+/// The results as CSV, sorted by id: id, variant, the parameters `keys`, seed, verdict, outcome (or how the process
+/// of a flight without one ended), every metric (empty where a flight does not have it), log hash. It holds nothing
+/// that depends on when, where or in which order they were flown.
+std::string RowsCsv(const std::vector<std::string>& keys, std::vector<SweepResult> results);
+
+/// What RowsCsv wrote. Metrics that this program does not know are left out. Throws InputError, naming file and line,
+/// for what is no such file.
+StoredResults ReadRowsCsv(const std::filesystem::path& file);
+
+}  // namespace touchdown::sweeper

@@ -1,0 +1,216 @@
+#include "scenarios/sweeper/analysis/sweep_summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "scenarios/sweeper/analysis/sprt.h"
+#include "scenarios/util/text.h"
+
+namespace touchdown::sweeper {
+namespace {
+
+constexpr double kGridEdgePassRate = 0.5;
+
+std::vector<PassCountOf> CountsByValue(const SweepTerms& terms, const std::vector<SweepResult>& results) {
+  std::vector<PassCountOf> counts;
+  const auto add = [&](const std::string& key, const std::string& value, const auto& belongs) {
+    const PassCount count = CountWhere(results, belongs);
+    if (count.flown > 0) counts.push_back({key, value, count});
+  };
+  for (const std::string& variant : terms.variants) {
+    add("variant", variant, [&](const SweepResult& result) { return result.variant == variant; });
+  }
+  for (std::size_t i = 0; i < terms.axes.size(); ++i) {
+    for (const std::string& value : terms.axes[i].listed) {
+      add(terms.axes[i].key, value, [&](const SweepResult& result) { return result.values[i] == value; });
+    }
+  }
+  return counts;
+}
+
+/// nullopt when no flight has it.
+std::optional<util::Interval> FigureOf(const SweepCriterion& criterion, const std::vector<SweepResult>& results,
+                                       const PassCount& all) {
+  if (!criterion.quantile) return all.flown > 0 ? std::optional(all.rate()) : std::nullopt;
+  std::vector<SweepResult> with_metric;
+  std::copy_if(results.begin(), results.end(), std::back_inserter(with_metric),
+               [&](const SweepResult& result) { return result.row.metrics.contains(criterion.metric); });
+  if (with_metric.empty()) return std::nullopt;
+  const PassCount count = CountWhere(with_metric, [](const SweepResult&) { return true; });
+  return util::QuantileInterval(MetricValues(with_metric, criterion.metric), *criterion.quantile,
+                                static_cast<int>(count.seeds.size()));
+}
+
+SweepCheck Judged(const SweepCriterion& criterion, const std::vector<SweepResult>& results, const PassCount& all) {
+  runner::Check check{.name = criterion.metric,
+                      .limit = runner::LimitText({criterion.metric, criterion.min, criterion.max})};
+  if (criterion.quantile) {
+    check.name += fmt::format(" at {:g}", *criterion.quantile);
+    if (const runner::MetricInfo* const info = runner::FindMetric(criterion.metric)) check.unit = info->unit;
+  }
+  const bool by_interval = criterion.by == JudgedBy::kInterval;
+  if (by_interval) check.limit += ", by its interval";
+  const std::optional<util::Interval> figure = FigureOf(criterion, results, all);
+  if (figure) {
+    const bool is_open = (criterion.min && std::isinf(figure->low)) || (criterion.max && std::isinf(figure->high));
+    if (by_interval && is_open)
+      check.limit += fmt::format(", which takes {} seeds", util::FewestForQuantile(*criterion.quantile));
+    check.value = figure->value;
+    check.pass = (!criterion.min || (by_interval ? figure->low : figure->value) >= *criterion.min) &&
+                 (!criterion.max || (by_interval ? figure->high : figure->value) <= *criterion.max);
+  }
+  return {check, figure};
+}
+
+/// What the sequential test says: nothing while flights are missing between others.
+SweepCheck Decided(const StopWhen& stop, const SweepOutcome& sweep) {
+  SequentialTest test(stop);
+  if (sweep.results.size() == sweep.planned) {
+    for (const SweepResult& result : sweep.results) test.Take(result.row.passed());
+  }
+  constexpr std::array<const char*, 3> kWords = {"undecided", "good", "bad"};
+  return {{.name = "stop_when",
+           .text = kWords[static_cast<std::size_t>(test.decision())],
+           .limit = fmt::format("a pass rate of {:g} rather than {:g}", stop.good_pass_rate, stop.bad_pass_rate),
+           .pass = test.decision() == SequentialTest::Decision::kGood},
+          {}};
+}
+
+std::vector<PassTrial> TrialsOver(std::size_t axis, const std::vector<SweepResult>& results,
+                                  const std::string& variant) {
+  std::vector<PassTrial> trials;
+  for (const SweepResult& result : results) {
+    if (result.variant != variant) continue;
+    trials.push_back({*AsNumber(result.values[axis]), result.seed, result.row.passed()});
+  }
+  return trials;
+}
+
+std::map<double, PassCount> CountsOf(const std::vector<PassTrial>& trials) {
+  std::map<double, PassCount> counts;
+  for (const PassTrial& trial : trials) counts[trial.value].Take(trial.seed, trial.passed);
+  return counts;
+}
+
+util::Interval PosteriorEdge(PassEdge posterior, const std::map<double, PassCount>& counts) {
+  for (const auto& [value, count] : counts) posterior.Take(value, count.passed, count.flown - count.passed);
+  return posterior.edge();
+}
+
+PassEdgeOf EdgeOfSought(const SoughtEdge& sought, std::size_t axis, const std::vector<SweepResult>& results) {
+  PassEdgeOf found{.key = sought.key, .pass_rate = sought.pass_rate};
+  const PassCount all = CountWhere(results, [](const SweepResult&) { return true; });
+  if (all.passed == 0 || all.passed == all.flown) return found;
+  found.edge = PosteriorEdge({sought.min, sought.max, sought.pass_rate}, CountsOf(TrialsOver(axis, results, "")));
+  found.may_lie_beyond = found.edge->low == sought.min || found.edge->high == sought.max;
+  return found;
+}
+
+std::vector<PassEdgeOf> EdgesOf(const SweepTerms& terms, const std::vector<SweepResult>& results) {
+  std::vector<PassEdgeOf> edges;
+  for (std::size_t axis = 0; axis < terms.axes.size(); ++axis) {
+    const std::string& key = terms.axes[axis].key;
+    if (terms.sought && terms.sought->key == key) edges.push_back(EdgeOfSought(*terms.sought, axis, results));
+    if (terms.sought || !IsNumeric(terms.axes[axis])) continue;
+    for (const std::string& variant : terms.flown_variants()) {
+      const auto edge = EdgeOver(TrialsOver(axis, results, variant));
+      if (edge) edges.push_back({.variant = variant, .key = key, .pass_rate = kGridEdgePassRate, .edge = *edge});
+    }
+  }
+  return edges;
+}
+
+/// The least and the largest of some values.
+struct ValueRange {
+  double least = std::numeric_limits<double>::infinity();
+  double largest = -std::numeric_limits<double>::infinity();
+
+  void Take(double value) {
+    least = std::min(least, value);
+    largest = std::max(largest, value);
+  }
+};
+
+}  // namespace
+
+std::string ValueText(const runner::Check& check) {
+  if (!check.text.empty()) return check.text;
+  return check.value ? fmt::format("{:.4g}", *check.value) : "none";
+}
+
+bool SweepSummary::keeps_criteria() const {
+  return std::all_of(criteria.begin(), criteria.end(), [](const SweepCheck& each) { return each.check.pass; });
+}
+
+bool SweepSummary::finds_edge() const {
+  return std::any_of(edges.begin(), edges.end(), [](const PassEdgeOf& each) { return each.edge.has_value(); });
+}
+
+std::optional<util::Interval> EdgeOver(const std::vector<PassTrial>& trials) {
+  const std::map<double, PassCount> counts = CountsOf(trials);
+  ValueRange passing, failing;
+  for (const auto& [value, count] : counts) {
+    if (count.rate().low > kGridEdgePassRate) passing.Take(value);
+    if (count.rate().high < kGridEdgePassRate) failing.Take(value);
+  }
+  const bool are_both = passing.least <= passing.largest && failing.least <= failing.largest;
+  if (!are_both || (passing.largest > failing.least && failing.largest > passing.least)) return std::nullopt;
+  return PosteriorEdge({counts.begin()->first, counts.rbegin()->first, kGridEdgePassRate}, counts);
+}
+
+bool IsNumeric(const SweepAxis& axis) {
+  return axis.listed.size() >= 2 &&
+         std::all_of(axis.listed.begin(), axis.listed.end(), [](const std::string& v) { return AsNumber(v); });
+}
+
+int CountEnds(const std::vector<SweepResult>& results, RowEnd end) {
+  return static_cast<int>(std::count_if(results.begin(), results.end(),
+                                        [end](const SweepResult& result) { return result.row.end == end; }));
+}
+
+std::string LostProcesses(const std::vector<SweepResult>& results) {
+  std::vector<std::string> words;
+  for (const RowEnd end : {RowEnd::kCrashed, RowEnd::kHung, RowEnd::kOutOfMemory}) {
+    const int count = CountEnds(results, end);
+    if (count > 0) words.push_back(fmt::format("{} {}", count, util::Words(std::string(Name(end)))));
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::vector<double> MetricValues(const std::vector<SweepResult>& results, const std::string& metric) {
+  std::vector<double> values;
+  for (const SweepResult& result : results) {
+    const auto found = result.row.metrics.find(metric);
+    if (found != result.row.metrics.end()) values.push_back(found->second);
+  }
+  return values;
+}
+
+SweepOutcome ReadOutcome(const SweepStore& store) {
+  return {.terms = store.terms(),
+          .results = store.Results(),
+          .planned = store.planned(),
+          .whole = store.whole(),
+          .stale = store.stale(),
+          .unplanned = store.unplanned()};
+}
+
+SweepSummary Summarize(const SweepOutcome& sweep) {
+  SweepSummary summary{.all = CountWhere(sweep.results, [](const SweepResult&) { return true; }),
+                       .by_value = CountsByValue(sweep.terms, sweep.results),
+                       .edges = EdgesOf(sweep.terms, sweep.results),
+                       .criteria = {},
+                       .is_whole = sweep.results.size() == sweep.whole};
+  if (sweep.terms.stop_when) summary.criteria.push_back(Decided(*sweep.terms.stop_when, sweep));
+  for (const SweepCriterion& criterion : sweep.terms.criteria) {
+    summary.criteria.push_back(Judged(criterion, sweep.results, summary.all));
+  }
+  return summary;
+}
+
+}  // namespace touchdown::sweeper

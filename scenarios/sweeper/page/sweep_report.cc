@@ -1,0 +1,159 @@
+#include "scenarios/sweeper/page/sweep_report.h"
+
+#include <kainjow/mustache.hpp>
+#include <stdexcept>
+
+#include "scenarios/report/page_assets.h"
+#include "scenarios/report/section_page.h"
+#include "scenarios/sweeper/page/pass_rate_figures.h"
+#include "scenarios/sweeper/page/sweep_sections.h"
+#include "scenarios/util/shell_word.h"
+#include "scenarios/util/text.h"
+
+namespace touchdown::sweeper {
+namespace {
+
+namespace fs = std::filesystem;
+using kainjow::mustache::data;
+
+constexpr int kMostPictures = 50;
+
+data Flag(bool on) { return on ? data::type::bool_true : data::type::bool_false; }
+
+/// The boundary that was sought: of flights that gather around it the share that passed says nothing.
+template <typename Put>
+void PutEdge(const PassEdgeOf& each, const Put& put) {
+  if (!each.edge) {
+    put("No boundary found", "all alike", "");
+    return;
+  }
+  put("Boundary", fmt::format("{:.4g}", each.edge->value), "");
+  put("95 % interval", fmt::format("{:.4g}–{:.4g}", each.edge->low, each.edge->high), "");
+}
+
+data Glance(const SweepOutcome& sweep, const SweepSummary& summary) {
+  data items{data::type::list};
+  const auto put = [&items](const char* label, const std::string& value, const char* unit) {
+    data item;
+    item.set("label", label);
+    item.set("value", value);
+    item.set("unit", unit);
+    items << item;
+  };
+  if (sweep.terms.sought) {
+    for (const PassEdgeOf& each : summary.edges) PutEdge(each, put);
+  } else if (summary.all.flown > 0) {
+    put("Passed", RateText(summary.all), "%");
+    put(sweep.terms.stop_when ? "95 % interval (Wilson), not corrected for the early stop" : "95 % interval (Wilson)",
+        RateInterval(summary.all), "%");
+  }
+  put("Flights that passed", std::to_string(summary.all.passed), "");
+  put("Flights that did not", std::to_string(summary.all.flown - summary.all.passed), "");
+  put("Flown", std::to_string(summary.all.flown), "");
+  put("Planned", std::to_string(sweep.planned), "");
+  if (sweep.whole > sweep.planned) put("In the whole sweep, of which this is a part", std::to_string(sweep.whole), "");
+  if (sweep.unplanned > 0)
+    put("Flown before the sweep's file changed, not counted", std::to_string(sweep.unplanned), "");
+  if (sweep.stale > 0) put("Flown by another build, not counted", std::to_string(sweep.stale), "");
+  return items;
+}
+
+data Texts(const std::vector<std::string>& texts) {
+  data items{data::type::list};
+  for (const std::string& text : texts) items << data{"text", text};
+  return items;
+}
+
+/// Seed, variant and parameters: those columns that the sweep has.
+std::vector<std::string> FailureHead(const SweepTerms& terms) {
+  std::vector<std::string> head{"Seed"};
+  if (!terms.variants.empty()) head.push_back("Variant");
+  for (const SweepAxis& axis : terms.axes) head.push_back(axis.key);
+  return head;
+}
+
+std::vector<std::string> FailureCells(const SweepTerms& terms, const SweepResult& result) {
+  std::vector<std::string> cells{std::to_string(result.seed)};
+  if (!terms.variants.empty()) cells.push_back(result.variant);
+  for (std::size_t i = 0; i < terms.axes.size(); ++i) {
+    const auto drawn = terms.axes[i].listed.empty() ? AsNumber(result.values[i]) : std::nullopt;
+    cells.push_back(drawn ? fmt::format("{:.4g}", *drawn) : result.values[i]);
+  }
+  return cells;
+}
+
+data FailureData(const SweepTerms& terms, const SweepResult& result, const fs::path& folder) {
+  const FlightRow& row = result.row;
+  data failure;
+  failure.set("id", row.id);
+  failure.set("command", fmt::format("touchdown fly --from {} {}", util::ShellWord(folder.string()), row.id));
+  failure.set("cause", CauseOf(row));
+  failure.set("reason", row.reason);
+  failure.set("complaint", row.complaint);
+  failure.set("has_complaint", Flag(!row.complaint.empty()));
+  failure.set("cells", Texts(FailureCells(terms, result)));
+  const std::string picture = "pictures/" + row.id + ".png";
+  std::error_code error;
+  failure.set("picture", picture);
+  failure.set("has_picture", Flag(fs::exists(folder / picture, error)));
+  return failure;
+}
+
+void PutFailures(const SweepOutcome& sweep, const fs::path& folder, data& page) {
+  data failures{data::type::list};
+  int count = 0;
+  for (const SweepResult& result : sweep.results) {
+    if (result.row.passed()) continue;
+    data failure = FailureData(sweep.terms, result, folder);
+    failure.set("shown", Flag(count < kMostPictures));
+    failures << failure;
+    ++count;
+  }
+  page.set("head", Texts(FailureHead(sweep.terms)));
+  page.set("failures", failures);
+  page.set("has_failures", Flag(count > 0));
+  page.set("cut", Flag(count > kMostPictures));
+  page.set("most_pictures", std::to_string(kMostPictures));
+}
+
+void PutSections(const std::vector<report::ReportSection>& sections, data& page) {
+  data contents{data::type::list};
+  std::string html;
+  const auto enter = [&contents](const std::string& id, const std::string& title) {
+    data entry;
+    entry.set("id", id);
+    entry.set("title", title);
+    contents << entry;
+  };
+  for (const report::ReportSection& section : sections) {
+    enter(section.id, section.title);
+    html += report::SectionHtml(section);
+  }
+  enter("failures", "Failures");
+  page.set("contents", contents);
+  page.set("sections", html);
+}
+
+}  // namespace
+
+std::string SweepPage(const SweepOutcome& sweep, const SweepSummary& summary, const fs::path& folder) {
+  data page;
+  page.set("mark", kSweepPageMark);
+  page.set("style", std::string(report::PageStyle()));
+  page.set("name", sweep.terms.name);
+  page.set("description", sweep.terms.description);
+  page.set("has_criteria", Flag(!summary.criteria.empty() && summary.is_whole));
+  page.set("kept", Flag(summary.keeps_criteria()));
+  const std::size_t left = sweep.whole - std::min(sweep.whole, sweep.results.size());
+  page.set("left", std::to_string(left));
+  page.set("is_partial", Flag(left > 0));
+  page.set("whole", std::to_string(sweep.whole));
+  page.set("glance", Glance(sweep, summary));
+  PutSections(SweepSections(sweep, summary), page);
+  PutFailures(sweep, folder, page);
+  kainjow::mustache::mustache page_template{std::string(report::SweepPageTemplate())};
+  if (!page_template.is_valid()) throw std::logic_error("the sweep page's template: " + page_template.error_message());
+  return page_template.render(page);
+}
+
+}  // namespace touchdown::sweeper

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "scenarios/sweeper/analysis/sweep_summary.h"
+
+namespace touchdown::sweeper {
+
+/// What a sweep's page is known again by.
+inline constexpr const char* kSweepPageMark = "<!-- touchdown.sweep -->";
+
+/// The page of a sweep and its summary, which lies in its folder as report.html and shows the pictures beside it.
+/// `folder` is told in the commands that fly a flight again, as it is. Throws as Draw does.
+std::string SweepPage(const SweepOutcome& sweep, const SweepSummary& summary, const std::filesystem::path& folder);
+
+}  // namespace touchdown::sweeper

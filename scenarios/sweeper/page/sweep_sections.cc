@@ -1,0 +1,238 @@
+#include "scenarios/sweeper/page/sweep_sections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "models/error.h"
+#include "scenarios/sweeper/analysis/compare.h"
+#include "scenarios/sweeper/page/metric_figures.h"
+#include "scenarios/sweeper/page/pass_rate_figures.h"
+#include "scenarios/util/text.h"
+
+namespace touchdown::sweeper {
+namespace {
+
+constexpr double kPercent = 100.0;
+constexpr const char* kTouchdownError = "flight.touchdown_xy_error_m";
+
+std::string Short(double value) { return fmt::format("{:.4g}", value); }
+
+bool HasMetric(const SweepOutcome& sweep, const std::string& metric) {
+  return std::any_of(sweep.results.begin(), sweep.results.end(),
+                     [&](const SweepResult& result) { return result.row.metrics.contains(metric); });
+}
+
+/// An end that is not known is a question mark.
+std::string IntervalText(const util::Interval& interval) {
+  const auto end = [](double value) { return std::isfinite(value) ? Short(value) : std::string("?"); };
+  return fmt::format("{}–{}", end(interval.low), end(interval.high));
+}
+
+report::ReportSection CriteriaSection(const SweepSummary& summary) {
+  report::ReportTable table{.name = "criteria",
+                            .caption = "What the sweep as a whole was asked for.",
+                            .head = {"Criterion", "Value", "95 % interval", "Unit", "Limit", "Kept"}};
+  for (const auto& [check, interval] : summary.criteria) {
+    table.rows.push_back({check.name, ValueText(check), interval ? IntervalText(*interval) : "", check.unit,
+                          util::WithSigns(check.limit),
+                          !summary.is_whole ? "not yet judged"
+                          : check.pass      ? "✓ yes"
+                                            : "✗ no"});
+  }
+  report::ReportSection section{.id = "criteria", .title = "Criteria"};
+  section.tables.push_back(std::move(table));
+  return section;
+}
+
+report::ReportTable PassRateTable(const SweepSummary& summary) {
+  report::ReportTable table{
+      .name = "pass_rates",
+      .caption =
+          "Of the flights that share a value. Intervals hold the true rate with 95 % confidence; all "
+          "flights of a seed count as one for them.",
+      .head = {"Parameter", "Value", "Passed, %", "Interval, %", "Passed", "Flown", "Seeds"}};
+  const auto add = [&table](const std::string& key, const std::string& value, const PassCount& count) {
+    table.rows.push_back({key, value, RateText(count), RateInterval(count), std::to_string(count.passed),
+                          std::to_string(count.flown), std::to_string(count.seeds.size())});
+  };
+  add("all", "", summary.all);
+  for (const PassCountOf& each : summary.by_value) add(each.key, each.value, each.count);
+  return table;
+}
+
+std::vector<PassEdgeOf> EdgesOver(std::size_t axis, const SweepOutcome& sweep, const SweepSummary& summary) {
+  std::vector<PassEdgeOf> edges;
+  std::copy_if(summary.edges.begin(), summary.edges.end(), std::back_inserter(edges),
+               [&](const PassEdgeOf& edge) { return edge.key == sweep.terms.axes[axis].key; });
+  return edges;
+}
+
+report::ReportTable EdgesTable(const SweepSummary& summary) {
+  report::ReportTable table{.name = "edges",
+                            .caption =
+                                "Where the pass rate goes through a level: median and 95 % of the posterior over a "
+                                "logistic curve.",
+                            .head = {"Parameter", "Variant", "Pass rate, %", "Edge", "Interval"}};
+  for (const PassEdgeOf& each : summary.edges) {
+    table.rows.push_back({each.key, each.variant, Short(kPercent * each.pass_rate),
+                          each.edge ? Short(each.edge->value) : "none found",
+                          each.edge ? IntervalText(*each.edge) + (each.may_lie_beyond ? ", or beyond" : "") : ""});
+  }
+  return table;
+}
+
+void AddFigureOver(std::size_t axis, const SweepOutcome& sweep, const SweepSummary& summary,
+                   report::ReportSection& section) {
+  const SweepAxis& over = sweep.terms.axes[axis];
+  const std::vector<PassEdgeOf> edges = EdgesOver(axis, sweep, summary);
+  if (over.listed.empty()) {
+    section.figures.push_back(DrawnValuesFigure(sweep, axis, edges));
+  } else if (IsNumeric(over)) {
+    section.figures.push_back(PassRateFigure(sweep, axis, edges));
+  }
+}
+
+/// Over each parameter, and over each two of the first few.
+void AddPassRateFigures(const SweepOutcome& sweep, const SweepSummary& summary, report::ReportSection& section) {
+  constexpr std::size_t kMostOne = 8, kMostInPairs = 4;
+  const std::size_t axes = sweep.terms.axes.size();
+  for (std::size_t axis = 0; axis < std::min(axes, kMostOne); ++axis) AddFigureOver(axis, sweep, summary, section);
+  for (std::size_t x = 0; x < std::min(axes, kMostInPairs); ++x) {
+    for (std::size_t y = x + 1; y < std::min(axes, kMostInPairs); ++y) {
+      for (const std::string& variant : sweep.terms.flown_variants()) {
+        section.figures.push_back(HeatMapFigure(sweep, x, y, variant));
+      }
+    }
+  }
+}
+
+report::ReportSection PassRateSection(const SweepOutcome& sweep, const SweepSummary& summary) {
+  report::ReportSection section{.id = "pass-rate", .title = "Pass rate"};
+  AddPassRateFigures(sweep, summary, section);
+  if (!summary.edges.empty()) section.tables.push_back(EdgesTable(summary));
+  section.tables.push_back(PassRateTable(summary));
+  return section;
+}
+
+/// Of the first flight's scenario; nullopt for one that this program does not read.
+std::optional<double> PadRadius_m(const SweepOutcome& sweep) {
+  try {
+    return runner::ParseScenario(sweep.results.front().row.scenario_yaml, "scenario", {}).pad.outer_radius_m;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+report::ReportTable MetricsTable(const SweepOutcome& sweep) {
+  report::ReportTable table{.name = "metrics",
+                            .caption = "Quantiles over the flights that have the metric.",
+                            .head = {"Metric", "Unit", "Flights", "5 %", "25 %", "Median", "75 %", "95 %"}};
+  for (const runner::MetricInfo& metric : runner::AllMetrics()) {
+    const std::vector<double> values = MetricValues(sweep.results, std::string(metric.name));
+    if (values.empty()) continue;
+    std::vector<std::string> row{std::string(metric.name), std::string(metric.unit), std::to_string(values.size())};
+    for (const double q : {0.05, 0.25, 0.5, 0.75, 0.95}) row.push_back(Short(util::Quantile(values, q)));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+/// Of the metrics that the criteria name, and the one that a landing is first judged by.
+report::ReportSection MetricsSection(const SweepOutcome& sweep) {
+  report::ReportSection section{.id = "metrics", .title = "Metrics"};
+  std::vector<std::string> shown{kTouchdownError};
+  for (const SweepCriterion& criterion : sweep.terms.criteria) {
+    if (std::find(shown.begin(), shown.end(), criterion.metric) == shown.end()) shown.push_back(criterion.metric);
+  }
+  for (const std::string& metric : shown) {
+    if (HasMetric(sweep, metric)) section.figures.push_back(HistogramFigure(sweep, metric));
+  }
+  section.tables.push_back(MetricsTable(sweep));
+  return section;
+}
+
+report::ReportTable VariantTable(const StoredResults& stored, const std::string& a, const std::string& b) {
+  report::ReportTable table{
+      .name = "variants",
+      .caption =
+          "The second variant less the first, over the flights that share seed and values, with "
+          "95 % intervals, for which all pairs of a seed count as one; last the smallest change that so "
+          "many seeds show with 80 % chance.",
+      .head = {"Metric", "Unit", "Pairs", "Seeds", a, b, "Difference", "Interval", "Resolvable"}};
+  for (const PairedDifference& each : Compare(OfVariant(stored, a), OfVariant(stored, b), {}).differences) {
+    table.rows.push_back({each.name, each.unit, std::to_string(each.pairs), std::to_string(each.seeds), Short(each.a),
+                          Short(each.b), fmt::format("{:+.4g}", each.difference.value),
+                          fmt::format("{:+.4g} … {:+.4g}", each.difference.low, each.difference.high),
+                          Short(each.resolvable)});
+  }
+  return table;
+}
+
+/// The first variant against each other one.
+report::ReportSection VariantsSection(const SweepOutcome& sweep) {
+  report::ReportSection section{.id = "variants", .title = "Variants"};
+  const StoredResults stored{.source = sweep.terms.name, .keys = sweep.terms.keys(), .results = sweep.results};
+  for (std::size_t i = 1; i < sweep.terms.variants.size(); ++i) {
+    try {
+      section.tables.push_back(VariantTable(stored, sweep.terms.variants.front(), sweep.terms.variants[i]));
+    } catch (const InputError&) {
+      continue;  // No pair is flown yet.
+    }
+  }
+  return section;
+}
+
+report::ReportSection CausesSection(const SweepOutcome& sweep) {
+  std::map<std::string, int> counts;
+  for (const SweepResult& result : sweep.results) {
+    if (!result.row.passed()) ++counts[CauseOf(result.row)];
+  }
+  std::vector<std::pair<std::string, int>> sorted(counts.begin(), counts.end());
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  report::ReportTable table{
+      .name = "causes",
+      .caption = "The first criterion that a flight did not keep, and the phase in which it was lost.",
+      .head = {"Cause", "Flights", "Of all, %"}};
+  for (const auto& [cause, count] : sorted) {
+    const double share = kPercent * count / static_cast<double>(sweep.results.size());
+    table.rows.push_back({cause, std::to_string(count), util::Fixed(share, 1)});
+  }
+  report::ReportSection section{.id = "causes", .title = "Causes of failure"};
+  section.tables.push_back(std::move(table));
+  return section;
+}
+
+}  // namespace
+
+std::string CauseOf(const FlightRow& row) {
+  if (row.end != RowEnd::kFlown) return util::Words(std::string(Name(row.end)));
+  if (row.failed_check.empty()) return row.verdict;
+  const std::string what = row.failed_check == "outcome" ? util::Words(row.outcome) : row.failed_check;
+  return row.failed_phase.empty() ? what : fmt::format("{} in {}", what, util::Words(row.failed_phase));
+}
+
+std::string RateText(const PassCount& count) { return util::Fixed(kPercent * count.rate().value, 1); }
+
+std::string RateInterval(const PassCount& count) {
+  const util::Interval rate = count.rate();
+  return fmt::format("{}–{}", util::Fixed(kPercent * rate.low, 1), util::Fixed(kPercent * rate.high, 1));
+}
+
+std::vector<report::ReportSection> SweepSections(const SweepOutcome& sweep, const SweepSummary& summary) {
+  std::vector<report::ReportSection> sections;
+  if (!summary.criteria.empty()) sections.push_back(CriteriaSection(summary));
+  if (sweep.results.empty()) return sections;
+  sections.push_back(PassRateSection(sweep, summary));
+  if (HasMetric(sweep, "flight.touchdown_x_m")) {
+    if (const auto radius = PadRadius_m(sweep)) {
+      sections.push_back({.id = "touchdown", .title = "Touchdown", .figures = {TouchdownFigure(sweep, *radius)}});
+    }
+  }
+  sections.push_back(MetricsSection(sweep));
+  if (sweep.terms.variants.size() > 1) sections.push_back(VariantsSection(sweep));
+  if (summary.all.passed < summary.all.flown) sections.push_back(CausesSection(sweep));
+  return sections;
+}
+
+}  // namespace touchdown::sweeper

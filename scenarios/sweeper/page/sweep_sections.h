@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "scenarios/report/section.h"
+#include "scenarios/sweeper/analysis/sweep_summary.h"
+
+namespace touchdown::sweeper {
+
+/// What a sweep's page tells, but for its head and its single failures: those sections that have something to tell.
+std::vector<report::ReportSection> SweepSections(const SweepOutcome& sweep, const SweepSummary& summary);
+
+/// Why a flight did not pass, in a few words: what became of its process, or how it ended, or
+/// the criterion, and the phase.
+std::string CauseOf(const FlightRow& row);
+
+/// A pass rate and its interval in percent: "75.0" and "30.1–95.4".
+std::string RateText(const PassCount& count);
+std::string RateInterval(const PassCount& count);
+
+}  // namespace touchdown::sweeper

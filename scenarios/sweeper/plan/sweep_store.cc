@@ -1,0 +1,310 @@
+#include "scenarios/sweeper/plan/sweep_store.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <cstdlib>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "models/error.h"
+#include "scenarios/sweeper/plan/parameter_json.h"
+
+namespace touchdown::sweeper {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int kApplicationId =
+    0x7464776e;  // "tdwn": what tells a sweep's database from any other (PRAGMA application_id).
+constexpr int kVersion = 1;
+
+constexpr const char* kSchema = R"(
+CREATE TABLE sweep (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
+CREATE TABLE plan (
+  position INTEGER PRIMARY KEY, id TEXT NOT NULL, seed INTEGER NOT NULL, variant TEXT NOT NULL, parameters TEXT NOT NULL);
+CREATE TABLE flights (
+  id TEXT PRIMARY KEY, program TEXT NOT NULL, version TEXT NOT NULL, host TEXT NOT NULL, process TEXT NOT NULL,
+  verdict TEXT NOT NULL, outcome TEXT NOT NULL, reason TEXT NOT NULL, failed_check TEXT NOT NULL,
+  failed_phase TEXT NOT NULL, log_sha256 TEXT NOT NULL, wall_s REAL NOT NULL, complaint TEXT NOT NULL,
+  scenario TEXT NOT NULL) WITHOUT ROWID;
+CREATE TABLE metrics (
+  id TEXT NOT NULL REFERENCES flights ON DELETE CASCADE, name TEXT NOT NULL, value REAL NOT NULL,
+  PRIMARY KEY (id, name)) WITHOUT ROWID;
+CREATE VIEW results AS
+  SELECT plan.*, process, verdict, outcome, reason, failed_check, failed_phase, log_sha256, wall_s, version, host
+  FROM plan JOIN flights USING (id);
+CREATE VIEW stale AS
+  SELECT * FROM flights WHERE program <> (SELECT value FROM sweep WHERE key = 'program');
+)";
+
+FlightRow RowFrom(const SQLite::Statement& query, const fs::path& file) {
+  FlightRow row;
+  const auto text = [&query](const char* column) { return query.getColumn(column).getString(); };
+  row.id = text("id");
+  row.program = text("program");
+  row.version = text("version");
+  row.host = text("host");
+  const std::optional<RowEnd> end = RowEndFrom(text("process"));
+  if (!end) {
+    throw InputError(fmt::format("{}: is damaged: flight {} ended as {}", file.string(), row.id, text("process")));
+  }
+  row.end = *end;
+  row.verdict = text("verdict");
+  row.outcome = text("outcome");
+  row.reason = text("reason");
+  row.failed_check = text("failed_check");
+  row.failed_phase = text("failed_phase");
+  row.log_sha256 = text("log_sha256");
+  row.wall_s = query.getColumn("wall_s").getDouble();
+  row.complaint = text("complaint");
+  row.scenario_yaml = text("scenario");
+  return row;
+}
+
+}  // namespace
+
+struct SweepStore::Impl {
+  fs::path file;
+  std::optional<SQLite::Database> db;
+
+  /// Runs what works on the database, and tells of its errors as the user's.
+  template <typename Work>
+  auto Guarded(Work&& work) -> decltype(work()) {
+    try {
+      return work();
+    } catch (const SQLite::Exception& error) {
+      throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+    }
+  }
+
+  int Pragma(const char* name) { return db->execAndGet(fmt::format("PRAGMA {}", name)).getInt(); }
+
+  void Check() {
+    if (Pragma("application_id") != kApplicationId) throw InputError(fmt::format("{}: is no sweep's", file.string()));
+    const int version = Pragma("user_version");
+    if (version != kVersion) {
+      throw InputError(fmt::format("{}: is of version {}, this program's is {}", file.string(), version, kVersion));
+    }
+    const std::string state = db->execAndGet("PRAGMA quick_check").getString();
+    if (state != "ok")
+      throw InputError(fmt::format("{}: is damaged: {}", file.string(), state.substr(0, state.find('\n'))));
+  }
+
+  void Make() {
+    SQLite::Transaction transaction(*db);
+    db->exec(fmt::format("PRAGMA application_id = {}", kApplicationId));
+    db->exec(fmt::format("PRAGMA user_version = {}", kVersion));
+    db->exec(kSchema);
+    transaction.commit();
+  }
+
+  std::string Value(const char* key) {
+    SQLite::Statement query(*db, "SELECT value FROM sweep WHERE key = ?");
+    query.bind(1, key);
+    return query.executeStep() ? query.getColumn(0).getString() : "";
+  }
+
+  static std::vector<std::string> ValuesIn(const SQLite::Statement& query, const std::vector<std::string>& keys) {
+    const Json parameters = Json::parse(query.getColumn("parameters").getString());
+    std::vector<std::string> values;
+    for (const std::string& key : keys) values.push_back(ParameterFrom(parameters.at(key)));
+    return values;
+  }
+
+  void Put(std::span<const FlightRow> rows) {
+    SQLite::Transaction transaction(*db);
+    for (const FlightRow& row : rows) PutRow(row);
+    transaction.commit();
+  }
+
+  void PutRow(const FlightRow& row) {
+    if (row.end != RowEnd::kFlown) {
+      SQLite::Statement flown(*db, "SELECT 1 FROM flights WHERE id = ? AND process = ?");
+      flown.bind(1, row.id);
+      flown.bind(2, std::string(Name(RowEnd::kFlown)));
+      if (flown.executeStep()) return;
+    }
+    SQLite::Statement put(*db, "INSERT OR REPLACE INTO flights VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    int column = 0;
+    for (const std::string& text : {row.id, row.program, row.version, row.host, std::string(Name(row.end)), row.verdict,
+                                    row.outcome, row.reason, row.failed_check, row.failed_phase, row.log_sha256}) {
+      put.bind(++column, text);
+    }
+    put.bind(++column, row.wall_s);
+    put.bind(++column, row.complaint);
+    put.bind(++column, row.scenario_yaml);
+    put.exec();
+    SQLite::Statement put_metric(*db, "INSERT OR REPLACE INTO metrics VALUES (?, ?, ?)");
+    for (const auto& [name, value] : row.metrics) {
+      put_metric.bind(1, row.id);
+      put_metric.bind(2, name);
+      put_metric.bind(3, value);
+      put_metric.exec();
+      put_metric.reset();
+    }
+  }
+
+  runner::Metrics MetricsOf(const std::string& id) {
+    SQLite::Statement query(*db, "SELECT name, value FROM metrics WHERE id = ?");
+    query.bind(1, id);
+    runner::Metrics metrics;
+    while (query.executeStep()) metrics[query.getColumn(0).getString()] = query.getColumn(1).getDouble();
+    return metrics;
+  }
+};
+
+SweepStore::SweepStore(const fs::path& folder, Access access) : impl_(std::make_unique<Impl>()) {
+  impl_->file = folder / "sweep.db";
+  const bool is_there = fs::exists(impl_->file);
+  if (access == Access::kRead && !is_there) throw InputError(fmt::format("{}: no such file", impl_->file.string()));
+  impl_->Guarded([&] {
+    constexpr int kWait_ms = 5000;
+    // To read, too, it is opened to be written where it may be: what a killed program left half-written must be undone.
+    impl_->db.emplace(impl_->file.string(),
+                      access == Access::kRead ? SQLite::OPEN_READWRITE : SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
+                      kWait_ms);
+    impl_->db->exec("PRAGMA foreign_keys = ON");
+    // An empty file is what a program that was ended just then left.
+    if (access == Access::kWrite && impl_->Pragma("page_count") == 0) {
+      impl_->Make();
+    } else {
+      impl_->Check();
+    }
+  });
+}
+
+SweepStore::~SweepStore() = default;
+
+void SweepStore::SetPlan(const SweepTerms& terms, const SweepPlan& plan, const std::string& program_digest) {
+  impl_->Guarded([&] {
+    SQLite::Database& db = *impl_->db;
+    SQLite::Transaction transaction(db);
+    db.exec("DELETE FROM plan");
+    db.exec("DELETE FROM sweep");
+    SQLite::Statement put_fact(db, "INSERT INTO sweep VALUES (?, ?)");
+    for (const auto& [key, value] : {std::pair<std::string, std::string>("program", program_digest),
+                                     {"terms", TermsJson(terms)},
+                                     {"flights", std::to_string(plan.whole)}}) {
+      put_fact.bind(1, key);
+      put_fact.bind(2, value);
+      put_fact.exec();
+      put_fact.reset();
+    }
+    SQLite::Statement put(db, "INSERT INTO plan VALUES (?, ?, ?, ?, ?)");
+    for (const PlannedFlight& flight : plan.flights) {
+      Json parameters = Json::object();
+      for (std::size_t i = 0; i < plan.keys.size(); ++i) parameters[plan.keys[i]] = ParameterJson(flight.values[i]);
+      put.bind(1, flight.position);
+      put.bind(2, flight.id);
+      put.bind(3, static_cast<std::int64_t>(flight.seed));
+      put.bind(4, flight.variant);
+      put.bind(5, parameters.dump());
+      put.exec();
+      put.reset();
+    }
+    transaction.commit();
+  });
+}
+
+void SweepStore::Put(const FlightRow& row) { Put({&row, 1}); }
+
+void SweepStore::Put(std::span<const FlightRow> rows) {
+  impl_->Guarded([&] { impl_->Put(rows); });
+}
+
+bool SweepStore::TryPut(const FlightRow& row) {
+  return impl_->Guarded([&] {
+    try {
+      impl_->Put({&row, 1});
+      return true;
+    } catch (const SQLite::Exception& error) {
+      if (error.getErrorCode() == SQLITE_BUSY) return false;
+      throw;
+    }
+  });
+}
+
+std::optional<FlightRow> SweepStore::Find(const std::string& id) const {
+  return impl_->Guarded([&]() -> std::optional<FlightRow> {
+    SQLite::Statement query(*impl_->db, "SELECT * FROM flights WHERE id = ?");
+    query.bind(1, id);
+    if (!query.executeStep()) return std::nullopt;
+    FlightRow row = RowFrom(query, impl_->file);
+    row.metrics = impl_->MetricsOf(id);
+    return row;
+  });
+}
+
+bool SweepStore::has_plan() const { return !program().empty(); }
+
+std::string SweepStore::program() const {
+  return impl_->Guarded([&] { return impl_->Value("program"); });
+}
+
+SweepTerms SweepStore::terms() const {
+  const std::string json = impl_->Guarded([&] { return impl_->Value("terms"); });
+  try {
+    return json.empty() ? SweepTerms() : TermsFromJson(json);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", impl_->file.string(), error.what()));
+  }
+}
+
+std::size_t SweepStore::planned() const {
+  return impl_->Guarded(
+      [&] { return static_cast<std::size_t>(impl_->db->execAndGet("SELECT count(*) FROM plan").getInt64()); });
+}
+
+std::size_t SweepStore::whole() const {
+  return impl_->Guarded(
+      [&] { return static_cast<std::size_t>(std::strtoull(impl_->Value("flights").c_str(), nullptr, 10)); });
+}
+
+SweepPlan SweepStore::Plan() const {
+  SweepPlan plan{.keys = terms().keys(), .flights = {}, .whole = whole()};
+  return impl_->Guarded([&] {
+    SQLite::Statement query(*impl_->db, "SELECT * FROM plan ORDER BY position");
+    while (query.executeStep()) {
+      plan.flights.push_back({.position = query.getColumn("position").getInt64(),
+                              .id = query.getColumn("id").getString(),
+                              .seed = static_cast<std::uint64_t>(query.getColumn("seed").getInt64()),
+                              .variant = query.getColumn("variant").getString(),
+                              .values = Impl::ValuesIn(query, plan.keys)});
+    }
+    return plan;
+  });
+}
+
+std::vector<SweepResult> SweepStore::Results() const {
+  const std::vector<std::string> keys = terms().keys();
+  return impl_->Guarded([&] {
+    std::vector<SweepResult> results;
+    SQLite::Statement query(
+        *impl_->db, "SELECT seed, variant, parameters, flights.* FROM plan JOIN flights USING (id) ORDER BY position");
+    while (query.executeStep()) {
+      SweepResult result{.seed = static_cast<std::uint64_t>(query.getColumn("seed").getInt64()),
+                         .variant = query.getColumn("variant").getString(),
+                         .values = Impl::ValuesIn(query, keys),
+                         .row = RowFrom(query, impl_->file)};
+      result.row.metrics = impl_->MetricsOf(result.row.id);
+      results.push_back(std::move(result));
+    }
+    return results;
+  });
+}
+
+std::size_t SweepStore::stale() const {
+  return impl_->Guarded(
+      [&] { return static_cast<std::size_t>(impl_->db->execAndGet("SELECT count(*) FROM stale").getInt64()); });
+}
+
+std::size_t SweepStore::unplanned() const {
+  constexpr const char* kCount =
+      "SELECT count(*) FROM flights WHERE id NOT IN (SELECT id FROM plan) AND id NOT IN (SELECT id FROM stale)";
+  return impl_->Guarded([&] { return static_cast<std::size_t>(impl_->db->execAndGet(kCount).getInt64()); });
+}
+
+}  // namespace touchdown::sweeper

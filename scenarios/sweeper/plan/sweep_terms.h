@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenarios/sweeper/plan/sweep_file.h"
+
+namespace touchdown::sweeper {
+
+/// A parameter of a sweep, as its results are told by it.
+struct SweepAxis {
+  std::string key = {};
+  std::vector<std::string> listed = {};  ///< As YAML; empty for one whose values are drawn.
+};
+
+/// What a sweep's results are told and judged by: what is kept of its file beside its rows.
+struct SweepTerms {
+  std::string name = {};
+  std::string description = {};
+  std::vector<SweepAxis> axes = {};
+  std::vector<std::string> variants = {};  ///< Names; none without variants.
+  std::vector<SweepCriterion> criteria = {};
+  std::optional<StopWhen> stop_when = {};
+  std::optional<SoughtEdge> sought = {};
+
+  std::vector<std::string> keys() const;
+  /// One of no name without variants.
+  std::vector<std::string> flown_variants() const;
+};
+
+SweepTerms TermsOf(const SweepFile& file);
+
+std::string TermsJson(const SweepTerms& terms);
+/// Throws InputError, without a file name, for a text that TermsJson did not write.
+SweepTerms TermsFromJson(const std::string& text);
+
+}  // namespace touchdown::sweeper

@@ -1,0 +1,103 @@
+#include "scenarios/sweeper/run/fly_row.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "models/error.h"
+#include "scenarios/report/contact_sheet.h"
+#include "scenarios/runner/fly.h"
+#include "scenarios/sweeper/run/failure_phase.h"
+#include "scenarios/util/output_file.h"
+#include "scenarios/util/platform.h"
+#include "scenarios/util/program_digest.h"
+#include "scenarios/util/stopwatch.h"
+#include "scenarios/util/version.h"
+
+namespace touchdown::sweeper {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kRowMark = "\"failed_phase\"";
+constexpr const char* kPngMark = "PNG";
+
+void MakeFolder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw InputError(fmt::format("output folder {}: {}", folder.string(), error.message()));
+}
+
+void TellResult(const runner::Scenario& scenario, const runner::FlightLog& log, FlightRow& row) {
+  const runner::FlightResult result = runner::JudgeFlight(scenario, log);
+  row.end = RowEnd::kFlown;
+  row.verdict = Name(result.verdict);
+  row.outcome = Name(result.outcome);
+  row.reason = result.reason;
+  row.metrics = result.metrics;
+  row.log_sha256 = result.log_sha256;
+  const auto failed =
+      std::find_if(result.checks.begin(), result.checks.end(), [](const runner::Check& check) { return !check.pass; });
+  if (failed == result.checks.end()) return;
+  row.failed_check = failed->name;
+  row.failed_phase = FailurePhase(*failed, log);
+}
+
+}  // namespace
+
+std::optional<FlightRow> ReadRow(const fs::path& file) {
+  std::error_code error;
+  if (!fs::exists(file, error) && !error) return std::nullopt;
+  std::ifstream stream;
+  stream.exceptions(std::ios::failbit | std::ios::badbit);
+  try {
+    stream.open(file, std::ios::binary);
+    return RowFromJson({std::istreambuf_iterator<char>(stream), {}});
+  } catch (const std::ios::failure&) {
+    throw InputError(fmt::format("{}: cannot be read", file.string()));
+  }
+}
+
+std::optional<FlightRow> ReadRowOrSetAside(const fs::path& file) {
+  std::optional<FlightRow> row = ReadRow(file);
+  if (row || !fs::exists(file)) return row;
+  std::error_code error;
+  fs::rename(file, fs::path(file).replace_extension(".damaged"), error);
+  if (error) throw InputError(fmt::format("{}: is no row, and cannot be set aside", file.string()));
+  return std::nullopt;
+}
+
+RowFolder::RowFolder(const fs::path& folder) : rows_(folder / "rows"), pictures_(folder / "pictures") {
+  MakeFolder(rows_);
+  MakeFolder(pictures_);
+}
+
+void RowFolder::Leave(const FlightRow& row) const { util::WriteOutputFile(RowOf(row.id), RowJson(row), kRowMark); }
+
+void FlyRow(const std::string& scenario_yaml, const std::string& id, const RowFolder& folder) {
+  const runner::Scenario scenario = runner::ParseScenario(scenario_yaml, "scenario", {});
+  FlightRow row{.id = id,
+                .program = util::ProgramDigest(),
+                .version = std::string(util::Version()),
+                .host = util::HostName(),
+                .scenario_yaml = scenario_yaml};
+  const util::Stopwatch stopwatch;
+  report::ContactSheet sheet(scenario.assumed_camera(), scenario.time);
+  runner::FlightObserver* const observers[] = {&sheet};
+  try {
+    TellResult(scenario, runner::FlyClosedLoop(scenario, observers, nullptr), row);
+  } catch (const InputError& error) {
+    row.end = RowEnd::kFlown;
+    row.reason = error.what();
+  }
+  row.wall_s = stopwatch.seconds();
+  if (row.end == RowEnd::kFlown && !row.passed()) {
+    if (const auto png = sheet.Png()) util::WriteOutputFile(folder.PictureOf(row.id), *png, kPngMark);
+  }
+  folder.Leave(row);
+}
+
+}  // namespace touchdown::sweeper

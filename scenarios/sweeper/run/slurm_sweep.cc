@@ -1,0 +1,146 @@
+#include "scenarios/sweeper/run/slurm_sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "models/error.h"
+#include "scenarios/sweeper/run/flight_chunk.h"
+#include "scenarios/sweeper/run/folder_rows.h"
+#include "scenarios/sweeper/run/run_sweep.h"
+#include "scenarios/util/folder_lock.h"
+#include "scenarios/util/output_file.h"
+#include "scenarios/util/program_digest.h"
+#include "scenarios/util/shell_word.h"
+
+namespace touchdown::sweeper {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kScriptMark = "sweep-task";
+constexpr const char* kJobMark = "slurm_job: ";
+
+/// The planned flights that have no row in `folder`, or with `retry` one without a flight.
+std::vector<const PlannedFlight*> MissingFlights(const SweepPlan& plan, const fs::path& folder, bool retry) {
+  std::optional<SweepStore> store;
+  if (fs::exists(folder / "sweep.db")) store.emplace(folder, SweepStore::Access::kRead);
+  const FolderRows rows(folder, store ? &*store : nullptr);
+  std::vector<const PlannedFlight*> missing;
+  for (const PlannedFlight& flight : plan.flights) {
+    const std::optional<FlightRow> row = rows.Find(flight.id);
+    if (!row || (retry && row->end != RowEnd::kFlown)) missing.push_back(&flight);
+  }
+  return missing;
+}
+
+/// Flights in a task. Those of a sweep fly in about real time.
+std::size_t ChunkSize(const std::vector<const PlannedFlight*>& flights, const SlurmOptions& options, int most_tasks) {
+  constexpr double kTask_s = 300.0;
+  double flown_s = 0.0;
+  for (const PlannedFlight* flight : flights) flown_s += flight->expected_s;
+  const double tasks = std::max(1.0, std::floor(flown_s / kTask_s));
+  const auto in_tasks = [&](double count) { return std::ceil(static_cast<double>(flights.size()) / count); };
+  const double wanted = options.chunk ? static_cast<double>(*options.chunk) : in_tasks(tasks);
+  return static_cast<std::size_t>(std::max(wanted, in_tasks(most_tasks)));
+}
+
+std::vector<FlightChunk> Chunks(const SweepFile& file, const std::vector<const PlannedFlight*>& flights,
+                                std::size_t size) {
+  std::vector<FlightChunk> chunks;
+  for (const PlannedFlight* flight : flights) {
+    if (chunks.empty() || chunks.back().flights.size() == size) {
+      chunks.push_back({.program = util::ProgramDigest(), .flights = {}});
+    }
+    chunks.back().flights.push_back({flight->id, flight->scenario_yaml, flight->limit_s, file.limits.memory_mb});
+  }
+  return chunks;
+}
+
+std::string Script(std::size_t tasks) {
+  return fmt::format(R"(#!/bin/sh
+#SBATCH --job-name=touchdown
+#SBATCH --array=0-{}
+#SBATCH --requeue
+#SBATCH --open-mode=append
+#SBATCH --output=slurm/%a.log
+exec {} sweep-task . "$SLURM_ARRAY_TASK_ID"
+)",
+                     tasks - 1, util::ShellWord(fs::read_symlink("/proc/self/exe").string()));
+}
+
+fs::path JobFile(const fs::path& folder) { return folder / "slurm" / "job.yaml"; }
+
+void RefuseWhileQueued(const fs::path& folder) {
+  const std::optional<std::string> job = SlurmJobOf(folder);
+  if (!job) return;
+  const auto tasks = TasksInQueue(*job);
+  if (tasks && tasks->empty()) return;
+  throw InputError(
+      tasks ? fmt::format("output folder {}: its Slurm job {} is not over; touchdown status tells of it, and "
+                          "scancel {} ends it",
+                          folder.string(), *job, *job)
+            : fmt::format("output folder {}: squeue does not tell whether its Slurm job {} is over", folder.string(),
+                          *job));
+}
+
+/// Before the job may run: one that the folder does not know would lose its tasks to the next.
+void WriteJob(const fs::path& folder, const std::string& job) {
+  try {
+    util::WriteOutputFile(JobFile(folder), kJobMark + job + "\n", kJobMark);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}; Slurm job {} is submitted and held: scancel {} ends it", error.what(), job, job));
+  }
+}
+
+/// Writes what the tasks read, in place of an earlier job's.
+void WriteTasks(const fs::path& folder, const std::vector<FlightChunk>& chunks) {
+  std::error_code error;
+  fs::remove_all(folder / "tasks", error);
+  fs::create_directories(folder / "slurm", error);
+  for (std::size_t i = 0; i < chunks.size(); ++i) WriteChunk(ChunkFile(folder, static_cast<int>(i)), chunks[i]);
+}
+
+}  // namespace
+
+SlurmSweep PlanTasks(const SweepFile& file, const SweepPlan& plan, const fs::path& folder,
+                     const SlurmOptions& options) {
+  const int most = MostSlurmTasks();
+  RefuseWhileQueued(folder);
+  const std::vector<const PlannedFlight*> missing = MissingFlights(plan, folder, options.retry);
+  return {.tasks = Chunks(file, missing, ChunkSize(missing, options, most)).size(), .flights = missing.size()};
+}
+
+SlurmSweep SubmitSweep(const SweepFile& file, const SweepPlan& plan, const fs::path& folder,
+                       const SlurmOptions& options) {
+  const int most = MostSlurmTasks();
+  util::ClaimFolder(folder);
+  const util::FolderLock lock(folder);
+  RefuseWhileQueued(folder);
+  SweepStore store(folder, SweepStore::Access::kWrite);
+  TakeInRows(folder, store);
+  store.SetPlan(TermsOf(file), plan, util::ProgramDigest());
+  const std::vector<const PlannedFlight*> missing = MissingFlights(plan, folder, options.retry);
+  if (missing.empty()) return {};
+  const std::vector<FlightChunk> chunks = Chunks(file, missing, ChunkSize(missing, options, most));
+  WriteTasks(folder, chunks);
+  util::WriteOutputFile(folder / "slurm.sh", Script(chunks.size()), kScriptMark);
+  const std::string job = SubmitHeld(folder / "slurm.sh", fs::absolute(folder), options.site);
+  WriteJob(folder, job);
+  ReleaseJob(job);
+  return {.job = job, .tasks = chunks.size(), .flights = missing.size()};
+}
+
+std::optional<std::string> SlurmJobOf(const fs::path& folder) {
+  std::ifstream stream(JobFile(folder));
+  std::string key, job;
+  if (!(stream >> key >> job)) return std::nullopt;
+  return job;
+}
+
+}  // namespace touchdown::sweeper

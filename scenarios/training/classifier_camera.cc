@@ -1,0 +1,67 @@
+#include "scenarios/training/classifier_camera.h"
+
+#include <array>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+#include <vector>
+
+#include "sim/dynamics/mujoco_model.h"
+#include "sim/render/renderer.h"
+#include "sim/sensors/image_noise.h"
+
+namespace touchdown::training {
+namespace {
+
+constexpr double kTimestep_s = 1.0 / 1200.0;
+constexpr double kFineLevels = 256.0;
+
+sim::MujocoModel Painted(const sim::Scene& scene) {
+  sim::MujocoModel model = sim::LoadModel(sim::SceneMjcf(scene, "", kTimestep_s));
+  sim::PaintTextures(scene, *model);
+  return model;
+}
+
+}  // namespace
+
+struct SceneCamera::Impl {
+  Impl(const sim::Scene& scene, sim::CameraOptics& optics_in)
+      : model(Painted(scene)),
+        data(sim::MakeData(*model)),
+        optics(optics_in),
+        renderer(*model, optics.pinhole_view()) {}
+
+  sim::MujocoModel model;
+  sim::MujocoData data;
+  sim::CameraOptics& optics;
+  sim::Renderer renderer;
+  std::vector<sim::ImageNoise> noises;
+  sim::FineImage exposed;  ///< The view taken last, without noise ...
+  int noise_level = -1;    ///< ... and which noise is its.
+};
+
+SceneCamera::SceneCamera(const sim::Scene& scene, sim::CameraOptics& optics, std::span<const double> noise_sigmas,
+                         std::uint64_t seed)
+    : impl_(std::make_unique<Impl>(scene, optics)) {
+  for (const double sigma : noise_sigmas) impl_->noises.emplace_back(sigma, seed);
+}
+
+SceneCamera::~SceneCamera() = default;
+
+models::Image SceneCamera::Take(const View& view) {
+  const double half_s = 0.5 * view.exposure_s;
+  const std::array<Eigen::Isometry3d, 3> path{view.PoseAt(-half_s), view.X_WC, view.PoseAt(half_s)};
+  sim::FineImage& frame = impl_->exposed;
+  frame = impl_->optics.Expose(impl_->renderer.Render(*impl_->data, view.X_WC), path);
+  cv::Mat_<std::uint16_t> levels(frame.height, frame.width, frame.pixels.data());
+  if (view.defocus_px > 0.0) cv::GaussianBlur(levels, levels, {}, view.defocus_px);
+  levels.convertTo(levels, CV_16U, view.contrast, view.brightness * kFineLevels);
+  impl_->noise_level = view.noise_level;
+  return TakeAgain();
+}
+
+models::Image SceneCamera::TakeAgain() {
+  if (impl_->noise_level < 0) throw std::logic_error("no view was taken before");
+  return impl_->noises.at(static_cast<std::size_t>(impl_->noise_level)).Apply(impl_->exposed);
+}
+
+}  // namespace touchdown::training

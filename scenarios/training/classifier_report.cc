@@ -1,0 +1,106 @@
+#include "scenarios/training/classifier_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <opencv2/imgproc.hpp>
+
+namespace touchdown::training {
+namespace {
+
+using estimator::FrameTrace;
+using models::PadLetter;
+
+std::array<std::string_view, kClasses> NamesFor(PadLetter letter) {
+  return {"circle", letter == PadLetter::kRectangle ? "rectangle" : "h", "other"};
+}
+
+}  // namespace
+
+std::string_view ClassName(FrameTrace::Label label, PadLetter letter) {
+  return NamesFor(letter)[static_cast<std::size_t>(label)];
+}
+
+FrameTrace::Label LabelOf(const Perceptron& network, const estimator::paper::Pattern& pattern) {
+  const std::vector<double> posterior = network.Posteriors(pattern);
+  return static_cast<FrameTrace::Label>(std::max_element(posterior.begin(), posterior.end()) - posterior.begin());
+}
+
+int ConfusionMatrix::Total(int true_class) const {
+  const auto& row = count[static_cast<std::size_t>(true_class)];
+  return std::accumulate(row.begin(), row.end(), 0);
+}
+
+double ConfusionMatrix::Recall(int true_class) const {
+  const int total = Total(true_class);
+  const auto i = static_cast<std::size_t>(true_class);
+  return total == 0 ? 1.0 : static_cast<double>(count[i][i]) / total;
+}
+
+double ConfusionMatrix::FalsePositiveRate(int given_class) const {
+  int wrong = 0, total = 0;
+  for (int i = 0; i < kClasses; ++i) {
+    if (i == given_class) continue;
+    wrong += count[static_cast<std::size_t>(i)][static_cast<std::size_t>(given_class)];
+    total += Total(i);
+  }
+  return total == 0 ? 0.0 : static_cast<double>(wrong) / total;
+}
+
+ConfusionMatrix Confuse(const Perceptron& network, std::span<const LabelledPattern> patterns) {
+  ConfusionMatrix matrix;
+  for (const LabelledPattern& sample : patterns) {
+    const auto given = static_cast<std::size_t>(LabelOf(network, sample.pattern));
+    ++matrix.count[static_cast<std::size_t>(sample.label)][given];
+  }
+  return matrix;
+}
+
+std::string ToText(const ConfusionMatrix& matrix, PadLetter letter) {
+  const auto names = NamesFor(letter);
+  std::string text =
+      fmt::format("{:<14}{:>10}{:>10}{:>10}{:>10}\n", "true \\ given", names[0], names[1], names[2], "right");
+  for (int i = 0; i < kClasses; ++i) {
+    const auto& row = matrix.count[static_cast<std::size_t>(i)];
+    text += fmt::format("{:<14}{:>10}{:>10}{:>10}{:>9.2f}%\n", names[static_cast<std::size_t>(i)], row[0], row[1],
+                        row[2], 100.0 * matrix.Recall(i));
+  }
+  text += fmt::format("False positives: {} {:.3f}%, {} {:.3f}%\n", names[0], 100.0 * matrix.FalsePositiveRate(0),
+                      names[1], 100.0 * matrix.FalsePositiveRate(1));
+  return text;
+}
+
+std::string ToJson(const ConfusionMatrix& matrix, PadLetter letter) {
+  const auto names = NamesFor(letter);
+  nlohmann::ordered_json json{{"schema", "touchdown.classifier"}, {"version", 1}};
+  for (int i = 0; i < kClasses; ++i) {
+    const std::string name(names[static_cast<std::size_t>(i)]);
+    for (int j = 0; j < kClasses; ++j) {
+      const std::string given(names[static_cast<std::size_t>(j)]);
+      json["given"][name][given] = matrix.count[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+    }
+    json["right"][name] = matrix.Recall(i);
+    json["false_positive_rate"][name] = matrix.FalsePositiveRate(i);
+  }
+  return json.dump(2) + "\n";
+}
+
+cv::Mat1b PatternSheet(std::span<const LabelledPattern> patterns, FrameTrace::Label label, int columns, int rows) {
+  constexpr int kScale = 3, kPitch = estimator::paper::kPatternSide * kScale + 4;
+  cv::Mat1b sheet(rows * kPitch, columns * kPitch, std::uint8_t{128});
+  int placed = 0;
+  for (const LabelledPattern& sample : patterns) {
+    if (sample.label != label || placed == columns * rows) continue;
+    cv::Mat1b small(estimator::paper::kPatternSide, estimator::paper::kPatternSide);
+    std::transform(sample.pattern.begin(), sample.pattern.end(), small.begin(),
+                   [](float cell) { return cv::saturate_cast<std::uint8_t>(255.0F * (1.0F - cell)); });
+    const cv::Rect place((placed % columns) * kPitch + 2, (placed / columns) * kPitch + 2, kPitch - 4, kPitch - 4);
+    cv::resize(small, sheet(place), place.size(), 0, 0, cv::INTER_NEAREST);
+    ++placed;
+  }
+  return sheet;
+}
+
+}  // namespace touchdown::training

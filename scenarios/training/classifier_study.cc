@@ -1,0 +1,187 @@
+#include "scenarios/training/classifier_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "models/error.h"
+#include "models/random_stream.h"
+#include "scenarios/training/classifier_variation.h"
+
+namespace touchdown::training {
+namespace {
+
+using estimator::FrameTrace;
+using models::RandomStream;
+using Patterns = std::vector<LabelledPattern>;
+
+constexpr int kPictures = 12;
+
+std::uint64_t SceneSeed(std::uint64_t seed, const std::string& part, int scene) {
+  return RandomStream(seed, fmt::format("classifier.{}.{}", part, scene)).Bits();
+}
+
+/// An epoch takes about a fifth of a scene's time.
+constexpr double kScenesPerEpoch = 0.2;
+
+/// Counts what is done of a study.
+class Count {
+ public:
+  Count(const ClassifierStudyConfig& config, const StudyProgress& progress)
+      : whole_(config.training_scenes + config.validation_scenes + config.test_scenes +
+               kScenesPerEpoch * config.training.max_epochs),
+        progress_(progress) {}
+
+  void Add(double scenes, const std::string& text) {
+    done_ += scenes;
+    if (progress_) progress_(text, std::min(1.0, done_ / whole_));
+  }
+
+ private:
+  double whole_;
+  double done_ = 0.0;
+  const StudyProgress& progress_;
+};
+
+struct Pool {
+  Patterns patterns;
+  std::vector<cv::Mat3b> pictures;
+  int unclear = 0;
+};
+
+/// What the part's scenes give, the first frame of each of the first scenes kept as a picture.
+Pool Collect(const ClassifierStudyConfig& config, std::uint64_t seed, const std::string& part, int scenes,
+             Count& count) {
+  sim::CameraOptics optics(config.scene.camera);
+  Pool pool;
+  for (int scene = 0; scene < scenes; ++scene) {
+    const int pictures = scene < kPictures ? 1 : 0;
+    SceneSamples samples = CollectSceneSamples(config.scene, optics, SceneSeed(seed, part, scene), pictures);
+    std::move(samples.patterns.begin(), samples.patterns.end(), std::back_inserter(pool.patterns));
+    std::move(samples.pictures.begin(), samples.pictures.end(), std::back_inserter(pool.pictures));
+    pool.unclear += samples.unclear;
+    count.Add(1.0, fmt::format("{} scene {} of {}, {} components", part, scene + 1, scenes, pool.patterns.size()));
+  }
+  return pool;
+}
+
+Patterns OfClass(const Patterns& patterns, FrameTrace::Label label) {
+  Patterns result;
+  std::copy_if(patterns.begin(), patterns.end(), std::back_inserter(result),
+               [&](const LabelledPattern& each) { return each.label == label; });
+  return result;
+}
+
+/// `count` of the patterns, or all when there are fewer, drawn at random.
+Patterns Some(Patterns patterns, int count, RandomStream& random) {
+  const std::size_t wanted = std::min(patterns.size(), static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < wanted; ++i) {
+    const int last = static_cast<int>(patterns.size() - 1);
+    std::swap(patterns[i], patterns[static_cast<std::size_t>(random.UniformInt(static_cast<int>(i), last))]);
+  }
+  patterns.resize(wanted);
+  return patterns;
+}
+
+void Append(Patterns& to, const Patterns& more) { to.insert(to.end(), more.begin(), more.end()); }
+
+std::vector<TrainingSample> SamplesOf(const Patterns& patterns) {
+  std::vector<TrainingSample> samples;
+  for (const LabelledPattern& each : patterns) {
+    samples.push_back({{each.pattern.begin(), each.pattern.end()}, static_cast<int>(each.label)});
+  }
+  return samples;
+}
+
+/// The clutter that `network` finds least like clutter comes first.
+void SortByHardness(Patterns& clutter, const Perceptron& network) {
+  constexpr auto kOther = static_cast<std::size_t>(FrameTrace::Label::kOther);
+  std::vector<double> posterior;
+  for (const LabelledPattern& each : clutter) posterior.push_back(network.Posteriors(each.pattern)[kOther]);
+  std::vector<std::size_t> order(clutter.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return posterior[a] < posterior[b]; });
+  Patterns sorted;
+  for (const std::size_t i : order) sorted.push_back(clutter[i]);
+  clutter = std::move(sorted);
+}
+
+/// The training set: circles, letters and clutter at random, then a part of the clutter exchanged for the hardest.
+Patterns ChooseTrainingSet(const ClassifierStudyConfig& config, const Patterns& pool, const Patterns& validation,
+                           std::uint64_t seed) {
+  RandomStream random(seed, "classifier.choice");
+  Patterns shapes = Some(OfClass(pool, FrameTrace::Label::kCircle), config.circles, random);
+  Append(shapes, Some(OfClass(pool, FrameTrace::Label::kH), config.letters, random));
+  Patterns clutter = OfClass(pool, FrameTrace::Label::kOther);
+
+  Patterns first = shapes;
+  Append(first, Some(clutter, config.clutter, random));
+  TrainingConfig brief = config.training;
+  brief.max_epochs = config.first_network_epochs;
+  const TrainingResult result =
+      Train(SamplesOf(first), SamplesOf(validation), brief, seed, {.vary = VaryPattern, .progress = {}});
+
+  SortByHardness(clutter, result.network);
+  const auto hardest = std::min(clutter.size(), static_cast<std::size_t>(config.hard_clutter * config.clutter));
+  Append(shapes, {clutter.begin(), clutter.begin() + static_cast<std::ptrdiff_t>(hardest)});
+  clutter.erase(clutter.begin(), clutter.begin() + static_cast<std::ptrdiff_t>(hardest));
+  Append(shapes, Some(std::move(clutter), config.clutter - static_cast<int>(hardest), random));
+  return shapes;
+}
+
+}  // namespace
+
+ClassifierStudyConfig ClassifierStudyConfig::For(models::PadLetter letter) {
+  ClassifierStudyConfig config;
+  config.scene.letter = letter;
+  if (letter == models::PadLetter::kRectangle) {
+    config.training_scenes = 12;
+    config.validation_scenes = 3;
+    config.test_scenes = 8;
+    config.training.max_epochs = config.training.patience_epochs = 40;
+  }
+  return config;
+}
+
+void ClassifierStudyConfig::Validate() const {
+  scene.Validate();
+  training.Validate();
+  if (std::min({training_scenes, validation_scenes, test_scenes, circles, letters, clutter, first_network_epochs}) <
+      1) {
+    throw InputError("the classifier's study needs scenes and samples of every kind");
+  }
+  if (!(hard_clutter >= 0.0 && hard_clutter <= 1.0)) throw InputError("the share of hard clutter must be in [0, 1]");
+}
+
+ClassifierStudy StudyClassifier(const ClassifierStudyConfig& config, std::uint64_t seed,
+                                const StudyProgress& progress) {
+  config.Validate();
+  Count count(config, progress);
+  const Pool pool = Collect(config, seed, "training", config.training_scenes, count);
+  const Pool validation = Collect(config, seed, "validation", config.validation_scenes, count);
+  const Patterns set = ChooseTrainingSet(config, pool.patterns, validation.patterns, seed);
+  const auto report = [&](const EpochReport& epoch) {
+    count.Add(kScenesPerEpoch, fmt::format("epoch {} of {}, training loss {:.4f}, validation loss {:.4f}", epoch.epoch,
+                                           config.training.max_epochs, epoch.training_loss, epoch.validation_loss));
+  };
+  const TrainingResult result = Train(SamplesOf(set), SamplesOf(validation.patterns), config.training, seed,
+                                      {.vary = VaryPattern, .progress = report});
+
+  Pool test = Collect(config, seed, "test", config.test_scenes, count);
+  ClassifierStudy study{.letter = config.scene.letter,
+                        .seed = seed,
+                        .network = result.network,
+                        .training = Confuse(result.network, set),
+                        .test = Confuse(result.network, test.patterns),
+                        .test_patterns = std::move(test.patterns),
+                        .mistaken = {},
+                        .pictures = std::move(test.pictures),
+                        .unclear = test.unclear};
+  std::copy_if(study.test_patterns.begin(), study.test_patterns.end(), std::back_inserter(study.mistaken),
+               [&](const LabelledPattern& each) { return LabelOf(study.network, each.pattern) != each.label; });
+  return study;
+}
+
+}  // namespace touchdown::training

@@ -1,0 +1,103 @@
+#include "scenarios/training/classifier_truth.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/angles.h"
+
+namespace touchdown::training {
+namespace {
+
+using estimator::FrameTrace;
+using estimator::paper::Component;
+using estimator::paper::ComponentSet;
+
+enum class Match { kNone, kUnclear, kFragment, kShape };
+
+/// The component's box in the same continuous coordinates as ProjectedShape::box.
+cv::Rect2d BoxOf(const Component& component) {
+  return {component.u - 0.5, component.v - 0.5, static_cast<double>(component.width),
+          static_cast<double>(component.height)};
+}
+
+double OverlapOf(const cv::Rect2d& a, const cv::Rect2d& b) {
+  const double both = (a & b).area();
+  return both / (a.area() + b.area() - both);
+}
+
+double LargestEdgeError(const cv::Rect2d& a, const cv::Rect2d& b) {
+  return std::max(
+      {std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.br().x - b.br().x), std::abs(a.br().y - b.br().y)});
+}
+
+bool TouchesBorder(const Component& component, const cv::Size& image) {
+  return component.u <= 0 || component.v <= 0 || component.u + component.width >= image.width ||
+         component.v + component.height >= image.height;
+}
+
+/// Whether as much of the shape is ink, and as much of what it encloses is white, if any of it is, as should be.
+bool InkFits(const Component& component, const ProjectedShape& shape, const TruthConfig& config) {
+  const double ink = component.area / shape.ink_area;
+  const double white_area = shape.hull_area - shape.ink_area;
+  const bool as_white = white_area <= 0.0 || (shape.hull_area - component.area) / white_area >= config.least_white;
+  return ink >= config.least_ink && ink <= config.most_ink && as_white;
+}
+
+/// Whether the middle ninth of the component's box is all but free of it: a ring's must be, or it has melted together
+/// with the letter inside.
+bool Hollow(const ComponentSet& set, const Component& component) {
+  const int left = component.u + component.width / 3, right = component.u + component.width - component.width / 3;
+  const int top = component.v + component.height / 3, bottom = component.v + component.height - component.height / 3;
+  int inside = 0;
+  for (const estimator::paper::Run& run : set.RunsOf(component)) {
+    if (run.v >= top && run.v < bottom) inside += std::max(0, std::min(run.u_end, right) - std::max(run.u_begin, left));
+  }
+  return inside <= 0.1 * (right - left) * (bottom - top);
+}
+
+bool Legible(const ProjectedShape& shape, double blur_px, const TruthConfig& config) {
+  return shape.gap >= config.least_gap_px + blur_px &&
+         shape.obliquity <= models::DegToRad(config.largest_obliquity_deg);
+}
+
+Match MatchOf(const Component& component, const ProjectedShape& shape, const cv::Size& image, double blur_px,
+              const TruthConfig& config) {
+  if (shape.visible_box.empty()) return Match::kNone;
+  const cv::Rect2d box = BoxOf(component);
+  const bool whole = shape.visible_box.area() >= shape.box.area() * (1.0 - 1e-9);
+  const double tolerance = config.edge_tolerance_px + 0.5 * blur_px +
+                           config.edge_tolerance_share * std::max(shape.box.width, shape.box.height);
+  if (whole && !TouchesBorder(component, image) && LargestEdgeError(box, shape.box) <= tolerance &&
+      InkFits(component, shape, config)) {
+    return Legible(shape, blur_px, config) ? Match::kShape : Match::kUnclear;
+  }
+  const double overlap = OverlapOf(box, shape.visible_box);
+  if (overlap < config.unclear_overlap) return Match::kNone;
+  const double visible = shape.visible_box.area() / shape.box.area();
+  return visible < config.fragment_share ? Match::kFragment : Match::kUnclear;
+}
+
+}  // namespace
+
+std::vector<std::optional<FrameTrace::Label>> LabelComponents(
+    const ComponentSet& set, std::span<const GroundShape> shapes,
+    std::span<const std::optional<ProjectedShape>> projections, const cv::Size& image, double blur_px,
+    const TruthConfig& config) {
+  std::vector<std::optional<FrameTrace::Label>> labels;
+  for (const Component& component : set.components) {
+    std::optional<FrameTrace::Label> label = FrameTrace::Label::kOther;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      const Match match = projections[i] ? MatchOf(component, *projections[i], image, blur_px, config) : Match::kNone;
+      if (match == Match::kUnclear) label.reset();
+      if (match == Match::kShape) {
+        const bool melted = shapes[i].label == FrameTrace::Label::kCircle && !Hollow(set, component);
+        label = melted ? std::nullopt : std::optional(shapes[i].label);
+        break;
+      }
+    }
+    labels.push_back(label);
+  }
+  return labels;
+}
+
+}  // namespace touchdown::training

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace touchdown::util {
+
+/// A number with so many digits after the point; "-0.0" is "0.0".
+inline std::string Fixed(double value, int digits) {
+  std::string text = fmt::format("{:.{}f}", value, digits);
+  const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
+  return is_zero && text[0] == '-' ? text.substr(1) : text;
+}
+
+inline std::string FixedOrNone(const std::optional<double>& value, int digits) {
+  return value ? Fixed(*value, digits) : "none";
+}
+
+/// A line of CSV. No cell may hold a comma.
+inline std::string CsvLine(const std::vector<std::string>& cells) { return fmt::format("{}\n", fmt::join(cells, ",")); }
+
+/// A line of CSV of any cells, in quotes where they must be (RFC 4180).
+inline std::string QuotedCsvLine(std::vector<std::string> cells) {
+  for (std::string& cell : cells) {
+    if (cell.find_first_of(",\"\r\n") == std::string::npos) continue;
+    for (std::size_t at = 0; (at = cell.find('"', at)) != std::string::npos; at += 2) cell.insert(at, 1, '"');
+    cell = '"' + cell + '"';
+  }
+  return CsvLine(cells);
+}
+
+/// A limit as people write it, "≤ 0.06".
+inline std::string WithSigns(std::string limit) {
+  for (const auto& [ascii, sign] : {std::pair("<=", "≤"), std::pair(">=", "≥"), std::pair("..", "–")}) {
+    if (const std::size_t at = limit.find(ascii); at != std::string::npos) limit.replace(at, 2, sign);
+  }
+  return limit;
+}
+
+/// "gave_up" as "gave up".
+inline std::string Words(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+}  // namespace touchdown::util

@@ -1,0 +1,107 @@
+#include "sim/dynamics/hand.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/angles.h"
+#include "models/error.h"
+
+namespace touchdown::sim {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kLowest_m = 0.35;
+constexpr double kLift_s = 2.5;  // To the first of its heights.
+constexpr double kOff = 0.25;    // Of the height: how far off the pad, along each axis.
+
+void RequireWithin(double value, double low, double high, const char* what) {
+  if (!(value >= low && value <= high)) throw InputError(std::string("the hand's ") + what + " is out of its range");
+}
+
+/// From 0 to 1 over [0, 1], at rest at both ends.
+double LeastJerk(double s) {
+  s = std::clamp(s, 0.0, 1.0);
+  return s * s * s * (10.0 + s * (6.0 * s - 15.0));
+}
+
+}  // namespace
+
+void HandConfig::Validate() const {
+  RequireWithin(duration_s, 10.0, 600.0, "duration");
+  RequireWithin(max_height_m, 0.5, 3.0, "height");
+  RequireWithin(max_tilt_rad, 0.0, 0.7, "tilt");
+  RequireWithin(max_yaw_rad, 0.0, 1.4, "yaw");
+  RequireWithin(tremor_m, 0.0, 0.01, "tremor");
+  RequireWithin(tremor_rad, 0.0, 0.01, "tremor");
+  RequireWithin(tremor_hz, 0.1, 30.0, "tremor's frequency");
+}
+
+Hand::Wander::Wander(double start, double middle, double reach, double duration_s, models::RandomStream& random)
+    : times_s_{0.0}, values_{start} {
+  constexpr double kShortest_s = 2.0, kLongest_s = 4.0;
+  for (double t_s = kLift_s; t_s < duration_s; t_s += random.Uniform(kShortest_s, kLongest_s)) {
+    times_s_.push_back(t_s);
+    values_.push_back(middle + random.Uniform(-reach, reach));
+  }
+  const int last = static_cast<int>(values_.size()) - 1;
+  const int high = random.UniformInt(1, last - 1);
+  values_[static_cast<std::size_t>(high)] = middle + reach;
+  values_[static_cast<std::size_t>(random.UniformInt(high + 1, last))] = middle - reach;
+}
+
+double Hand::Wander::At(double t_s) const {
+  const auto next = std::upper_bound(times_s_.begin(), times_s_.end(), t_s);
+  if (next == times_s_.begin()) return values_.front();
+  if (next == times_s_.end()) return values_.back();
+  const auto i = static_cast<std::size_t>(next - times_s_.begin());
+  const double share = (t_s - times_s_[i - 1]) / (times_s_[i] - times_s_[i - 1]);
+  return values_[i - 1] + (values_[i] - values_[i - 1]) * LeastJerk(share);
+}
+
+Hand::Hand(const HandConfig& config, const Eigen::Isometry3d& X_WB, const models::TimeBase& time, std::uint64_t seed)
+    : config_(config), time_(time), X_WB_standing_(X_WB) {
+  config.Validate();
+  models::RandomStream random(seed, "hand");
+  const auto wander = [&](double start, double middle, double reach) {
+    wanders_.emplace_back(start, middle, reach, config.duration_s, random);
+  };
+  const double half_range_m = 0.5 * (config.max_height_m - kLowest_m);
+  wander(X_WB.translation().z(), kLowest_m + half_range_m, half_range_m);
+  for (int i = 0; i < 2; ++i) wander(0.0, 0.0, config.max_tilt_rad);
+  wander(models::TaitBryanFromRotation(X_WB.linear()).yaw, 0.0, config.max_yaw_rad);
+  for (int i = 0; i < 2; ++i) wander(0.0, 0.0, kOff);
+  for (int i = 0; i < 6; ++i) tremor_phases_.push_back(random.Uniform(-models::kPi, models::kPi));
+}
+
+Eigen::Isometry3d Hand::PoseAt(double t_s) const {
+  if (t_s <= 0.0) return X_WB_standing_;
+  const double grip = LeastJerk(t_s / kLift_s);
+  const auto tremor = [&](std::size_t first, double amplitude) {
+    Vector3d sway;
+    for (std::size_t i = 0; i < 3; ++i) {
+      sway[static_cast<Eigen::Index>(i)] =
+          grip * amplitude * std::sin(2.0 * models::kPi * config_.tremor_hz * t_s + tremor_phases_[first + i]);
+    }
+    return sway;
+  };
+  const auto value = [&](std::size_t i) { return wanders_[i].At(t_s); };
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  X_WB.linear() = models::RotationFromTaitBryan({value(1), value(2), value(3)});
+  X_WB.translation() = value(0) * Vector3d(value(4), value(5), 1.0);
+  X_WB.translation().head<2>() += (1.0 - grip) * X_WB_standing_.translation().head<2>();
+  X_WB.translation() += tremor(0, config_.tremor_m);
+  X_WB.linear() *= models::RotationExp(tremor(3, config_.tremor_rad));
+  return X_WB;
+}
+
+BodyMotion Hand::At(models::Tick tick) const {
+  constexpr double kHalfStep_s = 1e-4;
+  const double t_s = time_.ToSeconds(tick) - kStanding_s;
+  const Eigen::Isometry3d before = PoseAt(t_s - kHalfStep_s), after = PoseAt(t_s + kHalfStep_s);
+  return {.X_WB = PoseAt(t_s),
+          .v_WB = (after.translation() - before.translation()) / (2.0 * kHalfStep_s),
+          .w_WB_B = models::RotationLog(before.linear().transpose() * after.linear()) / (2.0 * kHalfStep_s)};
+}
+
+}  // namespace touchdown::sim

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "models/signals.h"
+#include "models/time.h"
+#include "models/vehicle.h"
+#include "sim/dynamics/ground_tilt.h"
+#include "sim/dynamics/hand.h"
+#include "sim/dynamics/mujoco_errors.h"
+#include "sim/dynamics/mujoco_model.h"
+#include "sim/dynamics/rotors.h"
+#include "sim/dynamics/true_state.h"
+#include "sim/scene/scene.h"
+
+namespace touchdown::sim {
+
+struct WorldConfig {
+  VibrationConfig vibration;
+  Eigen::Vector3d wind_m_s = Eigen::Vector3d::Zero();  ///< Mean wind in W.
+  GroundTilt ground_tilt = {};
+  bool paint_textures = true;  ///< Only a renderer needs them, and they take most of the start.
+
+  /// Throws InputError when a number is not finite, the imbalance negative or the ground too steep.
+  void Validate() const;
+};
+
+/// MuJoCo flies the vehicle over the scene: rotors, drag, wind, gravity, contact. One Step is one tick.
+///
+/// After a SimulationError only Reset brings the world back.
+class World {
+ public:
+  /// Starts at rest on the pad, rotors stopped. Throws InputError for a config, vehicle or scene that is not valid.
+  World(const WorldConfig& config, const models::Vehicle& vehicle, const Scene& scene, const models::TimeBase& time,
+        std::uint64_t seed);
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  /// Puts the vehicle there, at rest, at tick 0; `rotors_at_hover` starts the rotors at hover speed instead of stopped.
+  /// Wind as configured, no push, pad uncovered: nothing of an earlier flight remains.
+  void Reset(const Eigen::Isometry3d& X_WB, bool rotors_at_hover);
+
+  /// The pose at rest on its feet on the floor, upright on it, the body's origin above (x, y): where the contact
+  /// carries the weight.
+  Eigen::Isometry3d RestingPose(double x_m, double y_m, double yaw) const;
+
+  const TrueState& state() const { return state_; }
+
+  /// One tick under the command. Throws SimulationError when the command, a force or the new state is not finite, or
+  /// MuJoCo warns.
+  void Step(const models::RotorCommand& command);
+
+  /// One tick in which a hand moves the vehicle to there, motors off. Throws SimulationError when it is not finite.
+  void Carry(const BodyMotion& motion);
+
+  /// Mean wind in W, until set again.
+  void SetWind(const Eigen::Vector3d& wind_m_s) { wind_m_s_ = wind_m_s; }
+  /// External force in W at the body's origin, N, and torque in W, Nm, until set again.
+  void SetPush(const Eigen::Vector3d& force_n, const Eigen::Vector3d& torque_n_m);
+  /// Lays a plain sheet over the pad, or takes it away. The physics does not notice.
+  void CoverPad(bool covered);
+
+  /// For the renderer.
+  const mjModel_& model() const { return *model_; }
+  mjData_& data() { return *data_; }
+
+ private:
+  double FindRestingHeight();
+  double FindContactCeiling() const;
+  Wrench AppliedWrench(const models::RotorCommand& command);
+  void ApplyForces(const Wrench& wrench);
+  void StepMujoco();
+  void Advance();
+  void ReadState();
+  void ReadContacts();
+
+  WorldConfig config_;
+  models::Vehicle vehicle_;
+  models::TimeBase time_;
+  Rotors rotors_;
+  MujocoModel model_;
+  MujocoData data_;
+  int vehicle_body_ = 0;
+  int pad_cover_ = -1;
+  std::vector<bool> is_foot_;  ///< By geom.
+  double resting_height_m_ = 0.0;
+  double contact_ceiling_m_ = 0.0;  ///< With the body's origin above it, the vehicle can touch nothing.
+  Eigen::Vector3d wind_m_s_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d push_force_n_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d push_torque_n_m_ = Eigen::Vector3d::Zero();
+  TrueState state_;
+};
+
+}  // namespace touchdown::sim

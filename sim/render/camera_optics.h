@@ -1,0 +1,74 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "models/camera_model.h"
+#include "models/signals.h"
+#include "sim/render/packed_image.h"
+#include "sim/render/renderer.h"
+
+namespace touchdown::sim {
+
+/// The camera's poses at equal steps of time from the opening of the shutter to its closing, both included. One pose: a
+/// camera at rest.
+using ExposurePath = std::span<const Eigen::Isometry3d>;
+
+/// The pose at `fraction` (0 to 1) of the exposure, interpolated between its neighbours; 0.5 is mid-exposure.
+Eigen::Isometry3d PoseAlong(ExposurePath X_WC, double fraction);
+
+/// The lens and the shutter: turns one wide pinhole view, taken at mid-exposure, into what falls on the sensor, in a
+/// single pass of bilinear lookups.
+///
+/// The lens' radial distortion is exact. An exposure during which the camera moves is the mean of up to kMaxTaps views
+/// along its path, each of them the mid-exposure view warped by the homography that the floor (the plane z = 0 of W)
+/// induces between the two poses. This is exact for what lies on the floor. Something at height h below a camera at
+/// height H is blurred as if it lay on the floor: where the camera translates, its streak comes out (H - h) / H times
+/// as long as it should; where it rotates, exact. What solid objects hide and uncover within an exposure is left out.
+class CameraOptics {
+ public:
+  static constexpr int kMaxTaps = 32;
+
+  /// Throws InputError when the camera is not valid or its lens needs a pinhole view of more than 4096 px.
+  explicit CameraOptics(const models::CameraModel& camera);
+
+  /// The pinhole view to render: the frame's own pixel grid, extended as far as the lens and a little blur reach.
+  const PinholeView& pinhole_view() const { return view_; }
+
+  /// The exposed frame. `pinhole` is rendered in pinhole_view() from PoseAlong(X_WC, 0.5). A view that the blur carries
+  /// beyond the rendered one repeats its border. The frame is valid until the next call.
+  const FineImage& Expose(const models::Image& pinhole, ExposurePath X_WC);
+
+  /// How many views the exposure is the mean of: 1 as long as no pixel moves by more than a quarter of a pixel, else as
+  /// many as keep them 0.75 px apart or closer, up to kMaxTaps.
+  int TapsFor(ExposurePath X_WC) const;
+
+ private:
+  using Vector2i = Eigen::Matrix<std::int32_t, 2, 1>;
+  /// Shifts in the pinhole view at the nodes of a coarse grid over the frame, in 1/65536 px.
+  using ShiftGrid = std::vector<Vector2i>;
+
+  void MakeLookups(const models::CameraModel& camera);
+  Eigen::Vector2d LookupOf(int u, int v) const;
+  int NodeColumn(int i) const;
+  int NodeRow(int j) const;
+  Eigen::Vector2d ShiftAt(const Eigen::Vector2d& pixel, const Eigen::Isometry3d& X_WM,
+                          const Eigen::Isometry3d& X_WS) const;
+  ShiftGrid ShiftsBetween(const Eigen::Isometry3d& X_WM, const Eigen::Isometry3d& X_WS) const;
+  void AddRow(const ShiftGrid& shifts, int v, std::uint32_t* sums) const;
+
+  int width_;
+  int height_;
+  PinholeView view_;
+  int grid_columns_;
+  int grid_rows_;
+  /// Where each pixel of the frame lies in the pinhole view, in 1/65536 px.
+  std::vector<std::int32_t> lookups_x_, lookups_y_;
+  PackedImage pinhole_;
+  FineImage frame_;
+};
+
+}  // namespace touchdown::sim

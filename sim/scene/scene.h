@@ -1,0 +1,89 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "models/landing_pad.h"
+#include "sim/scene/sun.h"
+
+struct mjModel_;
+
+namespace touchdown::sim {
+
+/// What lies around the pad. The layout is drawn from the flight's seed (stream "scene").
+struct SceneConfig {
+  enum class Setting {
+    kIndoor,   ///< A floor between four walls, under a light that is nearly even.
+    kOutdoor,  ///< Grass, a path past the pad, the sun.
+  };
+  static constexpr std::array<std::string_view, 2> kSettingNames = {"indoor", "outdoor"};
+
+  Setting setting = Setting::kIndoor;
+  double floor_size_m = 10.0;
+  int posters = 14;           ///< Sheets rich in texture.
+  int lone_circles = 6;       ///< Rings without an H inside.
+  int lone_letters = 6;       ///< Letters as the pad's, H or rectangle, without a ring.
+  int objects = 8;            ///< Solid boxes and cylinders, outdoors stones and balls too.
+  double illumination = 1.0;  ///< Gain of the light, 1: nominal. Paper saturates the image at about 1.13.
+  bool pad = true;            ///< Whether the landing pad is there at all.
+  Sun sun = {};               ///< Outdoors.
+
+  bool IsOutdoor() const { return setting == Setting::kOutdoor; }
+
+  /// Throws InputError, without a file name, for a floor outside [4, 30] m, a count outside [0, 40], more than 80
+  /// things in all, an illumination outside (0, 4], or a sun that is not valid.
+  void Validate() const;
+};
+
+/// A flat, printed thing on the floor, or a solid one, at its pose on the floor.
+struct SceneItem {
+  enum class Kind { kPoster, kRing, kLetterH, kRectangle, kBox, kCylinder, kBall, kStone };
+  Kind kind = Kind::kPoster;
+  Eigen::Vector2d position_m = Eigen::Vector2d::Zero();  ///< Centre, in W.
+  double yaw = 0.0;
+  Eigen::Vector3d size_m = Eigen::Vector3d::Zero();  ///< Full extents along the item's own axes; z is 0 when flat.
+  std::uint64_t texture_seed = 0;
+
+  bool IsFlat() const { return kind < Kind::kBox; }
+  /// The corners of its rectangle on the floor in W, counter-clockwise.
+  std::array<Eigen::Vector2d, 4> Corners() const;
+};
+
+/// Whether two rectangles on the floor come closer than `gap_m` to each other (by the separating axis theorem; at
+/// corners the gap is measured along the rectangles' own axes).
+bool Overlap(const SceneItem& a, const SceneItem& b, double gap_m);
+
+struct Scene {
+  SceneConfig config;
+  models::LandingPad pad;
+  std::vector<SceneItem> items;
+  std::uint64_t floor_seed = 0;
+};
+
+/// Solid objects stay at least this far from the pad's centre with all their body: clear of the flight path.
+inline constexpr double kSolidKeepOut_m = 0.60;
+
+/// Draws a layout. Nothing lies over the pad's sheet or over another item, solid objects keep clear of the flight path
+/// above it, and most flat items lie within 1.5 m of it, where the camera looks. Throws InputError when the floor is
+/// too small for so many things.
+Scene MakeScene(const SceneConfig& config, const models::LandingPad& pad, std::uint64_t seed);
+
+inline constexpr char kPadCoverName[] = "pad_cover";
+/// The light of an outdoor scene. Its ambient part is the sky's.
+inline constexpr char kSunName[] = "sun";
+
+/// The whole MJCF: options, assets, floor, pad, items, lights, and `vehicle_body` (a <body> element) among them.
+///
+/// The pad's sheet lies at z = 0, other prints and the visible floor a fraction of a millimetre below it; the solid
+/// floor "floor" is an invisible plane at z = 0. GeomGroup says who sees what. The sheet kPadCoverName above the pad is
+/// transparent until its alpha is set to 1.
+std::string SceneMjcf(const Scene& scene, const std::string& vehicle_body, double timestep_s);
+
+/// Fills the pixels of the textures that SceneMjcf declares, before a GL context is made of the model.
+void PaintTextures(const Scene& scene, mjModel_& model);
+
+}  // namespace touchdown::sim

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "sim/scene/scene.h"
+
+namespace touchdown::sim {
+
+/// A convex solid of MuJoCo's: a box, cylinder, capsule, sphere or ellipsoid, with its size as MuJoCo has it.
+struct Solid {
+  mjtGeom type = mjGEOM_BOX;
+  Eigen::Vector3d size_m = Eigen::Vector3d::Zero();
+  Eigen::Isometry3d X_WG = Eigen::Isometry3d::Identity();
+};
+
+/// What a solid item is and where it stands. Throws std::logic_error for a flat one.
+Solid SolidOf(const SceneItem& item);
+
+}  // namespace touchdown::sim

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include "sim/scene/scene.h"
+
+namespace touchdown::sim {
+
+/// Size of a texture as its MJCF declares it, in texels (of one face, when it is a cube's).
+struct TextureSize {
+  bool cube = false;
+  int width = 0;
+  int height = 0;
+};
+
+TextureSize FloorTexture(const SceneConfig& config);
+TextureSize FloorCentreTexture(const SceneConfig& config);
+/// The square around the pad that has a floor texture of its own, finer than the rest.
+inline constexpr double kFloorCentreSize_m = 3.0;
+
+TextureSize SizeFor(const SceneItem& item);
+
+/// At most 0.2 mm a texel (more on a sheet over 0.8 m long), as long as wide: a mip level is chosen by the longer side,
+/// and would blur more along it, which near hover turns an ellipse's axes by more than noise does. Multiples of 64, so
+/// that six halvings leave no remainder.
+TextureSize PadTextureSize(const models::LandingPad& pad);
+
+/// The name that an item's geom, material and texture share.
+std::string ItemName(std::size_t index);
+
+/// Grey level, 0 to 255, of the pad's paper at the pad's centre, at the scene's illumination.
+double PaperLevel(const Scene& scene);
+
+/// Evenness of the room's light over the floor: 1 at the pad's centre, smooth, within [0.75, 1.12] everywhere. It is
+/// drawn from the scene's seed and painted into all that is flat.
+class RoomLight {
+ public:
+  explicit RoomLight(const Scene& scene);
+  double At(const Eigen::Vector2d& p_W) const;
+
+ private:
+  struct Pool {
+    Eigen::Vector2d centre_m;
+    double radius_m;
+    double gain;
+  };
+  double Raw(const Eigen::Vector2d& p_W) const;
+
+  std::array<Pool, 3> pools_;
+  Eigen::Vector2d slope_;
+};
+
+}  // namespace touchdown::sim

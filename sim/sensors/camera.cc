@@ -1,0 +1,105 @@
+#include "sim/sensors/camera.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "models/angles.h"
+#include "models/error.h"
+
+namespace touchdown::sim {
+namespace {
+
+constexpr double kMaxLatency_s = 1.0;
+constexpr double kMaxCompliance_rad_s2_m = 0.05;
+constexpr models::Tick kMostNodes = 64;
+
+bool Within(double value, double low, double high) { return value >= low && value <= high; }
+
+}  // namespace
+
+void CameraConfig::Validate(const models::TimeBase& time) const {
+  model.Validate();
+  time.PeriodOf(rate_hz);
+  if (!Within(noise_sigma, 0.0, ImageNoise::kMaxSigma)) {
+    throw InputError("camera: the noise must be within 0 and 24 grey levels");
+  }
+  if (!Within(exposure_s, 0.0, 1.0 / rate_hz)) {
+    throw InputError("camera: the exposure must be within 0 and the time between two frames");
+  }
+  if (!Within(latency_s, 0.5 * exposure_s, kMaxLatency_s)) {
+    throw InputError("camera: the latency must be within half the exposure and 1 s");
+  }
+  if (!Within(vibration_rad_s2_m, 0.0, kMaxCompliance_rad_s2_m)) {
+    throw InputError("camera: the mount's compliance must be within 0 and 0.05 rad per m/s^2");
+  }
+}
+
+Camera::Camera(const CameraConfig& config, const Eigen::Isometry3d& X_BC, World& world, const models::TimeBase& time,
+               std::uint64_t seed)
+    : config_((config.Validate(time), config)),
+      X_BC_(X_BC),
+      world_(world),
+      period_(time.PeriodOf(config.rate_hz)),
+      half_exposure_(0.5 * config.exposure_s * time.ticks_per_s),
+      reach_(static_cast<models::Tick>(std::ceil(half_exposure_))),
+      imager_(world.model(), config.model, config.noise_sigma, seed) {
+  latency_ = std::max(time.FromSeconds(config.latency_s), reach_);
+}
+
+Eigen::Isometry3d Camera::X_WC(const TrueState& truth) const {
+  const Eigen::Vector3d& vibration = truth.vibration_m_s2_B;
+  const Eigen::Vector3d tilt_B = config_.vibration_rad_s2_m * Eigen::Vector3d(-vibration.y(), vibration.x(), 0.0);
+  Eigen::Isometry3d X_BC = X_BC_;
+  X_BC.linear() = models::RotationExp(tilt_B) * X_BC_.linear();
+  return truth.X_WB * X_BC;
+}
+
+std::optional<models::CameraFrame> Camera::Sample(const TrueState& truth) {
+  Remember(truth);
+  const models::Tick mid_exposure = truth.tick - reach_;
+  if (mid_exposure >= 0 && mid_exposure % period_ == 0) {
+    pending_.push_back({mid_exposure + latency_, Expose(mid_exposure)});
+  }
+  if (pending_.empty() || pending_.front().due > truth.tick) return std::nullopt;
+  models::CameraFrame frame = std::move(pending_.front().frame);
+  pending_.pop_front();
+  return frame;
+}
+
+void Camera::Remember(const TrueState& truth) {
+  if (newest_ && truth.tick != *newest_ + 1) throw std::logic_error("the camera was not sampled at every tick");
+  newest_ = truth.tick;
+  poses_.push_back(X_WC(truth));
+  if (static_cast<models::Tick>(poses_.size()) > 2 * reach_ + 1) poses_.pop_front();
+}
+
+Eigen::Isometry3d Camera::PoseAt(double ticks_ago) const {
+  const double place = std::max(0.0, static_cast<double>(poses_.size() - 1) - ticks_ago);
+  const auto before = static_cast<std::size_t>(place);
+  if (before + 1 >= poses_.size()) return poses_.back();
+  const std::array<Eigen::Isometry3d, 2> neighbours{poses_[before], poses_[before + 1]};
+  return PoseAlong(neighbours, place - static_cast<double>(before));
+}
+
+std::vector<Eigen::Isometry3d> Camera::ExposedPath() const {
+  const models::Tick steps = std::min(4 * reach_, kMostNodes);
+  if (steps == 0) return {poses_.back()};
+  std::vector<Eigen::Isometry3d> path;
+  for (models::Tick i = 0; i <= steps; ++i) {
+    const double since_mid = half_exposure_ * (2.0 * static_cast<double>(i) / static_cast<double>(steps) - 1.0);
+    path.push_back(PoseAt(static_cast<double>(reach_) - since_mid));
+  }
+  return path;
+}
+
+models::CameraFrame Camera::Expose(models::Tick mid_exposure) {
+  const auto begin = std::chrono::steady_clock::now();
+  models::CameraFrame frame{.mid_exposure = mid_exposure, .image = imager_.Expose(world_.data(), ExposedPath())};
+  render_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  return frame;
+}
+
+}  // namespace touchdown::sim

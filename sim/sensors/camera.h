@@ -1,0 +1,78 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "models/camera_model.h"
+#include "models/signals.h"
+#include "models/time.h"
+#include "sim/dynamics/true_state.h"
+#include "sim/dynamics/world.h"
+#include "sim/sensors/imager.h"
+
+namespace touchdown::sim {
+
+struct CameraConfig {
+  models::CameraModel model;
+  int rate_hz = 60;
+  double noise_sigma = 3.0;  ///< Of 255, per pixel; up to 24.
+  double exposure_s = 0.004;
+  double latency_s = 0.020;  ///< From mid-exposure to delivery; at least half the exposure.
+  /// Compliance of the camera's mount: its tilt per m/s^2 of vibration across the optical axis. At the default a hover
+  /// shakes the image by some tenths of a pixel within an exposure (Sec. VI-B.2). 0: rigid.
+  double vibration_rad_s2_m = 0.002;
+
+  /// Throws InputError, without a file name, when the camera is not valid, the rate does not divide the ticks, or a
+  /// value is not finite or out of its range.
+  void Validate(const models::TimeBase& time) const;
+};
+
+/// The downward camera: renders at mid-exposure, blurs over the exposure, distorts, adds noise, delivers late.
+class Camera {
+ public:
+  /// Throws InputError when the config is not valid. `world` must outlive the camera.
+  Camera(const CameraConfig& config, const Eigen::Isometry3d& X_BC, World& world, const models::TimeBase& time,
+         std::uint64_t seed);
+
+  /// Call at every tick from 0 on, with the state of that tick. Returns the frame that is delivered now, if any. Frames
+  /// are exposed about the ticks that the rate's period divides; before tick 0 the camera is taken to be at rest.
+  /// Throws std::logic_error when a tick was left out.
+  std::optional<models::CameraFrame> Sample(const TrueState& truth);
+
+  /// Pose of the camera in W as it is at `truth`. The rotors' vibration tilts its compliant mount: the lens lags behind
+  /// the acceleration, turning about the optical centre.
+  Eigen::Isometry3d X_WC(const TrueState& truth) const;
+
+  /// Wall-clock cost of the newest frame's rendering and image effects, ms. For timing.json only.
+  double render_ms() const { return render_ms_; }
+
+ private:
+  struct Delivery {
+    models::Tick due = 0;
+    models::CameraFrame frame;
+  };
+
+  void Remember(const TrueState& truth);
+  Eigen::Isometry3d PoseAt(double ticks_ago) const;
+  std::vector<Eigen::Isometry3d> ExposedPath() const;
+  models::CameraFrame Expose(models::Tick mid_exposure);
+
+  CameraConfig config_;
+  Eigen::Isometry3d X_BC_;
+  World& world_;
+  models::Tick period_;
+  models::Tick latency_;
+  double half_exposure_;  ///< Ticks, and fractions of one.
+  models::Tick reach_;    ///< Ticks from mid-exposure to the first one at which the shutter has closed.
+  Imager imager_;
+  std::optional<models::Tick> newest_;
+  std::deque<Eigen::Isometry3d> poses_;  ///< X_WC, the newest tick's last.
+  std::deque<Delivery> pending_;
+  double render_ms_ = 0.0;
+};
+
+}  // namespace touchdown::sim

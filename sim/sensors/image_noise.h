@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "models/random_stream.h"
+#include "models/signals.h"
+#include "sim/render/packed_image.h"
+
+namespace touchdown::sim {
+
+/// Pixel noise: Gaussian, independent from pixel to pixel and frame to frame (stream "camera.noise"), followed by
+/// rounding to 8 bits. Every row of a frame is a stretch, drawn at random, of a long strip of noise that is drawn once:
+/// two rows of a flight have some of their noise in common in one case of a thousand, and then hardly ever at the same
+/// columns.
+class ImageNoise {
+ public:
+  static constexpr double kMaxSigma = 24.0;
+
+  /// `sigma` in grey levels of 255, 0 for none. Throws InputError when it is not within [0, kMaxSigma]: five sigma fit
+  /// the strip's numbers.
+  ImageNoise(double sigma, std::uint64_t seed);
+
+  /// Throws std::logic_error for a frame wider than 65536 px.
+  models::Image Apply(const FineImage& frame);
+
+ private:
+  models::RandomStream random_;
+  std::vector<std::int16_t> strip_;  ///< In units of 1/256 grey level.
+};
+
+}  // namespace touchdown::sim

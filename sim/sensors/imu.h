@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <optional>
+
+#include "models/random_stream.h"
+#include "models/signals.h"
+#include "sim/dynamics/ground_tilt.h"
+#include "sim/dynamics/true_state.h"
+
+namespace touchdown::sim {
+
+/// Noise of EuRoC to PX4's Gazebo model, turn-on bias of RotorS' ADIS16448, ranges of the paper's pxIMU (Sec. III-A).
+struct ImuConfig {
+  int rate_hz = 200;
+  double gyro_noise_rad_s_sqrt_hz = 1.7e-4;
+  double accelerometer_noise_m_s2_sqrt_hz = 2.0e-3;
+  double gyro_bias_sigma_rad_s = 0.0087;         ///< Turn-on, per axis: 0.5 deg/s.
+  double accelerometer_bias_sigma_m_s2 = 0.196;  ///< Turn-on, per axis: 0.02 g.
+  double gyro_range_rad_s = 8.7266;              ///< +-500 deg/s.
+  double accelerometer_range_m_s2 = 58.86;       ///< +-6 g.
+
+  /// Throws InputError when the rate does not divide `time`'s, a noise is negative or a range not positive, or a number
+  /// is not finite.
+  void Validate(const models::TimeBase& time) const;
+};
+
+/// Accelerometer and gyro at U. A sample is the mean of specific force and body rate over the ticks since the last
+/// sample, as the low-pass filter of a real one has it (so that the rotors' vibration is damped, not merely aliased,
+/// and summing samples gives the change of velocity), plus white noise of density x sqrt(rate), plus a bias drawn once,
+/// cut off at the range.
+class Imu {
+ public:
+  /// Draws the bias from the stream "imu.bias"; noise comes from "imu.noise". `X_BU` is the true mounting.
+  Imu(const ImuConfig& config, const Eigen::Isometry3d& X_BU, const models::TimeBase& time, std::uint64_t seed,
+      const GroundTilt& ground = {});
+
+  /// Call once a tick, in order; returns a sample on the ticks of its rate. The first call's tick may be before 0. The
+  /// sample at tick 0 is of that instant, taken as unaccelerated.
+  std::optional<models::ImuSample> Sample(const TrueState& truth);
+
+ private:
+  void Accumulate(const TrueState& truth);
+
+  ImuConfig config_;
+  Eigen::Isometry3d X_BU_;
+  Eigen::Vector3d gravity_W_;
+  double tick_s_;
+  models::Tick period_;
+  models::RandomStream noise_;
+  Eigen::Vector3d gyro_bias_;
+  Eigen::Vector3d accelerometer_bias_;
+  Eigen::Vector3d specific_force_sum_ = Eigen::Vector3d::Zero();  ///< In U.
+  Eigen::Vector3d rate_sum_ = Eigen::Vector3d::Zero();            ///< In U.
+  int count_ = 0;
+};
+
+}  // namespace touchdown::sim

@@ -1,0 +1,68 @@
+#include "sim/sensors/tracking_system.h"
+
+#include <cmath>
+
+#include "models/angles.h"
+#include "models/error.h"
+
+namespace touchdown::sim {
+namespace {
+
+using Eigen::Vector3d;
+
+double Exponential(models::RandomStream& random, double mean) { return -mean * std::log1p(-random.Uniform()); }
+
+}  // namespace
+
+void TrackingSystemConfig::Validate(const models::TimeBase& time) const {
+  time.PeriodOf(rate_hz);
+  for (const double value : {position_noise_m, rotation_noise_rad, occlusions_per_s, occlusion_duration_s,
+                             outlier_probability, outlier_position_m, outlier_rotation_rad}) {
+    if (!std::isfinite(value) || value < 0.0) {
+      throw InputError("the tracking system's numbers must be finite and not negative");
+    }
+  }
+  if (occlusions_per_s > rate_hz) throw InputError("the tracking system's occlusions must not outnumber its poses");
+  if (outlier_probability > 1.0) throw InputError("the tracking system's outlier probability must not exceed 1");
+}
+
+TrackingSystem::TrackingSystem(const TrackingSystemConfig& config, const models::TimeBase& time, std::uint64_t seed)
+    : config_(config),
+      time_(time),
+      period_(time.PeriodOf(config.rate_hz)),
+      noise_(seed, "tracking.noise"),
+      occlusion_random_(seed, "tracking.occlusion") {
+  config.Validate(time);
+  next_ = OcclusionAfter(0.0);
+}
+
+std::optional<models::TrackedPose> TrackingSystem::Sample(const TrueState& truth) {
+  if (truth.tick % period_ != 0) return std::nullopt;
+  const double now_s = time_.ToSeconds(truth.tick);
+  while (next_ && next_->end_s <= now_s) next_ = OcclusionAfter(next_->end_s);
+
+  Vector3d position_error = config_.position_noise_m * noise_.NormalVector3();
+  Vector3d rotation_error = config_.rotation_noise_rad * noise_.NormalVector3();
+  if (next_ && next_->begin_s <= now_s) {
+    if (next_->gap) return std::nullopt;
+    position_error += next_->position_offset;
+    rotation_error += next_->rotation_offset;
+  }
+  models::TrackedPose tracked{.tick = truth.tick, .X_WB = truth.X_WB};
+  tracked.X_WB.translation() += position_error;
+  tracked.X_WB.linear() = truth.X_WB.linear() * models::RotationExp(rotation_error);
+  return tracked;
+}
+
+std::optional<TrackingSystem::Occlusion> TrackingSystem::OcclusionAfter(double time_s) {
+  if (config_.occlusions_per_s == 0.0 || config_.occlusion_duration_s == 0.0) return std::nullopt;
+  Occlusion occlusion;
+  occlusion.begin_s = time_s + Exponential(occlusion_random_, 1.0 / config_.occlusions_per_s);
+  occlusion.end_s = occlusion.begin_s + Exponential(occlusion_random_, config_.occlusion_duration_s);
+  occlusion.gap = !occlusion_random_.Chance(config_.outlier_probability);
+  occlusion.position_offset = config_.outlier_position_m * occlusion_random_.NormalVector3();
+  occlusion.rotation_offset = config_.outlier_rotation_rad * occlusion_random_.NormalVector3();
+  return occlusion;
+}
+
+}  // namespace touchdown::sim

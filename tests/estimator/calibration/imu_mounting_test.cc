@@ -1,0 +1,114 @@
+#include "estimator/calibration/imu_mounting.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "models/angles.h"
+#include "models/error.h"
+#include "models/random_stream.h"
+#include "models/vehicle.h"
+
+namespace touchdown::estimator::calibration {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using ::testing::HasSubstr;
+using Samples = std::vector<models::ImuSample>;
+
+const Vector3d kUp = Vector3d::UnitZ();
+
+/// Samples of an IMU that sits on a level body at rest.
+Samples AtRest(const Matrix3d& R_BU, int count, double noise_m_s2 = 0.0, std::uint64_t seed = 1) {
+  models::RandomStream random(seed, "test");
+  Samples samples;
+  for (int i = 0; i < count; ++i) {
+    samples.push_back({.tick = 6 * i,
+                       .specific_force_U = R_BU.transpose() * Vector3d(0.0, 0.0, models::kGravity_m_s2) +
+                                           noise_m_s2 * random.NormalVector3()});
+  }
+  return samples;
+}
+
+TEST(ImuMounting, FindsEveryTiltToTheLastDigits) {
+  models::RandomStream random(7, "tilts");
+  for (int i = 0; i < 200; ++i) {
+    const Vector3d axis = Vector3d(random.Normal(), random.Normal(), 0.0).normalized();
+    const Matrix3d R_BU = models::RotationExp(random.Uniform(0.0, 3.1) * axis);
+    const ImuMounting found = FindImuMounting(AtRest(R_BU, 100));
+    EXPECT_LT(models::RotationLog(found.R_BU.transpose() * R_BU).norm(), 1e-9);
+    EXPECT_LT(found.noise_sigma_rad, 1e-12);
+    EXPECT_EQ(found.samples, 100u);
+  }
+}
+
+TEST(ImuMounting, TakesTheShortestRotationAsGravityTellsNoTurnAboutTheVertical) {
+  const Matrix3d R_BU = models::RotationFromTaitBryan({.roll = 0.03, .pitch = -0.02, .yaw = 0.7});
+  const Matrix3d found = FindImuMounting(AtRest(R_BU, 100)).R_BU;
+  EXPECT_TRUE((found * R_BU.transpose() * kUp).isApprox(kUp, 1e-12)) << "level is level";
+  EXPECT_NEAR(models::RotationLog(found).z(), 0.0, 1e-12) << "its axis lies across the vertical";
+  EXPECT_NEAR(models::RotationLog(found).norm(), std::acos(R_BU(2, 2)), 1e-9);
+}
+
+TEST(ImuMounting, TurnsAnImuThatIsMountedUpsideDown) {
+  const Matrix3d R_BU = models::RotationExp(Vector3d(models::kPi, 0.0, 0.0));
+  const Matrix3d found = FindImuMounting(AtRest(R_BU, 100)).R_BU;
+  EXPECT_TRUE((found * R_BU.transpose() * kUp).isApprox(kUp, 1e-12));
+  EXPECT_NEAR(found.determinant(), 1.0, 1e-12);
+}
+
+TEST(ImuMounting, TakesTheAccelerometersBiasForATilt) {
+  Samples samples = AtRest(Matrix3d::Identity(), 100);
+  for (auto& sample : samples) sample.specific_force_U.y() += 0.196;
+  const models::TaitBryan found = models::TaitBryanFromRotation(FindImuMounting(samples).R_BU);
+  EXPECT_NEAR(models::RadToDeg(found.roll), models::RadToDeg(std::atan2(0.196, 9.81)), 1e-9);
+}
+
+TEST(ImuMounting, TellsHowFarNoiseMayTiltIt) {
+  const double noise_m_s2 = 0.05;
+  for (const int count : {100, 10000}) {
+    double squared_rad2 = 0.0, told_rad = 0.0;
+    const int runs = count == 100 ? 200 : 20;
+    for (int seed = 0; seed < runs; ++seed) {
+      const auto found = FindImuMounting(AtRest(Matrix3d::Identity(), count, noise_m_s2, static_cast<unsigned>(seed)));
+      squared_rad2 += models::RotationLog(found.R_BU).squaredNorm() / (2.0 * runs);
+      told_rad += found.noise_sigma_rad / runs;
+    }
+    EXPECT_NEAR(std::sqrt(squared_rad2) / told_rad, 1.0, 0.35) << count;
+    EXPECT_NEAR(told_rad, noise_m_s2 / models::kGravity_m_s2 / std::sqrt(count), 0.3 * told_rad);
+  }
+}
+
+std::string ErrorOf(const Samples& samples) {
+  try {
+    FindImuMounting(samples);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ImuMounting, RefusesSamplesThatAreFewShakenTurningOrNotGravitys) {
+  EXPECT_EQ(ErrorOf({}), "too few samples of the IMU at rest: 0 of at least 100");
+  EXPECT_EQ(ErrorOf(AtRest(Matrix3d::Identity(), 99)), "too few samples of the IMU at rest: 99 of at least 100");
+  EXPECT_EQ(ErrorOf(AtRest(Matrix3d::Identity(), 100)), "");
+  EXPECT_THAT(ErrorOf(AtRest(Matrix3d::Identity(), 500, 0.5)),
+              HasSubstr("not at rest: its specific force scatters by 0.5"));
+  Samples turning = AtRest(Matrix3d::Identity(), 100);
+  for (auto& sample : turning) sample.w_WU_U.z() = 0.2;
+  EXPECT_THAT(ErrorOf(turning), HasSubstr("not at rest: it turns by 0.20 rad/s"));
+  Samples falling = AtRest(Matrix3d::Identity(), 100);
+  for (auto& sample : falling) sample.specific_force_U /= models::kGravity_m_s2;
+  EXPECT_THAT(ErrorOf(falling), HasSubstr("1.00 m/s^2, which is not gravity's"));
+  Samples broken = AtRest(Matrix3d::Identity(), 100);
+  broken[50].specific_force_U.x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(ErrorOf(broken), HasSubstr("not finite"));
+}
+
+}  // namespace
+}  // namespace touchdown::estimator::calibration

@@ -1,0 +1,262 @@
+#include "estimator/pad/print_match.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "models/angles.h"
+#include "models/error.h"
+#include "tests/support/synthetic_pad.h"
+
+namespace touchdown::estimator::pad {
+namespace {
+
+using Eigen::Vector2d;
+using models::LandingPad;
+
+/// What is printed within the ring.
+using Black = std::function<bool(const LandingPad&, const Vector2d&)>;
+
+bool OnStrokes(const LandingPad& pad, const Vector2d& p) {
+  const Vector2d q = p.cwiseAbs();
+  return q.x() < pad.h_height_m / 2 && q.y() < pad.h_width_m / 2 && q.y() > pad.h_width_m / 2 - pad.h_stroke_m;
+}
+
+struct View {
+  double distance = 0.5, tilt_deg = 20.0, noise_sigma = 3.0, lens_blur_sigma_px = 0.7;
+  std::function<double(double grey, const Vector2d& p_W)> light = nullptr;
+};
+
+class PrintMatchTest : public testing::Test {
+ protected:
+  void Look(const View& view) {
+    X_WC_ = tests::CameraAbovePad(Eigen::Vector3d::Zero(), kYaw, models::DegToRad(view.tilt_deg), 1.0);
+    X_WC_.translation() = -view.distance * X_WC_.linear().col(2);
+  }
+
+  /// A ring with `black` in it, from the ring's own pose.
+  std::optional<PrintPlace> Find(const Black& black, const View& view = {}) {
+    Look(view);
+    tests::PadPicture picture{
+        .noise_sigma = view.noise_sigma, .lens_blur_sigma_px = view.lens_blur_sigma_px, .letter = false};
+    picture.paint = [&](const Vector2d& p) -> std::optional<double> {
+      if (p.norm() > 0.1) return std::nullopt;
+      const bool is_black = p.norm() > pad_.inner_radius_m() ? pad_.IsBlack(p) : black(pad_, p);
+      const double grey = is_black ? picture.black : picture.paper;
+      return view.light ? view.light(grey, p) : grey;
+    };
+    models::RandomStream noise(7, "noise");
+    const models::Image image = tests::RenderPad(camera_, pad_, X_WC_, picture, &noise);
+    const Eigen::Isometry3d X_CW = X_WC_.inverse();
+    const CirclePose pose{X_CW.linear().col(2), X_CW.translation()};
+    const ReducedView reduced{camera_, undistort_, 1};
+    const auto found = PrintMatch(pad_).Find(image.View(), SeenPlane(pose, reduced));
+    return found ? std::optional(found->place) : std::nullopt;
+  }
+
+  /// Between the found direction of W's X axis and the true one, modulo a half turn, rad.
+  double AngleError(const PrintPlace& place) const {
+    const Eigen::Isometry3d X_CW = X_WC_.inverse();
+    const CirclePose pose{X_CW.linear().col(2), X_CW.translation()};
+    const ReducedView reduced{camera_, undistort_, 1};
+    const SeenPlane plane(pose, reduced);
+    const Eigen::Vector3d origin = plane.InCamera({0, 0}), x = plane.InCamera({1, 0}) - origin,
+                          y = plane.InCamera({0, 1}) - origin, along = X_CW.linear().col(0);
+    return std::abs(models::WrapToHalfPi(place.angle - std::atan2(along.dot(y), along.dot(x))));
+  }
+
+  static constexpr double kYaw = 0.4;
+  models::CameraModel camera_;
+  LandingPad pad_;
+  UndistortTable undistort_{camera_};
+  Eigen::Isometry3d X_WC_;
+};
+
+const Black kPrint = [](const LandingPad& pad, const Vector2d& p) { return pad.IsBlack(p); };
+
+TEST_F(PrintMatchTest, FindsTheHAndItsDirectionFromAnyDistanceAndTilt) {
+  for (const View& view : {View{.distance = 0.25, .tilt_deg = 0.0}, View{.distance = 0.5, .tilt_deg = 30.0},
+                           View{.distance = 0.5, .tilt_deg = 55.0}, View{.distance = 1.8, .tilt_deg = 10.0}}) {
+    const auto place = Find(kPrint, view);
+    ASSERT_TRUE(place) << view.distance << " m, " << view.tilt_deg;
+    EXPECT_LT(AngleError(*place), models::DegToRad(view.distance < 1.0 ? 1.0 : 3.0)) << view.distance;
+    EXPECT_LT(place->offset_m.norm(), 0.004);
+    EXPECT_NEAR(place->scale.x(), 1.0, 0.05);
+    EXPECT_NEAR(place->scale.y(), 1.0, 0.05);
+  }
+}
+
+TEST_F(PrintMatchTest, RefusesOtherLetters) {
+  const Black letter_n = [](const LandingPad& pad, const Vector2d& p) {
+    const double half_x = pad.h_height_m / 2, half_y = pad.h_width_m / 2 - pad.h_stroke_m / 2;
+    const bool diagonal = std::abs(p.x()) < half_x && std::abs(p.y() - p.x() / half_x * half_y) < pad.h_stroke_m / 2;
+    return OnStrokes(pad, p) || diagonal;
+  };
+  const Black letter_u = [](const LandingPad& pad, const Vector2d& p) {
+    const bool base = p.x() > -pad.h_height_m / 2 && p.x() < -pad.h_height_m / 2 + pad.h_stroke_m;
+    return OnStrokes(pad, p) || (base && std::abs(p.y()) < pad.h_width_m / 2);
+  };
+  const Black two_strokes = [](const LandingPad& pad, const Vector2d& p) { return OnStrokes(pad, p); };
+  const Black eight = [](const LandingPad& pad, const Vector2d& p) {
+    const Vector2d q = p.cwiseAbs();
+    const bool ends = q.x() < pad.h_height_m / 2 && q.x() > pad.h_height_m / 2 - pad.h_stroke_m;
+    return pad.IsBlack(p) || (ends && q.y() < pad.h_width_m / 2);
+  };
+  const Black cross = [](const LandingPad& pad, const Vector2d& p) {
+    const Vector2d q = p.cwiseAbs();
+    return q.minCoeff() < pad.h_stroke_m / 2 && q.maxCoeff() < pad.h_height_m / 2;
+  };
+  const Black nothing = [](const LandingPad&, const Vector2d&) { return false; };
+  for (const double distance : {0.3, 0.8, 1.5}) {
+    for (const Black& print : {letter_n, letter_u, two_strokes, eight, cross, nothing}) {
+      EXPECT_FALSE(Find(print, {.distance = distance})) << distance;
+    }
+  }
+}
+
+TEST_F(PrintMatchTest, RefusesAnHOfAnotherSizeOrPlace) {
+  EXPECT_FALSE(Find([](const LandingPad& pad, const Vector2d& p) { return pad.IsLetter(p / 0.7); }));
+  EXPECT_FALSE(Find([](const LandingPad& pad, const Vector2d& p) { return pad.IsLetter(p / 1.3); }));
+  EXPECT_FALSE(Find([](const LandingPad& pad, const Vector2d& p) { return pad.IsLetter(p - Vector2d(0.0, 0.02)); }));
+}
+
+TEST_F(PrintMatchTest, FindsAnHThatGlareBreaks) {
+  const auto glare = [](double grey, const Vector2d& p) {
+    return (p - Vector2d(0.032, 0.02)).norm() < 0.012 ? 225.0 : grey;
+  };
+  const auto place = Find(kPrint, {.light = glare});
+  ASSERT_TRUE(place);
+  EXPECT_LT(AngleError(*place), models::DegToRad(2.0));
+}
+
+TEST_F(PrintMatchTest, FindsAnHHalfInShadow) {
+  const auto shadow = [](double grey, const Vector2d& p) { return p.x() + p.y() > 0.01 ? 0.5 * grey : grey; };
+  EXPECT_TRUE(Find(kPrint, {.light = shadow}));
+}
+
+TEST_F(PrintMatchTest, FindsASquareHAndItsDirection) {
+  pad_.h_height_m = pad_.h_width_m = 0.08;
+  const auto place = Find(kPrint);
+  ASSERT_TRUE(place);
+  EXPECT_LT(AngleError(*place), models::DegToRad(1.0));
+}
+
+TEST_F(PrintMatchTest, KnowsWhetherThePrintIsAtAPlace) {
+  Look({});
+  const models::Image image = tests::RenderPad(camera_, pad_, X_WC_);
+  const Eigen::Isometry3d X_CW = X_WC_.inverse();
+  const ReducedView reduced{camera_, undistort_, 1};
+  const SeenPlane plane({X_CW.linear().col(2), X_CW.translation()}, reduced);
+  const PrintMatch print(pad_);
+  const auto found = print.Find(image.View(), plane);
+  ASSERT_TRUE(found);
+  EXPECT_GT(found->likeness, 0.9);
+  const double angle = found->place.angle;
+  for (const double turned_deg : {0.0, 3.0, -3.0, 180.0}) {
+    EXPECT_TRUE(print.IsAt(image.View(), plane, {.angle = angle + models::DegToRad(turned_deg)})) << turned_deg;
+  }
+  for (const double turned_deg : {25.0, -25.0, 90.0}) {
+    EXPECT_FALSE(print.IsAt(image.View(), plane, {.angle = angle + models::DegToRad(turned_deg)})) << turned_deg;
+  }
+}
+
+TEST_F(PrintMatchTest, FindsAPadWhoseMarksLieAllAlongTheRing) {
+  for (int i = 0; i < 10; ++i) {
+    const double angle = 2.0 * models::kPi * i / 10.0;
+    pad_.marks.push_back({.centre_m = 0.064 * Vector2d(std::cos(angle), std::sin(angle)), .diameter_m = 0.014});
+  }
+  pad_.Validate();
+  EXPECT_TRUE(Find(kPrint));
+}
+
+TEST_F(PrintMatchTest, FindsThinAndFatAndFlatHs) {
+  const LandingPad usual = pad_;
+  pad_.h_stroke_m = 0.0025;
+  EXPECT_TRUE(Find(kPrint, {.distance = 0.25, .noise_sigma = 0.0, .lens_blur_sigma_px = 0.3})) << "thin";
+  pad_.h_stroke_m = 0.026;
+  EXPECT_TRUE(Find(kPrint, {.distance = 0.25})) << "fat";
+  pad_ = usual;
+  std::swap(pad_.h_height_m, pad_.h_width_m);
+  EXPECT_TRUE(Find(kPrint)) << "flat";
+  pad_ = usual;
+  pad_.ring_width_m = 0.003;
+  EXPECT_TRUE(Find(kPrint)) << "in a thin ring";
+}
+
+TEST_F(PrintMatchTest, FindsARectangleAndItsDirection) {
+  pad_.h_stroke_m = 0.5 * pad_.h_width_m;
+  for (const View& view : {View{.distance = 0.25, .tilt_deg = 0.0}, View{.distance = 0.5, .tilt_deg = 30.0},
+                           View{.distance = 0.5, .tilt_deg = 55.0}, View{.distance = 1.8, .tilt_deg = 10.0}}) {
+    const auto place = Find(kPrint, view);
+    ASSERT_TRUE(place) << view.distance << " m, " << view.tilt_deg;
+    EXPECT_LT(AngleError(*place), models::DegToRad(view.distance < 1.0 ? 1.0 : 3.0)) << view.distance;
+  }
+}
+
+TEST_F(PrintMatchTest, RefusesWhatIsNoSolidRectangle) {
+  pad_.h_stroke_m = 0.5 * pad_.h_width_m;
+  const Black h = [](const LandingPad&, const Vector2d& p) { return LandingPad().IsLetter(p); };
+  const Black fat_h = [](const LandingPad&, const Vector2d& p) {
+    LandingPad fat;
+    fat.h_stroke_m = 0.34 * fat.h_width_m;
+    return fat.IsLetter(p);
+  };
+  const Black frame = [](const LandingPad& pad, const Vector2d& p) {
+    return pad.IsLetter(p) && !pad.IsLetter(p / 0.7);
+  };
+  const Black ellipse = [](const LandingPad& pad, const Vector2d& p) {  // As large as the rectangle.
+    return p.cwiseQuotient(Vector2d(pad.h_height_m, pad.h_width_m)).norm() < 1.0 / std::sqrt(models::kPi);
+  };
+  const Black disc = [](const LandingPad&, const Vector2d& p) { return p.norm() < 0.042; };
+  const Black triangle = [](const LandingPad& pad, const Vector2d& p) {
+    const double share = (p.x() / pad.h_height_m + 0.5);
+    return share > 0.0 && share < 1.0 && std::abs(p.y()) < pad.h_width_m * share;
+  };
+  const Black nothing = [](const LandingPad&, const Vector2d&) { return false; };
+  for (const double distance : {0.3, 0.8, 1.5}) {
+    int i = 0;
+    for (const Black& print : {h, fat_h, frame, ellipse, disc, triangle, nothing}) {
+      EXPECT_FALSE(Find(print, {.distance = distance})) << distance << " " << i;
+      ++i;
+    }
+  }
+}
+
+TEST_F(PrintMatchTest, ExpectsTheMarksThatAreDescribed) {
+  // A bar that joins the upper ends of the strokes makes the H an A.
+  pad_.marks = {models::PadMark{
+      .shape = models::PadMark::Shape::kBar, .centre_m = {0.042, 0.0}, .length_m = 0.016, .width_m = 0.03}};
+  pad_.Validate();
+  EXPECT_TRUE(Find(kPrint));
+  EXPECT_FALSE(Find([](const LandingPad& pad, const Vector2d& p) { return pad.IsLetter(p); }));
+}
+
+TEST_F(PrintMatchTest, MindsNoMarkBesideTheH) {
+  const Black dotted = [](const LandingPad& pad, const Vector2d& p) {
+    return pad.IsLetter(p) || (p - Vector2d(0.0, 0.045)).norm() < 0.01;
+  };
+  EXPECT_TRUE(Find(dotted));
+}
+
+TEST_F(PrintMatchTest, RefusesAFrameThatIsNoRing) {
+  Look({});
+  tests::PadPicture picture{.noise_sigma = 0.0};
+  picture.paint = [&](const Vector2d& p) -> std::optional<double> {
+    const double side = p.cwiseAbs().maxCoeff();
+    if (side > 0.105 || p.norm() < 0.6 * pad_.inner_radius_m()) return std::nullopt;
+    return side > 0.07 && side < 0.086 ? 25.0 : pad_.IsLetter(p) ? 25.0 : 215.0;
+  };
+  const models::Image image = tests::RenderPad(camera_, pad_, X_WC_, picture);
+  const Eigen::Isometry3d X_CW = X_WC_.inverse();
+  const CirclePose pose{X_CW.linear().col(2), X_CW.translation()};
+  const ReducedView reduced{camera_, undistort_, 1};
+  EXPECT_FALSE(PrintMatch(pad_).Find(image.View(), SeenPlane(pose, reduced)));
+}
+
+TEST_F(PrintMatchTest, RefusesImpossibleSettings) {
+  EXPECT_THROW((PrintMatchConfig{.least_bar = 0.0}.Validate()), InputError);
+  EXPECT_THROW((PrintMatchConfig{.least_between_strokes = 1.1}.Validate()), InputError);
+}
+
+}  // namespace
+}  // namespace touchdown::estimator::pad

@@ -1,0 +1,266 @@
+// Bags as others record them, and what is wrong with them.
+#include "scenarios/datasets/bag_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rosbag/bag.h>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "models/error.h"
+#include "scenarios/datasets/bag_messages.h"
+#include "tests/support/temporary_folder.h"
+
+namespace touchdown::datasets {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+constexpr std::uint32_t kStart_s = 1'600'000'000;
+
+template <typename Message>
+Message Stamped(double time_s, const std::string& frame) {
+  Message message;
+  message.header.stamp = ros::Time(kStart_s) + ros::Duration(time_s);
+  message.header.frame_id = frame;
+  return message;
+}
+
+/// A picture of 4 x 2 px whose pixels are all alike; its rows end in two bytes of padding.
+ros1::Image Picture(double time_s, const std::string& encoding, const std::vector<std::uint8_t>& pixel) {
+  auto image = Stamped<ros1::Image>(time_s, "camera_optical");
+  image.width = 4;
+  image.height = 2;
+  image.encoding = encoding;
+  for (std::uint32_t v = 0; v < image.height; ++v) {
+    for (std::uint32_t u = 0; u < image.width; ++u) image.data.insert(image.data.end(), pixel.begin(), pixel.end());
+    image.data.insert(image.data.end(), {0, 0});
+  }
+  image.step = static_cast<std::uint32_t>(image.data.size()) / image.height;
+  return image;
+}
+
+ros1::Image Grey(double time_s, std::uint8_t value = 100) { return Picture(time_s, "mono8", {value}); }
+
+ros1::Imu ImuAt(double time_s) {
+  auto imu = Stamped<ros1::Imu>(time_s, "imu_link");
+  imu.linear_acceleration.z = 9.8;
+  imu.angular_velocity.x = 0.5;
+  return imu;
+}
+
+ros1::CameraInfo Calibration() {
+  auto info = Stamped<ros1::CameraInfo>(0.0, "camera_optical");
+  info.width = 4;
+  info.height = 2;
+  info.distortion_model = "plumb_bob";
+  info.D = {-0.2, 0.05, 0.001, -0.002, 0.003};
+  info.K = {3.0, 0.0, 1.5, 0.0, 3.1, 0.5, 0.0, 0.0, 1.0};
+  info.P = {2.5, 0.0, 1.4, 0.0, 0.0, 2.6, 0.6, 0.0, 0.0, 0.0, 1.0, 0.0};
+  return info;
+}
+
+ros1::TransformStamped Mounted(const std::string& parent, const std::string& child, double x_m) {
+  ros1::TransformStamped transform;
+  transform.header.frame_id = parent;
+  transform.child_frame_id = child;
+  transform.transform.translation.x = x_m;
+  transform.transform.rotation.z = 1.0;  // By 180 degrees.
+  return transform;
+}
+
+class BagFileTest : public ::testing::Test {
+ protected:
+  BagFileTest() { bag_.open(file_.string(), rosbag::bagmode::Write); }
+
+  /// Adds a message that is recorded a second after its stamp.
+  template <typename Message>
+  void Add(const std::string& topic, const Message& message) {
+    bag_.write(topic, message.header.stamp + ros::Duration(1.0), message);
+  }
+  void AddMounting(const std::vector<ros1::TransformStamped>& transforms) {
+    ros1::TFMessage message;
+    message.transforms.assign(transforms.begin(), transforms.end());
+    bag_.write("/tf_static", ros::Time(kStart_s), message);
+  }
+
+  BagFile Open(const std::vector<std::string>& topics = {}) {
+    bag_.close();
+    return {file_, topics};
+  }
+  /// What reading all of it throws, after the file's name.
+  std::string Error(const std::vector<std::string>& topics = {}) {
+    const std::string place = file_.string() + ": ";
+    try {
+      BagFile bag = Open(topics);
+      while (bag.Next()) continue;
+    } catch (const InputError& error) {
+      const std::string text = error.what();
+      EXPECT_TRUE(text.starts_with(place)) << text;
+      return text.substr(place.size());
+    }
+    return "";
+  }
+  /// The grey of each picture's first pixel.
+  std::vector<int> Greys(const std::vector<std::string>& topics = {}) {
+    BagFile bag = Open(topics);
+    std::vector<int> greys;
+    while (const auto frame = bag.Next()) greys.push_back(frame->image.pixels.front());
+    return greys;
+  }
+
+  tests::TemporaryFolder folder_;
+  const std::filesystem::path file_ = folder_ / "foreign.bag";
+  rosbag::Bag bag_;
+};
+
+TEST_F(BagFileTest, ReadsPicturesOfEveryEncodingThatIsNoPattern) {
+  double time_s = 0.0;
+  for (const char* encoding : {"mono8", "8UC1"}) Add("/camera/image", Picture(time_s += 0.1, encoding, {77}));
+  for (const char* encoding : {"mono16", "16UC1"}) Add("/camera/image", Picture(time_s += 0.1, encoding, {77, 77}));
+  for (const char* encoding : {"bgr8", "8UC3"}) Add("/camera/image", Picture(time_s += 0.1, encoding, {0, 0, 200}));
+  Add("/camera/image", Picture(time_s += 0.1, "rgb8", {200, 0, 0}));
+  for (const char* encoding : {"bgra8", "8UC4"}) {
+    Add("/camera/image", Picture(time_s += 0.1, encoding, {0, 0, 200, 255}));
+  }
+  Add("/camera/image", Picture(time_s += 0.1, "rgba8", {200, 0, 0, 255}));
+  EXPECT_THAT(Greys(), ElementsAre(77, 77, 77, 77, 60, 60, 60, 60, 60, 60));  // Red is 0.299 of grey.
+}
+
+TEST_F(BagFileTest, ReadsCompressedPicturesAndTheCalibrationBesideThem) {
+  auto image = Stamped<ros1::CompressedImage>(0.1, "camera_optical");
+  image.format = "png";
+  std::vector<std::uint8_t> png;
+  cv::imencode(".png", cv::Mat(2, 4, CV_8UC1, cv::Scalar(42)), png);
+  image.data.assign(png.begin(), png.end());
+  Add("/camera/image_raw/compressed", image);
+  Add("/camera/camera_info", Calibration());
+  BagFile bag = Open();
+  EXPECT_EQ(bag.facts().camera.value().fy_px, 3.1);
+  EXPECT_EQ(bag.Next().value().image.pixels, std::vector<std::uint8_t>(8, 42));
+}
+
+TEST_F(BagFileTest, TellsTimesCameraImuAndMounting) {
+  Add("/camera/image_raw", Grey(0.5));
+  Add("/camera/image_raw", Grey(0.75, 101));
+  Add("/camera/camera_info", Calibration());
+  Add("/imu", ImuAt(0.49));
+  Add("/imu", ImuAt(0.50));
+  AddMounting(
+      {Mounted("map", "base_link", 99.0), Mounted("base_link", "camera", 0.1), Mounted("base_link", "imu_link", 0.02)});
+  AddMounting({Mounted("camera", "camera_optical", 0.03)});
+  BagFile bag = Open();
+  const FootageFacts& facts = bag.facts();
+  EXPECT_EQ(facts.frame_order, estimator::FrameOrder::kSequence);
+  EXPECT_EQ(facts.frame_count, 2u);
+  EXPECT_NEAR(facts.frames_per_s, 4.0, 1e-9);
+  EXPECT_FALSE(facts.latency || facts.pad || facts.estimator);
+  const models::CameraModel& camera = facts.camera.value();
+  EXPECT_THAT((std::vector<double>{camera.fx_px, camera.fy_px, camera.cx_px, camera.cy_px}),
+              ElementsAre(3.0, 3.1, 1.5, 0.5));
+  EXPECT_THAT((std::vector<double>{camera.k1, camera.k2, camera.p1, camera.p2, camera.k3}),
+              ElementsAre(-0.2, 0.05, 0.001, -0.002, 0.003));
+  ASSERT_EQ(facts.imu.size(), 2u);
+  EXPECT_EQ(facts.imu[0].sample.tick, 1'600'000'000'490'000);
+  EXPECT_EQ(facts.imu[0].sample.specific_force_U, Eigen::Vector3d(0.0, 0.0, 9.8));
+  EXPECT_EQ(facts.imu[0].sample.w_WU_U, Eigen::Vector3d(0.5, 0.0, 0.0));
+  // Camera: half a turn at 0.1 m, then another at -0.03 m of the body's x.
+  EXPECT_TRUE(facts.mounting.value().X_BC.isApprox(Eigen::Isometry3d(Eigen::Translation3d(0.07, 0.0, 0.0)), 1e-12));
+  EXPECT_NEAR(facts.mounting.value().X_BU.translation().x(), 0.02, 1e-12);
+  EXPECT_EQ(bag.Next().value().mid_exposure, 1'600'000'000'500'000);
+  const auto second = bag.Next();
+  EXPECT_EQ(second.value().source, "foreign.bag");
+  EXPECT_EQ(second.value().image.pixels, std::vector<std::uint8_t>(8, 101));
+  EXPECT_FALSE(bag.Next());
+}
+
+TEST_F(BagFileTest, TakesTheTimeOfRecordingWhereThereIsNoStamp) {
+  ros1::Image image = Grey(0.0);
+  image.header.stamp = ros::Time(0);
+  bag_.write("/image", ros::Time(12, 5000), image);
+  EXPECT_EQ(Open().Next().value().mid_exposure, 12'000'005);
+}
+
+TEST_F(BagFileTest, TellsNoMountingUnlessCameraAndImuAreOnOneBody) {
+  Add("/image", Grey(0.0));
+  Add("/imu", ImuAt(0.0));
+  AddMounting({Mounted("base_link", "camera_optical", 0.1), Mounted("gimbal", "imu_link", 0.1)});
+  EXPECT_FALSE(Open().facts().mounting);
+}
+
+TEST_F(BagFileTest, TakesTheImuForTheBodyWhereTheCameraIsMountedOnIt) {
+  Add("/image", Grey(0.0));
+  Add("/imu", ImuAt(0.0));
+  AddMounting({Mounted("/imu_link", "camera_optical", 0.1)});
+  const SensorMounting mounting = Open().facts().mounting.value();
+  EXPECT_EQ(mounting.X_BC.translation().x(), 0.1);
+  EXPECT_TRUE(mounting.X_BU.isApprox(Eigen::Isometry3d::Identity()));
+}
+
+TEST_F(BagFileTest, TakesTheProjectionOfRectifiedPicturesAndNoCameraThatIsNotPlumbBob) {
+  Add("/a/image_rect", Grey(0.0));
+  Add("/a/camera_info", Calibration());
+  Add("/b/image_raw", Grey(0.0));
+  ros1::CameraInfo fisheye = Calibration();
+  fisheye.distortion_model = "equidistant";
+  fisheye.D.resize(4);
+  Add("/b/camera_info", fisheye);
+  Add("/c/image_raw", Grey(0.0));
+  const models::CameraModel rectified = Open({"/a/image_rect"}).facts().camera.value();
+  EXPECT_THAT((std::vector<double>{rectified.fx_px, rectified.fy_px, rectified.cx_px, rectified.cy_px, rectified.k1}),
+              ElementsAre(2.5, 2.6, 1.4, 0.6, 0.0));
+  EXPECT_FALSE(BagFile(file_, {"/b/image_raw"}).facts().camera);
+  EXPECT_FALSE(BagFile(file_, {"/c/image_raw"}).facts().camera);
+}
+
+TEST_F(BagFileTest, ListsSeveralCamerasOrImusToChooseFrom) {
+  Add("/left/image_raw", Grey(0.0, 1));
+  Add("/right/image_raw", Grey(0.0, 2));
+  Add("/imu/data", ImuAt(0.0));
+  Add("/imu/data_raw", ImuAt(0.5));
+  EXPECT_EQ(Error(), "has several topics of pictures; choose one with --topic: /left/image_raw, /right/image_raw");
+  EXPECT_EQ(Error({"/right/image_raw"}),
+            "has several topics of an IMU's samples; choose one with --topic: /imu/data, /imu/data_raw");
+  EXPECT_EQ(Error({"/wrong/image_raw"}), "has no pictures or IMU's samples under the topic /wrong/image_raw");
+  EXPECT_THAT(Greys({"/imu/data_raw", "/right/image_raw"}), ElementsAre(2));
+}
+
+TEST_F(BagFileTest, RefusesABagWithoutPictures) {
+  Add("/imu", ImuAt(0.0));
+  EXPECT_EQ(Error(), "has no topic of pictures (sensor_msgs/Image or CompressedImage)");
+}
+
+TEST_F(BagFileTest, RefusesPatternsAndPicturesThatAreNotWhole) {
+  Add("/bayer", Picture(0.0, "bayer_rggb8", {1}));
+  ros1::Image cut = Grey(0.0);
+  cut.data.pop_back();
+  Add("/cut", cut);
+  ros1::Image endless = Grey(0.0);
+  endless.width = endless.height = endless.step = 0xffffffff;
+  Add("/endless", endless);
+  auto compressed = Stamped<ros1::CompressedImage>(0.0, "camera_optical");
+  compressed.format = "jpeg";
+  Add("/compressed", compressed);
+  EXPECT_THAT(Error({"/bayer"}), HasSubstr("has the encoding bayer_rggb8, which is none of mono8, "));
+  EXPECT_EQ(Error({"/cut"}), "is no picture of 4 x 2 px");
+  EXPECT_EQ(Error({"/endless"}), "is no picture of 4294967295 x 4294967295 px");
+  EXPECT_EQ(Error({"/compressed"}), "is no picture (jpeg) that can be read");
+}
+
+TEST_F(BagFileTest, RefusesTimesThatDoNotRise) {
+  for (const double time_s : {0.0, 0.2, 0.1}) {
+    ros1::Image image = Grey(time_s);
+    bag_.write("/image", ros::Time(kStart_s) + ros::Duration(1.0 + 0.1 * static_cast<double>(bag_.getSize())), image);
+  }
+  EXPECT_EQ(Error(), "topic /image: the time of message 2 is not after the one before");
+}
+
+TEST_F(BagFileTest, RefusesWhatIsNoBag) {
+  bag_.close();
+  folder_.Put("foreign.bag", "no bag");
+  EXPECT_EQ(Error(), "no ROS bag that can be read, or one that is cut");
+}
+
+}  // namespace
+}  // namespace touchdown::datasets

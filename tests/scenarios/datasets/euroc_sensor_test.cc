@@ -1,0 +1,84 @@
+#include "scenarios/datasets/euroc_sensor.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "models/error.h"
+#include "models/vehicle.h"
+#include "tests/support/temporary_folder.h"
+
+namespace touchdown::datasets {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// As in the data sets, with keys that nobody here needs.
+constexpr const char* kSensor = R"(#Default camera
+sensor_type: camera
+comment: a camera
+T_BS:
+  cols: 4
+  rows: 4
+  data: [0.0, -1.0, 0.0, -0.02,
+         1.0, 0.0, 0.0, -0.06,
+         0.0, 0.0, 1.0, 0.01,
+         0.0, 0.0, 0.0, 1.0]
+rate_hz: 20
+resolution: [752, 480]
+camera_model: pinhole
+intrinsics: [458.654, 457.296, 367.215, 248.375] #fu, fv, cu, cv
+distortion_model: radial-tangential
+distortion_coefficients: [-0.28340811, 0.07395907, 0.00019359, 1.76187114e-05]
+)";
+
+class EurocSensorTest : public ::testing::Test {
+ protected:
+  std::string ErrorOf(const std::string& written, const std::string& instead) const {
+    std::string text = kSensor;
+    text.replace(text.find(written), written.size(), instead);
+    try {
+      ReadEurocCamera(folder_.Put("sensor.yaml", text));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+  tests::TemporaryFolder folder_;
+};
+
+TEST_F(EurocSensorTest, ReadsACameraAndItsMounting) {
+  const EurocCamera camera = ReadEurocCamera(folder_.Put("sensor.yaml", kSensor));
+  EXPECT_EQ(camera.model.width_px, 752);
+  EXPECT_EQ(camera.model.fy_px, 457.296);
+  EXPECT_EQ(camera.model.cx_px, 367.215);
+  EXPECT_EQ(camera.model.k2, 0.07395907);
+  EXPECT_EQ(camera.model.p1, 0.00019359);
+  EXPECT_EQ(camera.X_BC.translation(), Eigen::Vector3d(-0.02, -0.06, 0.01));
+  EXPECT_EQ(camera.X_BC.linear().col(0), Eigen::Vector3d::UnitY());
+}
+
+TEST_F(EurocSensorTest, ReadsBackWhatItWritesToTheLastBit) {
+  models::Vehicle vehicle;
+  vehicle.camera.misalignment = {0.011, -0.02, 0.3};
+  vehicle.imu.misalignment = {0.1, 0.2, -0.03};
+  models::CameraModel model;
+  model.fx_px = 320.0 / 3.0;
+  model.k1 = -0.1;
+  const EurocCamera camera = ReadEurocCamera(folder_.Put("camera.yaml", EurocCameraYaml({model, vehicle.X_BC()}, 60)));
+  EXPECT_EQ(camera.model, model);
+  EXPECT_EQ(camera.X_BC.matrix(), vehicle.X_BC().matrix());
+  const Eigen::Isometry3d X_BU =
+      ReadEurocMounting(folder_.Put("imu.yaml", EurocImuYaml(vehicle.X_BU(), 200, 1e-4, 1e-3)));
+  EXPECT_EQ(X_BU.matrix(), vehicle.X_BU().matrix());
+}
+
+TEST_F(EurocSensorTest, NamesFileLineAndKeyOfWhatIsWrong) {
+  EXPECT_THAT(ErrorOf("radial-tangential", "equidistant"),
+              HasSubstr("sensor.yaml:15: distortion_model: must be radial-tangential"));
+  EXPECT_THAT(ErrorOf("[0.0, -1.0,", "[0.1, -1.0,"), HasSubstr("T_BS.data: must be a rotation"));
+  EXPECT_THAT(ErrorOf("resolution: [752, 480]", ""), HasSubstr("resolution: must be given"));
+  EXPECT_THAT(ErrorOf("intrinsics: [458.654", "intrinsics: [-458.654"), HasSubstr("focal lengths must be positive"));
+}
+
+}  // namespace
+}  // namespace touchdown::datasets

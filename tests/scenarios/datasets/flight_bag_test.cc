@@ -1,0 +1,188 @@
+// A flight's bag: as ROS's own reader sees it, and read back as footage.
+#include "scenarios/datasets/flight_bag.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "models/error.h"
+#include "scenarios/cli/flight_folder.h"
+#include "scenarios/datasets/estimate_footage.h"
+#include "scenarios/datasets/footage.h"
+#include "scenarios/datasets/poses_table.h"
+#include "scenarios/runner/scenario.h"
+#include "scenarios/util/sha256.h"
+#include "tests/support/disk_of_size.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace touchdown::datasets {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::StartsWith;
+
+/// A landing from the air, with sensors that are mounted askew and a lens that distorts.
+runner::Scenario Landing(double time_limit_s) {
+  return runner::LoadScenario(
+      fs::path(TOUCHDOWN_SOURCE_DIR) / "scenarios" / "flights" / "landing.yaml",
+      std::vector<runner::Override>{"time_limit_s=" + std::to_string(time_limit_s), std::string("criteria=[]"),
+                                    std::string("expect=gave_up"), std::string("camera.model.k1=-0.05"),
+                                    std::string("vehicle.camera.misalignment_deg=[1, -2, 3]"),
+                                    std::string("vehicle.imu.misalignment_deg=[2, 1, 30]")});
+}
+
+class FlownBag : public ::testing::Test {
+ protected:
+  runner::FlightResult Fly(const runner::Scenario& scenario, const std::string& name = "flight") const {
+    return cli::FlyIntoFolder(scenario, folder_ / name, {.video = false, .recording = true, .bag = true});
+  }
+  tests::TemporaryFolder folder_;
+};
+
+std::string PosesOf(const fs::path& input) {
+  const auto footage = OpenFootage(input);
+  const FootageFacts& facts = footage->facts();
+  const auto estimates = EstimateFootage(*footage, {.camera = facts.camera.value(),
+                                                    .pad = facts.pad.value(),
+                                                    .mounting = facts.mounting,
+                                                    .imu = facts.imu,
+                                                    .estimator = facts.estimator.value(),
+                                                    .attitude_estimator = facts.attitude_estimator.value()});
+  return runner::TumText(PosesTrajectory(estimates, facts.time), facts.time);
+}
+
+/// "TIME_NS SHA256" for each picture.
+std::string PicturesOf(Footage& footage) {
+  std::ostringstream lines;
+  while (const auto frame = footage.Next()) {
+    const std::string pixels(frame->image.pixels.begin(), frame->image.pixels.end());
+    lines << footage.facts().time.ToNanoseconds(frame->mid_exposure.value()) << " " << util::Sha256({&pixels}) << "\n";
+  }
+  return lines.str();
+}
+
+TEST_F(FlownBag, HoldsToTheLastDigitWhatTheFlightsFilesHold) {
+  Fly(Landing(2.0));
+  const std::string script =
+      (fs::path(TOUCHDOWN_SOURCE_DIR) / "tests" / "scenarios" / "footage" / "read_flight_bag.py").string();
+  const tests::ProgramRun run =
+      tests::RunProgram("/usr/bin/python3", {"-B", script, (folder_ / "flight").string()}, folder_.path());
+  EXPECT_EQ(run.status, 0) << run.err;
+  const auto recording = OpenFootage(folder_ / "flight");
+  EXPECT_EQ(run.out, PicturesOf(*recording));
+  EXPECT_GT(recording->facts().frame_count, 100u);
+}
+
+TEST_F(FlownBag, GivesTheFlightsOwnPosesAndPictures) {
+  const runner::FlightResult result = Fly(Landing(2.0));
+  EXPECT_EQ(PosesOf(folder_ / "flight" / "flight.bag"), result.tables.estimate_tum);
+  EXPECT_EQ(PosesOf(folder_ / "flight"), result.tables.estimate_tum);
+  EXPECT_GT(std::count(result.tables.estimate_tum.begin(), result.tables.estimate_tum.end(), '\n'), 100);
+  const auto bag = OpenFootage(folder_ / "flight" / "flight.bag"), recording = OpenFootage(folder_ / "flight");
+  EXPECT_EQ(bag->facts().frame_count, recording->facts().frame_count);
+  EXPECT_NEAR(bag->facts().frames_per_s, 60.0, 1e-3);
+  EXPECT_EQ(PicturesOf(*bag), PicturesOf(*recording));
+}
+
+TEST_F(FlownBag, GivesThemFromTheGroundTooWhereTheVehicleLearnsItsBiases) {
+  const runner::Scenario scenario =
+      runner::LoadScenario(fs::path(TOUCHDOWN_SOURCE_DIR) / "scenarios" / "flights" / "takeoff_hover_land.yaml",
+                           std::vector<runner::Override>{std::string("time_limit_s=4")});
+  const runner::FlightResult result = Fly(scenario);
+  EXPECT_EQ(PosesOf(folder_ / "flight" / "flight.bag"), result.tables.estimate_tum);
+  EXPECT_GT(std::count(result.tables.estimate_tum.begin(), result.tables.estimate_tum.end(), '\n'), 50);
+}
+
+TEST_F(FlownBag, HasTheSameBytesWhenFlownAgain) {
+  Fly(Landing(0.3), "a");
+  Fly(Landing(0.3), "b");
+  const std::string bytes = folder_.Content("a/flight.bag");
+  EXPECT_GT(bytes.size(), 1'000'000u);
+  EXPECT_TRUE(bytes == folder_.Content("b/flight.bag"));
+}
+
+TEST_F(FlownBag, IsRefusedWhereverItIsCut) {
+  Fly(Landing(0.3));
+  const std::string bytes = folder_.Content("flight/flight.bag");
+  for (const std::size_t size :
+       {std::size_t{0}, std::size_t{5}, std::size_t{5000}, bytes.size() / 2, bytes.size() - 9000, bytes.size() - 1}) {
+    const fs::path cut = folder_.Put("cut.bag", bytes.substr(0, size));
+    try {
+      OpenFootage(cut);
+      ADD_FAILURE() << size;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.what(), cut.string() + ": no ROS bag that can be read, or one that is cut") << size;
+    }
+  }
+}
+
+TEST_F(FlownBag, IsWrittenAndReadByTheProgramWhichKeepsEarlierPosesWhenOneIsCut) {
+  const auto run = [this](const std::vector<std::string>& arguments) {
+    return tests::RunProgram(TOUCHDOWN_PROGRAM, arguments, folder_.path());
+  };
+  folder_.Put("short.yaml", "script:\n  - {do: takeoff, height_m: 1}\n  - {do: land}\ntime_limit_s: 0.1\n");
+  EXPECT_EQ(run({"fly", "short.yaml", "--bag", "--video", "off", "--out", "flight"}).status, 1);
+  const tests::ProgramRun estimated =
+      run({"estimate", "flight/flight.bag", "--topic", "/camera/image_raw", "--out", "poses"});
+  EXPECT_EQ(estimated.status, 0) << estimated.err;
+  const std::string poses = folder_.Content("poses/poses.csv");
+  EXPECT_THAT(poses, StartsWith("frame,source"));
+
+  folder_.Put("cut.bag", folder_.Content("flight/flight.bag").substr(0, 100'000));
+  const tests::ProgramRun cut = run({"estimate", "cut.bag", "--out", "poses"});
+  EXPECT_EQ(cut.status, 2);
+  EXPECT_EQ(cut.err, "error: cut.bag: no ROS bag that can be read, or one that is cut\n");
+  EXPECT_EQ(folder_.Content("poses/poses.csv"), poses);
+  EXPECT_EQ(run({"estimate", "flight", "--topic", "/camera/image_raw", "--out", "poses"}).status, 2);
+  EXPECT_EQ(run({"fly", "short.yaml", "--video", "off", "--out", "flight"}).status, 1);
+  EXPECT_FALSE(fs::exists(folder_ / "flight" / "flight.bag"));
+}
+
+/// What writing a bag of a short flight throws.
+std::string ErrorOf(const runner::Scenario& scenario, const fs::path& file) {
+  try {
+    FlightBag bag(scenario, file);
+    runner::FlightObserver* const observers[] = {&bag};
+    bag.Finish(Fly(scenario, observers));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(FlownBag, TellsOfAFullDiskAndLeavesNothing) {
+  const runner::Scenario scenario = Landing(0.3);
+  const fs::path file = folder_ / "flight.bag";
+  ASSERT_EQ(ErrorOf(scenario, file), "");
+  const auto whole = static_cast<rlim_t>(fs::file_size(file));
+  fs::remove(file);
+  // Full at the start, among the frames, among the truth, in the index, and when the file is closed.
+  for (const rlim_t bytes : {rlim_t{0}, rlim_t{5000}, whole / 2, whole - 50'000, whole - 3000, whole - 1}) {
+    const tests::DiskOfSize disk(bytes);
+    EXPECT_THAT(ErrorOf(scenario, file), StartsWith("bag flight.bag: cannot be written")) << bytes;
+    EXPECT_FALSE(fs::exists(file)) << bytes;
+  }
+}
+
+TEST_F(FlownBag, TellsOfAPlaceThatCannotBeWritten) {
+  const runner::Scenario scenario = Landing(0.1);
+  EXPECT_THAT(ErrorOf(scenario, folder_ / "none" / "flight.bag"), StartsWith("bag flight.bag: cannot be written"));
+  fs::create_directories(folder_ / "folder.bag");
+  EXPECT_THAT(ErrorOf(scenario, folder_ / "folder.bag"), StartsWith("bag folder.bag: cannot be written"));
+  EXPECT_TRUE(fs::is_directory(folder_ / "folder.bag"));
+}
+
+TEST_F(FlownBag, LeavesNothingOfABagThatIsNotFinished) {
+  const fs::path file = folder_ / "flight.bag";
+  {
+    FlightBag bag(Landing(0.1), file);
+    bag.OnImu({.tick = 0}, true);
+    EXPECT_TRUE(fs::exists(file));
+  }
+  EXPECT_FALSE(fs::exists(file));
+}
+
+}  // namespace
+}  // namespace touchdown::datasets

@@ -1,0 +1,101 @@
+#include "scenarios/runner/event_player.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/dynamics/world.h"
+#include "sim/scene/scene.h"
+
+namespace touchdown::runner {
+namespace {
+
+/// A vehicle in free fall with its rotors stopped, far above an empty floor.
+class EventPlayerTest : public ::testing::Test {
+ protected:
+  static sim::World MakeWorld() {
+    sim::SceneConfig empty;
+    empty.posters = empty.lone_circles = empty.lone_letters = empty.objects = 0;
+    sim::WorldConfig config;
+    config.paint_textures = false;
+    return {config, models::Vehicle(), sim::MakeScene(empty, models::LandingPad(), 1), models::TimeBase(), 1};
+  }
+
+  void SetUp() override {
+    Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+    X_WB.translation().z() = 100.0;
+    world_.Reset(X_WB, false);
+  }
+
+  /// Lets time pass up to a tick.
+  void FlyTo(EventPlayer& events, models::Tick tick) {
+    while (world_.state().tick < tick) {
+      events.Apply(world_.state().tick, world_);
+      world_.Step({});
+    }
+    events.Apply(tick, world_);
+  }
+
+  sim::World world_ = MakeWorld();
+  models::TimeBase time_;
+};
+
+TEST_F(EventPlayerTest, PushesFromItsTimeForItsDuration) {
+  Event push;
+  push.at_s = 0.1;
+  push.duration_s = 0.2;
+  push.force_n << 1.2, 0.0, 0.0;
+  EventPlayer events({push}, time_);
+  FlyTo(events, 120);
+  EXPECT_DOUBLE_EQ(world_.state().v_WB.x(), 0.0);
+  FlyTo(events, 121);
+  EXPECT_GT(world_.state().v_WB.x(), 0.0);
+  FlyTo(events, 360);
+  // 1 m/s^2 for 0.2 s, less a little drag.
+  EXPECT_NEAR(world_.state().v_WB.x(), 0.2, 0.01);
+  const double speed = world_.state().v_WB.x();
+  FlyTo(events, 480);
+  EXPECT_LE(world_.state().v_WB.x(), speed);
+}
+
+TEST_F(EventPlayerTest, AddsPushesThatOverlap) {
+  Event push;
+  push.duration_s = 0.2;
+  push.force_n << 0.6, 0.0, 0.0;
+  EventPlayer events({push, push}, time_);
+  FlyTo(events, 240);
+  EXPECT_NEAR(world_.state().v_WB.x(), 0.2, 0.01);
+}
+
+TEST_F(EventPlayerTest, BlowsTheNewestWindForGood) {
+  Event wind;
+  wind.kind = Event::Kind::kWind;
+  wind.at_s = 0.1;
+  wind.velocity_m_s << 0.0, 5.0, 0.0;
+  EventPlayer events({wind}, time_);
+  FlyTo(events, 120);
+  EXPECT_DOUBLE_EQ(world_.state().v_WB.y(), 0.0);
+  FlyTo(events, 1200);
+  EXPECT_GT(world_.state().v_WB.y(), 0.5);
+}
+
+TEST_F(EventPlayerTest, CoversThePadAndLosesFramesForAWhile) {
+  Event cover, lose;
+  cover.kind = Event::Kind::kCoverPad;
+  cover.at_s = 0.1;
+  cover.duration_s = 0.1;
+  lose.kind = Event::Kind::kLoseFrames;
+  lose.at_s = 0.15;
+  lose.duration_s = 0.1;
+  EventPlayer events({cover, lose}, time_);
+  const auto at = [&](models::Tick tick) {
+    events.Apply(tick, world_);
+    return std::pair(events.pad_is_covered(), events.frames_are_lost());
+  };
+  EXPECT_EQ(at(119), std::pair(false, false));
+  EXPECT_EQ(at(120), std::pair(true, false));
+  EXPECT_EQ(at(180), std::pair(true, true));
+  EXPECT_EQ(at(240), std::pair(false, true));
+  EXPECT_EQ(at(300), std::pair(false, false));
+}
+
+}  // namespace
+}  // namespace touchdown::runner

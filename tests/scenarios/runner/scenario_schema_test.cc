@@ -1,0 +1,100 @@
+#include "scenarios/runner/scenario_schema.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+namespace touchdown::runner {
+namespace {
+
+/// Stands for a field of any type in an aggregate's braces.
+struct AnyField {
+  template <typename T>
+  operator T() const;  // NOLINT: it must convert silently. Never called.
+};
+
+template <typename T, std::size_t... I>
+constexpr bool TakesFields(std::index_sequence<I...>) {
+  return requires { T{((void)I, AnyField{})...}; };
+}
+
+/// How many fields a struct has: the most that its braces take.
+template <typename T, std::size_t N = 48>
+constexpr std::size_t FieldCount() {
+  if constexpr (TakesFields<T>(std::make_index_sequence<N>())) {
+    return N;
+  } else {
+    return FieldCount<T, N - 1>();
+  }
+}
+
+/// Counts the keys of one struct, those of its sections as one each.
+class KeyCounter : public config::ConfigVisitor {
+ public:
+  std::size_t count = 0;
+
+  void Number(const config::Key&, double&, const config::Unit&, const config::Range&) override { ++count; }
+  void OptionalNumber(const config::Key&, std::optional<double>&, const config::Unit&, const config::Range&) override {
+    ++count;
+  }
+  void Numbers(const config::Key&, const std::vector<double*>&, const config::Unit&, const config::Range&) override {
+    ++count;
+  }
+  void Integer64(const config::Key&, std::int64_t&, const config::Range&) override { ++count; }
+  void Boolean(const config::Key&, bool&) override { ++count; }
+  void Text(const config::Key&, std::string&) override { ++count; }
+  void Choice(const config::Key&, int&, std::span<const std::string_view>) override { ++count; }
+  void Section(const config::Key&, const config::SectionFile&,
+               const std::function<void(config::ConfigVisitor&)>&) override {
+    ++count;
+  }
+  void List(const config::Key&, std::size_t, const std::function<void(std::size_t)>&,
+            const std::function<void(config::ConfigVisitor&, std::size_t)>&) override {
+    ++count;
+  }
+  void Check(std::string_view, const std::function<void()>&) override {}
+};
+
+template <typename T>
+std::size_t KeyCount() {
+  T value;
+  KeyCounter counter;
+  Describe(counter, value);
+  return counter.count;
+}
+
+template <typename T>
+class SchemaOf : public ::testing::Test {};
+
+using Structs = ::testing::Types<Scenario, models::Vehicle, models::CameraModel, models::LandingPad, sim::ImuConfig,
+                                 sim::TrackingSystemConfig, sim::SceneConfig, estimator::EstimatorConfig,
+                                 estimator::AttitudeEstimatorConfig, estimator::PoseFilterConfig,
+                                 controller::GuidanceConfig, controller::PositionControllerConfig,
+                                 controller::AttitudeControllerConfig, controller::FlightControllerConfig, Criterion>;
+TYPED_TEST_SUITE(SchemaOf, Structs);
+
+TYPED_TEST(SchemaOf, HasAKeyForEveryField) { EXPECT_EQ(KeyCount<TypeParam>(), FieldCount<TypeParam>()); }
+
+TEST(SchemaOfCamera, HasAKeyForEveryField) {
+  sim::CameraConfig camera;
+  KeyCounter counter;
+  DescribeCamera(counter, camera, models::TimeBase());
+  EXPECT_EQ(counter.count, FieldCount<sim::CameraConfig>());
+}
+
+TEST(SchemaOfCalibration, HasAKeyForEveryField) {
+  Calibration all{.camera_model = models::CameraModel(), .camera = models::Mounting(), .imu = models::Mounting()};
+  KeyCounter counter;
+  Describe(counter, all);
+  EXPECT_EQ(counter.count, FieldCount<Calibration>());
+}
+
+TEST(SchemaOfWorld, LeavesOutOnlyWhetherTexturesArePainted) {
+  EXPECT_EQ(KeyCount<sim::WorldConfig>() + 1, FieldCount<sim::WorldConfig>());
+}
+
+}  // namespace
+}  // namespace touchdown::runner

@@ -1,0 +1,282 @@
+#include "scenarios/sweeper/plan/sweep_store.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "models/error.h"
+#include "scenarios/sweeper/analysis/rows_csv.h"
+#include "tests/support/temporary_folder.h"
+
+namespace touchdown::sweeper {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+SweepPlan PlanOf(const std::vector<std::string>& ids) {
+  SweepPlan plan{.keys = {"camera.noise_sigma", "start.yaw_deg"}, .flights = {}};
+  for (const std::string& id : ids) {
+    plan.flights.push_back(
+        {.position = static_cast<std::int64_t>(plan.flights.size()), .id = id, .seed = 7, .values = {"3", "1.5"}});
+  }
+  return plan;
+}
+
+SweepTerms Terms() {
+  return {.name = "sweep",
+          .description = "For people: \"so\".",
+          .axes = {{"camera.noise_sigma", {"3", "4.5"}}, {"start.yaw_deg", {}}},
+          .variants = {"a", "b"},
+          .criteria = {{.metric = "pass_rate", .min = 0.9, .max = 1.0},
+                       {.metric = "flight.sim_time_s", .quantile = 0.25, .max = 0.1 + 0.2, .by = JudgedBy::kInterval}},
+          .stop_when = StopWhen{.good_pass_rate = 0.9, .bad_pass_rate = 0.8},
+          .sought = SoughtEdge{"camera.noise_sigma", 3.0, 4.5, 0.9}};
+}
+
+FlightRow Row(const std::string& id, const std::string& verdict = "pass", const std::string& program = "this") {
+  return {.id = id,
+          .program = program,
+          .version = "1",
+          .host = "h",
+          .end = RowEnd::kFlown,
+          .verdict = verdict,
+          .outcome = "landed",
+          .metrics = {{"flight.sim_time_s", 0.1 + 0.2}, {"estimate.false_pads", 2.0}},
+          .log_sha256 = "abc",
+          .wall_s = 2.5,
+          .complaint = "a line\n",
+          .scenario_yaml = "seed: 7\n"};
+}
+
+class SweepStoreTest : public testing::Test {
+ protected:
+  SweepStore Open(SweepStore::Access access = SweepStore::Access::kWrite) { return {folder_.path(), access}; }
+  std::string ErrorOnOpening(SweepStore::Access access) {
+    try {
+      Open(access);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  const tests::TemporaryFolder folder_;
+};
+
+TEST_F(SweepStoreTest, GivesBackWhatItWasGiven) {
+  {
+    SweepStore store = Open();
+    store.SetPlan(Terms(), PlanOf({"a", "b"}), "this");
+    store.Put(Row("a", "fail"));
+  }
+  const SweepStore store = Open(SweepStore::Access::kRead);
+  EXPECT_EQ(store.planned(), 2u);
+  EXPECT_EQ(RowJson(store.Find("a").value()), RowJson(Row("a", "fail")));
+  EXPECT_EQ(store.Find("b"), std::nullopt);
+  const std::vector<SweepResult> results = store.Results();
+  ASSERT_EQ(results.size(), 1u);
+  EXPECT_EQ(results[0].seed, 7u);
+  EXPECT_THAT(results[0].values, ElementsAre("3", "1.5"));
+  EXPECT_EQ(results[0].row.metrics.at("flight.sim_time_s"), 0.1 + 0.2) << "to the last bit";
+}
+
+TEST_F(SweepStoreTest, KeepsWhatTheResultsAreJudgedBy) {
+  EXPECT_THAT(Open().terms().keys(), testing::IsEmpty()) << "no plan yet";
+  Open().SetPlan(Terms(), PlanOf({"a"}), "this");
+  const SweepTerms terms = Open(SweepStore::Access::kRead).terms();
+  EXPECT_EQ(terms.name, "sweep");
+  EXPECT_EQ(terms.description, "For people: \"so\".");
+  EXPECT_THAT(terms.keys(), ElementsAre("camera.noise_sigma", "start.yaw_deg"));
+  EXPECT_THAT(terms.axes[0].listed, ElementsAre("3", "4.5"));
+  EXPECT_THAT(terms.axes[1].listed, testing::IsEmpty());
+  EXPECT_THAT(terms.variants, ElementsAre("a", "b"));
+  ASSERT_EQ(terms.criteria.size(), 2u);
+  EXPECT_EQ(terms.criteria[0].quantile, std::nullopt);
+  EXPECT_EQ(terms.criteria[0].min, 0.9);
+  EXPECT_EQ(terms.criteria[0].max, 1.0);
+  EXPECT_EQ(terms.criteria[1].metric, "flight.sim_time_s");
+  EXPECT_EQ(terms.criteria[1].quantile, 0.25);
+  EXPECT_EQ(terms.criteria[1].min, std::nullopt);
+  EXPECT_EQ(terms.criteria[1].max, 0.1 + 0.2) << "to the last bit";
+  EXPECT_EQ(terms.criteria[0].by, JudgedBy::kValue);
+  EXPECT_EQ(terms.criteria[1].by, JudgedBy::kInterval);
+  ASSERT_TRUE(terms.stop_when);
+  EXPECT_EQ(terms.stop_when->bad_pass_rate, 0.8);
+  ASSERT_TRUE(terms.sought);
+  EXPECT_EQ(terms.sought->key, "camera.noise_sigma");
+  EXPECT_EQ(terms.sought->max, 4.5);
+  EXPECT_EQ(terms.sought->pass_rate, 0.9);
+}
+
+TEST(SweepTerms, AreOfASweepsFile) {
+  const SweepFile file{
+      .name = "n",
+      .description = "d",
+      .parameters = {{.key = "a", .values = ListedValues{{"1", "2"}}}, {.key = "b", .values = UniformValues{}}},
+      .variants = {{.name = "v"}, {.name = "w"}},
+      .criteria = {{.metric = "pass_rate", .min = 0.5}}};
+  const SweepTerms terms = TermsOf(file);
+  EXPECT_THAT(terms.axes[0].listed, ElementsAre("1", "2"));
+  EXPECT_THAT(terms.axes[1].listed, testing::IsEmpty());
+  EXPECT_THAT(terms.variants, ElementsAre("v", "w"));
+  EXPECT_THAT(TermsOf({.variants = std::vector<SweepVariant>(1)}).variants, testing::IsEmpty());
+  EXPECT_EQ(TermsJson(TermsFromJson(TermsJson(terms))), TermsJson(terms));
+  EXPECT_THROW(TermsFromJson("{}"), InputError);
+  EXPECT_THROW(TermsFromJson("no json"), InputError);
+}
+
+TEST_F(SweepStoreTest, CountsAFlightThatWasFlownTwiceOnce) {
+  SweepStore store = Open();
+  store.SetPlan(Terms(), PlanOf({"a"}), "this");
+  store.Put(Row("a"));
+  store.Put(Row("a"));
+  EXPECT_EQ(store.Results().size(), 1u);
+}
+
+TEST_F(SweepStoreTest, KeepsAFlownRowWhenAnotherProcessOfTheSameFlightFails) {
+  SweepStore store = Open();
+  FlightRow crashed = Row("a", "error");
+  crashed.end = RowEnd::kCrashed;
+  crashed.metrics.clear();
+  store.Put(crashed);
+  EXPECT_EQ(store.Find("a")->end, RowEnd::kCrashed);
+  store.Put(Row("a"));
+  EXPECT_EQ(store.Find("a")->end, RowEnd::kFlown) << "it was flown after all";
+  store.Put(crashed);
+  EXPECT_EQ(RowJson(store.Find("a").value()), RowJson(Row("a")));
+}
+
+TEST_F(SweepStoreTest, TakesRowsAllOrNone) {
+  SweepStore store = Open();
+  FlightRow crashed = Row("a", "error");
+  crashed.end = RowEnd::kCrashed;
+  FlightRow numberless = Row("c");
+  numberless.metrics["flight.sim_time_s"] = std::nan("");
+  EXPECT_THROW(store.Put(std::vector{Row("b"), numberless}), InputError) << "SQLite takes it for NULL";
+  EXPECT_FALSE(store.Find("b"));
+  store.Put(std::vector{Row("a"), crashed, Row("b")});
+  EXPECT_EQ(store.Find("a")->end, RowEnd::kFlown);
+  EXPECT_TRUE(store.Find("b"));
+}
+
+TEST_F(SweepStoreTest, LeavesARowForLaterWhileAnotherProgramReads) {
+  SweepStore store = Open();
+  store.SetPlan(Terms(), PlanOf({"a", "b"}), "this");
+  {
+    SQLite::Database reader((folder_ / "sweep.db").string(), SQLite::OPEN_READONLY);
+    SQLite::Statement query(reader, "SELECT * FROM plan");
+    ASSERT_TRUE(query.executeStep());
+    EXPECT_FALSE(store.TryPut(Row("a")));
+  }
+  EXPECT_TRUE(store.TryPut(Row("a")));
+  EXPECT_TRUE(store.Find("a"));
+}
+
+TEST_F(SweepStoreTest, UndoesWhatAKilledProgramLeftHalfWrittenAlsoToRead) {
+  {
+    SweepStore store = Open();
+    store.SetPlan(Terms(), PlanOf({"a"}), "this");
+    for (int i = 0; i < 200; ++i) store.Put(Row("row " + std::to_string(i)));
+  }
+  {
+    SQLite::Database writer((folder_ / "sweep.db").string(), SQLite::OPEN_READWRITE);
+    writer.exec("PRAGMA cache_size = 1");  // So that it writes into the file before it commits.
+    SQLite::Transaction transaction(writer);
+    writer.exec("UPDATE flights SET verdict = 'half written'");
+    for (const char* name : {"sweep.db", "sweep.db-journal"})
+      folder_.Put(std::string("killed/") + name, folder_.Content(name));
+  }
+  EXPECT_THAT(folder_.Content("killed/sweep.db"), HasSubstr("half written"));
+  const SweepStore store(folder_ / "killed", SweepStore::Access::kRead);
+  EXPECT_EQ(store.Find("row 7")->verdict, "pass");
+}
+
+TEST_F(SweepStoreTest, KeepsAndDoesNotCountWhatIsNotOfThePlanOrOfAnotherBuild) {
+  SweepStore store = Open();
+  store.SetPlan(Terms(), PlanOf({"a", "b"}), "old");
+  store.Put(Row("a", "pass", "old"));
+  store.SetPlan(Terms(), PlanOf({"c"}), "this");
+  store.Put(Row("c"));
+  EXPECT_EQ(store.Results().size(), 1u);
+  EXPECT_EQ(store.stale(), 1u);
+  EXPECT_EQ(store.unplanned(), 0u);
+  store.SetPlan(Terms(), PlanOf({"d"}), "this");
+  EXPECT_EQ(store.unplanned(), 1u);
+  EXPECT_TRUE(store.Find("a"));
+}
+
+TEST_F(SweepStoreTest, RefusesWhatIsNoSweeps) {
+  EXPECT_THAT(ErrorOnOpening(SweepStore::Access::kRead), HasSubstr("sweep.db: no such file"));
+  folder_.Put("sweep.db", "a text of somebody's");
+  EXPECT_THAT(ErrorOnOpening(SweepStore::Access::kWrite), HasSubstr("sweep.db: file is not a database"));
+  EXPECT_EQ(folder_.Content("sweep.db"), "a text of somebody's");
+}
+
+TEST_F(SweepStoreTest, RefusesAnotherVersionAndADamagedFile) {
+  {
+    SweepStore store = Open();
+    store.SetPlan(Terms(), PlanOf({"a"}), "this");
+    for (int i = 0; i < 200; ++i) store.Put(Row("row " + std::to_string(i)));
+  }
+  const std::string whole = folder_.Content("sweep.db");
+  std::string other = whole;
+  other[63] = 9;  // The last byte of the file's user_version.
+  folder_.Put("sweep.db", other);
+  EXPECT_THAT(ErrorOnOpening(SweepStore::Access::kWrite), HasSubstr("sweep.db: is of version 9, this program's is 1"));
+  folder_.Put("sweep.db", whole.substr(0, whole.size() / 2));
+  EXPECT_THAT(ErrorOnOpening(SweepStore::Access::kWrite), HasSubstr("sweep.db: "));
+  EXPECT_THAT(ErrorOnOpening(SweepStore::Access::kRead), HasSubstr("sweep.db: "));
+  EXPECT_EQ(folder_.Content("sweep.db").size(), whole.size() / 2) << "as it was";
+}
+
+TEST_F(SweepStoreTest, RefusesARowOfAnEndThatItDoesNotKnow) {
+  SweepStore store = Open();
+  store.SetPlan(Terms(), PlanOf({"a"}), "this");
+  store.Put(Row("a"));
+  SQLite::Database((folder_ / "sweep.db").string(), SQLite::OPEN_READWRITE).exec("UPDATE flights SET process = 'flow'");
+  try {
+    store.Results();
+    ADD_FAILURE() << "no InputError";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("sweep.db: is damaged: flight a ended as flow"));
+  }
+}
+
+TEST(RowsCsv, IsSortedByIdAndQuotesWhatMustBe) {
+  SweepResult b{.seed = 2, .variant = "", .values = {"[0, 1]"}, .row = Row("b")};
+  SweepResult a{.seed = 1, .variant = "", .values = {"[2, \"x\"]"}, .row = Row("a", "fail")};
+  const std::string csv = RowsCsv({"start.position_m"}, {b, a});
+  EXPECT_THAT(csv, StartsWith("id,variant,start.position_m,seed,verdict,outcome,flight.sim_time_s,"));
+  const std::size_t first = csv.find("\na,,\"[2, \"\"x\"\"]\",1,fail,landed,0.30000000000000004,"),
+                    second = csv.find("\nb,,\"[0, 1]\",2,pass,landed,");
+  ASSERT_NE(first, std::string::npos) << csv;
+  EXPECT_LT(first, second);
+  EXPECT_THAT(csv, testing::EndsWith(",abc\n"));
+  EXPECT_THAT(csv, testing::Not(HasSubstr(",h,"))) << "no host";
+}
+
+TEST_F(SweepStoreTest, GivesBackItsPlan) {
+  SweepStore store = Open();
+  SweepPlan plan = PlanOf({"a", "b"});
+  plan.whole = 6;
+  plan.flights[1].position = 5;
+  plan.flights[1].variant = "windy";
+  store.SetPlan(Terms(), plan, "this");
+  const SweepPlan kept = store.Plan();
+  EXPECT_EQ(store.program(), "this");
+  EXPECT_EQ(kept.whole, 6u);
+  EXPECT_EQ(kept.keys, plan.keys);
+  ASSERT_EQ(kept.flights.size(), 2u);
+  EXPECT_EQ(kept.flights[1].position, 5);
+  EXPECT_EQ(kept.flights[1].id, "b");
+  EXPECT_EQ(kept.flights[1].seed, 7u);
+  EXPECT_EQ(kept.flights[1].variant, "windy");
+  EXPECT_THAT(kept.flights[1].values, ElementsAre("3", "1.5"));
+}
+
+}  // namespace
+}  // namespace touchdown::sweeper

@@ -1,0 +1,129 @@
+#include "scenarios/sweeper/run/crew.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <new>
+#include <opencv2/core.hpp>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "models/error.h"
+#include "tests/support/temporary_folder.h"
+
+namespace touchdown::sweeper {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// In place of a flight: what the id tells.
+void Pretend(const FlightTask& task, const RowFolder& folder) {
+  const auto is = [&task](const char* what) { return task.id.find(what) != std::string::npos; };
+  std::cerr << task.id << " flies\n";
+  if (is("crash")) raise(SIGABRT);
+  if (is("memory")) raise(SIGKILL);
+  if (is("alloc")) throw std::bad_alloc();
+  if (is("picture")) throw cv::Exception(cv::Error::StsNoMem, "no memory", "", "", 0);
+  if (is("opencv")) throw cv::Exception(cv::Error::StsAssert, "at fault", "", "", 0);
+  if (is("hang")) std::this_thread::sleep_for(std::chrono::seconds(100));
+  if (is("silent")) return;
+  if (is("status")) _exit(4);
+  if (is("fault")) throw std::runtime_error("at fault");
+  if (is("full")) throw InputError("output file rows/full.json: cannot be written");
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  folder.Leave({.id = task.id,
+                .end = RowEnd::kFlown,
+                .verdict = "pass",
+                .outcome = "landed",
+                .scenario_yaml = task.scenario_yaml});
+}
+
+class CrewTest : public testing::Test {
+ protected:
+  /// Flies all, and keeps the rows that it is given in `rows_`.
+  void Fly(const std::vector<std::string>& ids, int jobs, const util::StopRequested& stop = nullptr) {
+    std::vector<FlightTask> tasks;
+    for (const std::string& id : ids) tasks.push_back({id, "scenario of " + id, 2.0, 0});
+    std::size_t next = 0;
+    const RowFolder rows(folder_.path());
+    FlyTasks(
+        rows, {.jobs = jobs, .fly = [&](const FlightTask& task) { Pretend(task, rows); }},
+        [&] { return next < tasks.size() ? &tasks[next++] : nullptr; },
+        [&](const FlightRow& row) { rows_[row.id] = row; }, stop);
+  }
+
+  const tests::TemporaryFolder folder_;
+  std::map<std::string, FlightRow> rows_;
+};
+
+TEST_F(CrewTest, BringsARowOfEachFlight) {
+  Fly({"a", "b", "c", "d", "e"}, 2);
+  ASSERT_EQ(rows_.size(), 5u);
+  for (const auto& [id, row] : rows_) {
+    EXPECT_TRUE(row.passed()) << id;
+    EXPECT_EQ(row.complaint, id + " flies\n");
+  }
+}
+
+TEST_F(CrewTest, GoesOnWhenProcessesFailAndSaysWhatBecameOfThem) {
+  Fly({"crash", "a", "memory", "silent", "status", "fault", "b"}, 2);
+  ASSERT_EQ(rows_.size(), 7u);
+  EXPECT_TRUE(rows_["a"].passed());
+  EXPECT_TRUE(rows_["b"].passed());
+  EXPECT_EQ(rows_["crash"].end, RowEnd::kCrashed);
+  EXPECT_THAT(rows_["crash"].reason, HasSubstr("Aborted"));
+  EXPECT_EQ(rows_["crash"].complaint, "crash flies\n");
+  EXPECT_EQ(rows_["crash"].scenario_yaml, "scenario of crash");
+  EXPECT_EQ(rows_["memory"].end, RowEnd::kOutOfMemory);
+  EXPECT_EQ(rows_["silent"].end, RowEnd::kCrashed);
+  EXPECT_THAT(rows_["status"].reason, HasSubstr("status 4"));
+  EXPECT_THAT(rows_["fault"].complaint, HasSubstr("internal error: at fault"));
+  for (const char* id : {"crash", "memory", "silent", "status", "fault"}) {
+    EXPECT_EQ(rows_[id].verdict, "error");
+    EXPECT_TRUE(fs::exists(folder_ / "rows" / (std::string(id) + ".json"))) << "left for whoever collects";
+  }
+}
+
+TEST_F(CrewTest, TellsWhatNeedsTooMuchMemoryFromOtherFaults) {
+  Fly({"alloc", "picture", "opencv"}, 2);
+  EXPECT_EQ(rows_["alloc"].end, RowEnd::kOutOfMemory);
+  EXPECT_EQ(rows_["picture"].end, RowEnd::kOutOfMemory);
+  EXPECT_EQ(rows_["picture"].reason, "needs more memory than its limit");
+  EXPECT_EQ(rows_["opencv"].end, RowEnd::kCrashed);
+}
+
+TEST_F(CrewTest, EndsWhatHangs) {
+  const auto begin = std::chrono::steady_clock::now();
+  Fly({"hang", "a", "b"}, 2);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+  EXPECT_EQ(rows_["hang"].end, RowEnd::kHung);
+  EXPECT_EQ(rows_["hang"].reason, "not done after 2 s");
+  EXPECT_TRUE(rows_["b"].passed());
+}
+
+TEST_F(CrewTest, LandsWhatIsFlyingWhenAskedToStop) {
+  int asked = 0;
+  Fly({"a", "b", "c", "d"}, 2, [&] { return ++asked > 2; });
+  EXPECT_EQ(rows_.size(), 2u);
+}
+
+TEST_F(CrewTest, RefusesToGoOnWhereRowsCannotBeWritten) {
+  try {
+    Fly({"a", "full", "b"}, 1);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), std::string("output file rows/full.json: cannot be written"));
+  }
+  EXPECT_EQ(rows_.size(), 1u);
+}
+
+}  // namespace
+}  // namespace touchdown::sweeper

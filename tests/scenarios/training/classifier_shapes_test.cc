@@ -1,0 +1,58 @@
+#include "scenarios/training/classifier_shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace touchdown::training {
+namespace {
+
+std::vector<GroundShape> ShapesOfPad(const models::LandingPad& pad) {
+  sim::SceneConfig bare;
+  bare.posters = bare.lone_circles = bare.lone_letters = bare.objects = 0;
+  return ShapesOf(sim::MakeScene(bare, pad, 1));
+}
+
+TEST(ClassifierShapes, OfAPadAreItsRingAndItsHWithoutItsMarks) {
+  models::LandingPad marked;
+  marked.marks = {{.shape = models::PadMark::Shape::kDisc, .centre_m = {0.0, 0.06}, .diameter_m = 0.02},
+                  {.shape = models::PadMark::Shape::kBar, .centre_m = {0.05, 0.0}, .length_m = 0.02, .width_m = 0.05}};
+  const std::vector<GroundShape> shapes = ShapesOfPad(marked), plain = ShapesOfPad({});
+  ASSERT_EQ(shapes.size(), 2u);
+  EXPECT_EQ(shapes[0].label, estimator::FrameTrace::Label::kCircle);
+  EXPECT_EQ(shapes[1].label, estimator::FrameTrace::Label::kH);
+  EXPECT_NEAR(shapes[0].radius_m, 0.090, 0.001);
+  EXPECT_NEAR(shapes[1].radius_m, std::hypot(0.050, 0.028), 0.001);
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    EXPECT_EQ(shapes[i].hull_m, plain[i].hull_m);
+    EXPECT_EQ(shapes[i].ink_share, plain[i].ink_share);
+  }
+}
+
+TEST(ClassifierShapes, OfARectangleAreSolid) {
+  models::LandingPad pad;
+  pad.h_stroke_m = 0.5 * pad.h_width_m;
+  const std::vector<GroundShape> shapes = ShapesOfPad(pad);
+  ASSERT_EQ(shapes.size(), 2u);
+  EXPECT_EQ(shapes[1].label, estimator::FrameTrace::Label::kH);
+  EXPECT_NEAR(shapes[1].radius_m, std::hypot(0.050, 0.028), 0.001);
+  EXPECT_EQ(shapes[1].ink_share, 1.0);
+  EXPECT_NEAR(shapes[1].gap_m, 0.056, 0.002) << "as wide as the rectangle";
+}
+
+TEST(ClassifierShapes, OfASceneAreTheLoneLettersOfThePadsKind) {
+  sim::SceneConfig scene;
+  scene.posters = scene.lone_circles = scene.objects = 0;
+  scene.lone_letters = 3;
+  models::LandingPad pad;
+  pad.h_stroke_m = 0.5 * pad.h_width_m;
+  sim::Scene drawn = sim::MakeScene(scene, pad, 1);
+  const std::vector<GroundShape> rectangles = ShapesOf(drawn);
+  ASSERT_EQ(rectangles.size(), 5u);
+  for (std::size_t i = 2; i < rectangles.size(); ++i) EXPECT_EQ(rectangles[i].ink_share, 1.0);
+  drawn.items.back().kind = sim::SceneItem::Kind::kLetterH;
+  EXPECT_EQ(ShapesOf(drawn).size(), 4u) << "an H is clutter beside rectangles";
+}
+
+}  // namespace
+}  // namespace touchdown::training

@@ -1,0 +1,84 @@
+#include "scenarios/training/classifier_study.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace touchdown::training {
+namespace {
+
+using models::PadLetter;
+using testing::IsSupersetOf;
+
+constexpr std::uint64_t kSeed = 1;
+constexpr double kLeastAgreement = 0.995;
+
+std::string Read(const std::string& path) {
+  std::ifstream file(TOUCHDOWN_SOURCE_DIR "/" + path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::string ContentOf(const std::string& name, const std::vector<StudyFile>& files) {
+  for (const StudyFile& file : files) {
+    if (file.name == name) return file.content;
+  }
+  return {};
+}
+
+/// The comment that says how a network was made.
+std::string Head(const std::string& code) { return code.substr(0, code.find("*/")); }
+
+void ExpectAllClassesWellRecognised(const ConfusionMatrix& matrix, int least_count, double least_recall) {
+  for (int label = 0; label < kClasses; ++label) {
+    EXPECT_GT(matrix.Total(label), least_count);
+    EXPECT_GE(matrix.Recall(label), least_recall) << "class " << label;
+  }
+}
+
+/// `touchdown train --letter LETTER` as the docs have it, against what is committed.
+void ExpectRemade(PadLetter letter, const std::string& weights, int least_count, double least_recall) {
+  const ClassifierStudy study = StudyClassifier(ClassifierStudyConfig::For(letter), kSeed);
+  ExpectAllClassesWellRecognised(study.test, least_count, least_recall);
+
+  ConfusionMatrix compiled_in;
+  int agreeing = 0;
+  for (const LabelledPattern& each : study.test_patterns) {
+    const estimator::FrameTrace::Label label = estimator::paper::Classify(each.pattern, letter).label;
+    ++compiled_in.count[static_cast<std::size_t>(each.label)][static_cast<std::size_t>(label)];
+    agreeing += label == LabelOf(study.network, each.pattern) ? 1 : 0;
+  }
+  ExpectAllClassesWellRecognised(compiled_in, least_count, least_recall);
+  EXPECT_GE(agreeing, kLeastAgreement * static_cast<double>(study.test_patterns.size()));
+
+  const std::string remade = ContentOf(weights, ClassifierFiles(study));
+  const std::string committed = Read("estimator/paper/" + weights);
+  ASSERT_FALSE(remade.empty());
+  // Elsewhere than where it was made, the last bits of rendering and training may be others.
+  if (Head(remade) != Head(committed)) GTEST_SKIP() << "the committed network was made on another type of machine";
+  EXPECT_EQ(remade, committed);
+  EXPECT_NE(Read("docs/classifier.md").find(ToText(study.test, letter)), std::string::npos)
+      << "docs/classifier.md has another confusion matrix than\n"
+      << ToText(study.test, letter);
+}
+
+TEST(ClassifierStudy, RemakesTheNetworkThatIsCompiledIn) {
+  ExpectRemade(PadLetter::kH, "classifier_weights.c", 1000, 0.99);
+}
+
+TEST(ClassifierStudy, RemakesTheNetworkOfTheRectangleThatIsCompiledIn) {
+  ExpectRemade(PadLetter::kRectangle, "classifier_weights_rectangle.c", 400, 0.9);
+}
+
+TEST(ClassifierStudy, NamesItsFilesByTheLetter) {
+  EXPECT_THAT(ClassifierFileNames(PadLetter::kH), IsSupersetOf({"confusion.json", "classifier_weights.c", "h.png"}));
+  EXPECT_THAT(ClassifierFileNames(PadLetter::kRectangle),
+              IsSupersetOf({"confusion.json", "classifier_weights_rectangle.c", "rectangle.png"}));
+}
+
+}  // namespace
+}  // namespace touchdown::training

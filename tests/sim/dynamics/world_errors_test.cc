@@ -1,0 +1,113 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <string>
+
+#include "sim/dynamics/mujoco_errors.h"
+#include "sim/dynamics/world.h"
+#include "tests/support/worlds.h"
+
+namespace touchdown::sim {
+namespace {
+
+using Eigen::Vector3d;
+using ::testing::HasSubstr;
+using tests::QuietWorld;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+std::string ErrorOfAStep(World& world, const models::RotorCommand& command) {
+  try {
+    world.Step(command);
+  } catch (const SimulationError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// Runs in a folder of its own, where MuJoCo would leave MUJOCO_LOG.TXT.
+class WorldErrors : public ::testing::Test {
+ protected:
+  WorldErrors() {
+    folder_ = std::filesystem::temp_directory_path() /
+              ("touchdown_world_errors_" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) + "_" +
+               ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::create_directories(folder_);
+    std::filesystem::current_path(folder_);
+  }
+  ~WorldErrors() override {
+    EXPECT_TRUE(std::filesystem::is_empty(folder_)) << "MuJoCo wrote a log";
+    std::filesystem::current_path(start_);
+    std::filesystem::remove_all(folder_);
+  }
+
+  std::filesystem::path start_ = std::filesystem::current_path();
+  std::filesystem::path folder_;
+  World world_ = QuietWorld({});
+};
+
+TEST_F(WorldErrors, ACommandThatIsNotFinite) {
+  EXPECT_THAT(ErrorOfAStep(world_, tests::SameSpeed(kNan)), HasSubstr("command"));
+  EXPECT_THAT(ErrorOfAStep(world_, tests::SameSpeed(std::numeric_limits<double>::infinity())), HasSubstr("command"));
+  EXPECT_EQ(world_.state().tick, 0);
+}
+
+TEST_F(WorldErrors, AWindThatIsNotFinite) {
+  world_.SetWind({0.0, kNan, 0.0});
+  EXPECT_THAT(ErrorOfAStep(world_, {}), HasSubstr("force"));
+}
+
+TEST_F(WorldErrors, APushThatIsNotFinite) {
+  world_.SetPush({kNan, 0.0, 0.0}, Vector3d::Zero());
+  EXPECT_THAT(ErrorOfAStep(world_, {}), HasSubstr("force"));
+  world_.SetPush(Vector3d::Zero(), {0.0, 0.0, std::numeric_limits<double>::infinity()});
+  EXPECT_THAT(ErrorOfAStep(world_, {}), HasSubstr("force"));
+}
+
+TEST_F(WorldErrors, APushThatMakesMujocoWarn) {
+  world_.SetPush({1e15, 0.0, 0.0}, Vector3d::Zero());
+  EXPECT_THAT(ErrorOfAStep(world_, {}), HasSubstr("MuJoCo"));
+}
+
+TEST_F(WorldErrors, ATorqueThatMakesMujocoWarn) {
+  world_.SetPush(Vector3d::Zero(), {0.0, 1e15, 0.0});
+  EXPECT_THAT(ErrorOfAStep(world_, {}), HasSubstr("MuJoCo"));
+}
+
+TEST_F(WorldErrors, AStateThatMujocoFindsBad) {
+  world_.data().qpos[0] = kNan;
+  EXPECT_THAT(ErrorOfAStep(world_, {}), HasSubstr("MuJoCo"));
+}
+
+TEST_F(WorldErrors, AClockThatDoesNotAdvance) {
+  const_cast<mjModel&>(world_.model()).opt.timestep = 0.0;
+  EXPECT_THAT(ErrorOfAStep(world_, {}), HasSubstr("time"));
+}
+
+TEST_F(WorldErrors, ACommandAfterAResetIsFlownAgain) {
+  world_.SetPush({1e15, 0.0, 0.0}, Vector3d::Zero());
+  EXPECT_THROW(world_.Step({}), SimulationError);
+  world_.Reset(world_.RestingPose(0.0, 0.0, 0.0), false);
+  EXPECT_NO_THROW(world_.Step({}));
+  EXPECT_EQ(world_.state().tick, 1);
+}
+
+TEST_F(WorldErrors, AWarningFromElsewhereInMujoco) {
+  mju_warning("the renderer ran out of geoms");
+  EXPECT_THAT(ErrorOfAStep(world_, {}), HasSubstr("ran out of geoms"));
+}
+
+TEST_F(WorldErrors, AnErrorInsideMujoco) { EXPECT_THROW(mju_error("out of memory"), SimulationError); }
+
+TEST_F(WorldErrors, APoseThatIsNotFinite) {
+  Eigen::Isometry3d nowhere = Eigen::Isometry3d::Identity();
+  nowhere.translation().x() = kNan;
+  EXPECT_THROW(world_.Reset(nowhere, false), SimulationError);
+}
+
+}  // namespace
+}  // namespace touchdown::sim

@@ -1,0 +1,211 @@
+// What the camera sees outdoors: the sun's light and shadows, grass and path.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <opencv2/core.hpp>
+
+#include "models/error.h"
+#include "sim/dynamics/world.h"
+#include "sim/render/renderer.h"
+#include "sim/scene/grass_pattern.h"
+#include "sim/scene/prints.h"
+#include "sim/scene/textures.h"
+#include "tests/support/rooms.h"
+#include "tests/support/worlds.h"
+
+namespace touchdown::sim {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using tests::CameraAt;
+using tests::LevelAt;
+
+constexpr SceneConfig::Setting kOutdoor = SceneConfig::Setting::kOutdoor;
+
+SceneConfig Meadow(const Sun& sun, int objects = 0) {
+  return {.setting = kOutdoor, .posters = 0, .lone_circles = 0, .lone_letters = 0, .objects = objects, .sun = sun};
+}
+
+/// A meadow with the vehicle above it.
+class Meadows : public ::testing::Test {
+ protected:
+  static constexpr Sun kSun{.elevation = models::DegToRad(60.0), .azimuth = 0.5, .to_sky = 3.0};
+
+  World& Make(const SceneConfig& config) {
+    scene_ = MakeScene(config, {}, 1);
+    world_ = std::make_unique<World>(WorldConfig{}, models::Vehicle{}, scene_, models::TimeBase{}, 1);
+    renderer_ = std::make_unique<Renderer>(world_->model(), PinholeView{});
+    return *world_;
+  }
+
+  /// Grey level at a place of W, seen from straight above, the vehicle's body there.
+  double Seen(const Vector3d& p_W, const Vector3d& p_WB) {
+    world_->Reset(Eigen::Isometry3d(Eigen::Translation3d(p_WB)), true);
+    const Eigen::Isometry3d X_WC = CameraAt(p_W + Vector3d(0.0, 0.0, 0.4));
+    return LevelAt(renderer_->Render(world_->data(), X_WC), {319.5, 239.5});
+  }
+
+  /// What a place keeps of its light when the vehicle comes.
+  double Kept(const Vector3d& p_W, const Vector3d& p_WB) { return Seen(p_W, p_WB) / Seen(p_W, kFarAway); }
+
+  const Vector3d kFarAway = {3.0, 3.0, 1.0};
+  Scene scene_;
+  std::unique_ptr<World> world_;
+  std::unique_ptr<Renderer> renderer_;
+};
+
+/// Where a point of the vehicle must be for its shadow to fall on p_W.
+Vector3d Above(const Vector3d& p_W, double height_m, const Sun& sun) {
+  const double reach = height_m / std::tan(sun.elevation);
+  return p_W + Vector3d(reach * std::cos(sun.azimuth), reach * std::sin(sun.azimuth), height_m);
+}
+
+const Vector3d kOnPaper(0.03, 0.0, 0.0);
+
+TEST_F(Meadows, PaperInTheSunIsAsBrightAsIndoors) {
+  Make(Meadow(kSun));
+  EXPECT_NEAR(Seen(kOnPaper, kFarAway), PaperLevel(scene_), 2.5);
+}
+
+TEST_F(Meadows, TheHullsShadowDarkensByTheSunsShareWhereTheSunPutsIt) {
+  for (const double to_sky : {0.5, 3.0}) {
+    Sun sun = kSun;
+    sun.to_sky = to_sky;
+    Make(Meadow(sun));
+    for (const double height : {0.3, 1.0}) {
+      const Vector3d body = Above(kOnPaper, height, sun);
+      EXPECT_NEAR(Kept(kOnPaper, body), 1.0 / (1.0 + to_sky), 0.015) << "hull, battery and camera darken once";
+      EXPECT_NEAR(Kept(kOnPaper, body + Vector3d(0.0, 0.8, 0.0)), 1.0, 0.01);
+      EXPECT_NEAR(Kept(kOnPaper, Above(kOnPaper, height, {.elevation = sun.elevation, .azimuth = sun.azimuth + 3.1})),
+                  1.0, 0.01)
+          << "on the sun's side";
+    }
+  }
+}
+
+TEST_F(Meadows, ATurningRotorTakesTheShareThatItsBladesCover) {
+  Make(Meadow(kSun));
+  const models::Vehicle vehicle;
+  const Vector3d hub = vehicle.RotorPosition(0);
+  const Vector3d outwards(0.09 * std::sqrt(0.5) * hub.x() / std::abs(hub.x()),
+                          0.09 * std::sqrt(0.5) * hub.y() / std::abs(hub.y()), 0.0);
+  const Vector3d body = Above(kOnPaper, 0.5, kSun) - hub - outwards;
+  EXPECT_NEAR(Kept(kOnPaper, body), 1.0 - 0.12 * 0.75, 0.015);
+}
+
+TEST_F(Meadows, ThereIsNoShadowUnderAnOvercastSkyNorIndoors) {
+  Make(Meadow({.to_sky = 0.0}));
+  EXPECT_EQ(Kept(kOnPaper, Above(kOnPaper, 0.3, {})), 1.0);
+  Make({.posters = 0, .lone_circles = 0, .lone_letters = 0, .objects = 0});
+  EXPECT_EQ(Kept(kOnPaper, Above(kOnPaper, 0.3, {})), 1.0);
+}
+
+/// Two pictures of the same ground, under the sun and under an overcast sky: their ratio is the shadow.
+TEST_F(Meadows, ObjectsCastTheirShadowsOnceAndTheVehicleAddsNothingToThem) {
+  Make(Meadow(kSun, 12));
+  const SceneItem tall = *std::max_element(scene_.items.begin(), scene_.items.end(),
+                                           [](const auto& a, const auto& b) { return a.size_m.z() < b.size_m.z(); });
+  // Half way up its axis, well within the shadow and clear of the object itself.
+  const Vector3d axis(tall.position_m.x(), tall.position_m.y(), 0.0);
+  const Vector3d away = -Above(Vector3d::Zero(), 1.0, kSun);
+  const Vector3d shaded = axis + Vector3d(away.x(), away.y(), 0.0).normalized() *
+                                     (0.5 * tall.size_m.head<2>().minCoeff() + 0.35 * tall.size_m.z());
+  const double in_shade = Seen(shaded, kFarAway);
+  EXPECT_NEAR(Kept(shaded, Above(shaded, 1.5, kSun)), 1.0, 0.05);
+  Sun overcast = kSun;
+  overcast.to_sky = 0.0;
+  Make(Meadow(overcast, 12));
+  EXPECT_NEAR(in_shade / Seen(shaded, kFarAway), kSun.Shade(), 0.06);
+}
+
+TEST_F(Meadows, AnObjectHidesTheVehiclesShadowBehindIt) {
+  Make(Meadow(kSun, 12));
+  const SceneItem& object = scene_.items.front();
+  const Vector3d top(object.position_m.x(), object.position_m.y(), 0.0);
+  EXPECT_EQ(Kept(top, Above(top, 1.5, kSun)), 1.0);
+}
+
+TEST(OutdoorScene, HasItsOwnObjectsClearOfTheFlightPath) {
+  int stones = 0, balls = 0;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    const Scene scene = MakeScene({.setting = kOutdoor}, {}, seed);
+    for (const SceneItem& item : scene.items) {
+      stones += item.kind == SceneItem::Kind::kStone ? 1 : 0;
+      balls += item.kind == SceneItem::Kind::kBall ? 1 : 0;
+      if (item.IsFlat()) continue;
+      EXPECT_GE(item.position_m.norm() - 0.5 * item.size_m.head<2>().norm(), kSolidKeepOut_m - 1e-9);
+    }
+  }
+  EXPECT_GT(stones, 100);
+  EXPECT_GT(balls, 20);
+}
+
+TEST(OutdoorScene, TheSunChangesNothingIndoors) {
+  SceneConfig low{.sun = {.elevation = 0.3, .azimuth = 2.0, .to_sky = 8.0}};
+  const tests::Room room({}, 4), under_another_sun(low, 4);
+  for (const double height : {0.5, 1.5}) {
+    const Eigen::Isometry3d X_WC = CameraAt({0.1, 0.0, height}, {.roll = 0.3, .pitch = 0.1, .yaw = 0.2});
+    EXPECT_EQ(Renderer(*room.model, {}).Render(*room.data, X_WC).pixels,
+              Renderer(*under_another_sun.model, {}).Render(*under_another_sun.data, X_WC).pixels);
+  }
+}
+
+TEST(OutdoorScene, EndsInABrightSky) {
+  const tests::Room meadow(Meadow({}));
+  Renderer renderer(*meadow.model, {});
+  const models::Image& image =
+      renderer.Render(*meadow.data, CameraAt({0.0, 0.0, 1.0}, {.roll = 0.0, .pitch = -1.4, .yaw = 0.0}));
+  EXPECT_GT(image.View().At(320, 5), 150);
+  EXPECT_LT(image.View().At(320, 474), 150) << "grass below it";
+}
+
+TEST(GrassPattern, LeadsItsPathPastThePadsSheet) {
+  const models::LandingPad pad;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const GrassPattern grass(seed, pad);
+    int on_path = 0;
+    for (double x = -1.5; x <= 1.5; x += 0.02) {
+      for (double y = -1.5; y <= 1.5; y += 0.02) {
+        const bool is_path = grass.IsPath({x, y});
+        on_path += is_path ? 1 : 0;
+        if (std::abs(x) < 0.5 * pad.sheet_length_m + 0.02 && std::abs(y) < 0.5 * pad.sheet_width_m + 0.02) {
+          ASSERT_FALSE(is_path) << seed;
+        }
+      }
+    }
+    EXPECT_GT(on_path * 0.02 * 0.02, 0.3) << "m^2 of it are near, seed " << seed;
+  }
+}
+
+TEST(GrassPattern, IsGreenAndDarkerThanPaperAndTheSameForTheSameSeed) {
+  const GrassPattern grass(3, {}), again(3, {}), other(4, {});
+  const cv::Mat3b print = grass.Print(3.0, 512);
+  const cv::Scalar mean = cv::mean(print);
+  EXPECT_GT(mean[1], mean[0]);
+  EXPECT_GT(mean[0], mean[2]);
+  EXPECT_LT(mean[0], 0.6 * kPaper);
+  EXPECT_EQ(cv::norm(print, again.Print(3.0, 512)), 0.0);
+  EXPECT_GT(cv::norm(print, other.Print(3.0, 512)), 0.0);
+}
+
+TEST(GrassPattern, IsAsBrightWithBladesAsWithout) {
+  for (const std::uint64_t seed : {1, 2}) {
+    const GrassPattern grass(seed, {});
+    const cv::Scalar coarse = cv::mean(grass.Print(3.0, 512)), fine = cv::mean(grass.Print(3.0, 1536));
+    for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(fine[channel] / coarse[channel], 1.0, 0.1);
+  }
+}
+
+TEST(Sun, RefusesWhatCannotBe) {
+  EXPECT_NO_THROW(Sun{}.Validate());
+  EXPECT_THROW(Sun{.elevation = 0.1}.Validate(), InputError);
+  EXPECT_THROW(Sun{.elevation = 2.0}.Validate(), InputError);
+  EXPECT_THROW(Sun{.azimuth = std::nan("")}.Validate(), InputError);
+  EXPECT_THROW(Sun{.to_sky = -0.1}.Validate(), InputError);
+}
+
+}  // namespace
+}  // namespace touchdown::sim

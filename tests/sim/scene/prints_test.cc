@@ -1,0 +1,141 @@
+#include "sim/scene/prints.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <opencv2/core.hpp>
+
+#include "models/angles.h"
+#include "sim/scene/floor_pattern.h"
+
+namespace touchdown::sim {
+namespace {
+
+/// Black area of the pad's print in m^2, from the mean of its levels.
+double InkedArea(const cv::Mat1b& print, const models::LandingPad& pad) {
+  const double coverage = (kPaper - cv::mean(print)[0]) / (kPaper - kInk);
+  return coverage * pad.sheet_length_m * pad.sheet_width_m;
+}
+
+TEST(PrintPad, InksTheAreaOfTheRingAndTheLetter) {
+  const models::LandingPad pad;
+  const double ring =
+      models::kPi * (pad.outer_radius_m * pad.outer_radius_m - pad.inner_radius_m() * pad.inner_radius_m());
+  const double letter = 2.0 * pad.h_height_m * pad.h_stroke_m + (pad.h_width_m - 2.0 * pad.h_stroke_m) * pad.h_stroke_m;
+  EXPECT_NEAR(InkedArea(PrintPad(pad, 1024, 512), pad), ring + letter, 0.001 * (ring + letter));
+}
+
+TEST(PrintPad, InksASolidRectangle) {
+  models::LandingPad pad;
+  pad.h_stroke_m = 0.5 * pad.h_width_m;
+  const double ring =
+      models::kPi * (pad.outer_radius_m * pad.outer_radius_m - pad.inner_radius_m() * pad.inner_radius_m());
+  const double area = ring + pad.h_height_m * pad.h_width_m;
+  EXPECT_NEAR(InkedArea(PrintPad(pad, 1024, 512), pad), area, 0.001 * area);
+}
+
+/// Two marks that touch nothing.
+models::LandingPad MarkedPad() {
+  models::LandingPad pad;
+  pad.marks = {{.shape = models::PadMark::Shape::kDisc, .centre_m = {0.02, 0.05}, .diameter_m = 0.01},
+               {.shape = models::PadMark::Shape::kBar,
+                .centre_m = {-0.02, 0.05},
+                .length_m = 0.02,
+                .width_m = 0.004,
+                .angle = models::DegToRad(30.0)}};
+  return pad;
+}
+
+TEST(PrintPad, InksTheMarks) {
+  const models::LandingPad pad = MarkedPad();
+  const double marks = InkedArea(PrintPad(pad, 2048, 1448), pad) - InkedArea(PrintPad({}, 2048, 1448), {});
+  const double disc = models::kPi * 0.005 * 0.005, bar = 0.02 * 0.004;
+  EXPECT_NEAR(marks, disc + bar, 0.01 * (disc + bar));
+}
+
+TEST(PrintPad, AgreesWithTheModelAwayFromEdges) {
+  const models::LandingPad pad = MarkedPad();
+  const cv::Mat1b print = PrintPad(pad, 512, 256);
+  int grey = 0;
+  for (int row = 0; row < print.rows; ++row) {
+    for (int column = 0; column < print.cols; ++column) {
+      const Eigen::Vector2d p(((column + 0.5) / 512 - 0.5) * pad.sheet_length_m,
+                              (0.5 - (row + 0.5) / 256) * pad.sheet_width_m);
+      const int level = print(row, column);
+      if (level == kPaper || level == kInk) {
+        EXPECT_EQ(level == kInk, pad.IsBlack(p));
+      } else {
+        ++grey;
+      }
+    }
+  }
+  EXPECT_GT(grey, 500);
+  EXPECT_LT(grey, 6000);
+}
+
+TEST(PrintSheet, LeavesTheMiddleOfALoneRingEmpty) {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    const SceneItem ring{.kind = SceneItem::Kind::kRing, .size_m = {0.2, 0.16, 0.0}, .texture_seed = seed};
+    const cv::Mat1b print = PrintSheet(ring, 256, 256);
+    const std::uint8_t middle = print(128, 128);
+    EXPECT_GT(middle, 150);
+    for (int row = 96; row < 160; ++row) {
+      for (int column = 96; column < 160; ++column) EXPECT_EQ(print(row, column), middle);
+    }
+    const int ink = *std::min_element(print.ptr(128), print.ptr(128) + 256);
+    EXPECT_LT(ink, 70);
+  }
+}
+
+TEST(PrintSheet, DrawsALetterOfThreeBarsAndNoRing) {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    const SceneItem letter{.kind = SceneItem::Kind::kLetterH, .size_m = {0.2, 0.16, 0.0}, .texture_seed = seed};
+    const cv::Mat1b print = PrintSheet(letter, 256, 256);
+    const int paper = print(2, 2);
+    EXPECT_LT(print(128, 128), 70);
+    EXPECT_EQ(print(128, 50), paper) << "between the strokes, left of the cross-bar";
+    EXPECT_EQ(print(128, 206), paper) << "between the strokes, right of the cross-bar";
+    for (int i = 0; i < 256; ++i) {
+      EXPECT_EQ(print(2, i), paper);
+      EXPECT_EQ(print(253, i), paper);
+    }
+  }
+}
+
+TEST(PrintSheet, DiffersFromSeedToSeed) {
+  const auto poster = [](std::uint64_t seed) {
+    return PrintSheet({.kind = SceneItem::Kind::kPoster, .size_m = {0.4, 0.3, 0.0}, .texture_seed = seed}, 128, 128);
+  };
+  EXPECT_EQ(cv::norm(poster(1), poster(1), cv::NORM_INF), 0.0);
+  EXPECT_GT(cv::norm(poster(1), poster(2), cv::NORM_INF), 20.0);
+}
+
+TEST(PrintSheet, FillsPostersWithTexture) {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    const SceneItem poster{.kind = SceneItem::Kind::kPoster, .size_m = {0.4, 0.3, 0.0}, .texture_seed = seed};
+    cv::Scalar mean, deviation;
+    cv::meanStdDev(PrintSheet(poster, 256, 256), mean, deviation);
+    EXPECT_GT(deviation[0], 12.0) << seed;
+  }
+}
+
+TEST(FloorPattern, IsTexturedWhateverItsKind) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const FloorPattern pattern(seed);
+    double sum = 0.0, sum_of_squares = 0.0;
+    constexpr int kSide = 60;
+    for (int i = 0; i < kSide * kSide; ++i) {
+      const double level = pattern.At({0.02 * (i % kSide), 0.02 * (i / kSide)});
+      EXPECT_GE(level, 0.0);
+      EXPECT_LE(level, 255.0);
+      sum += level / (kSide * kSide);
+      sum_of_squares += level * level / (kSide * kSide);
+    }
+    EXPECT_GT(std::sqrt(sum_of_squares - sum * sum), 8.0) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace touchdown::sim
