@@ -9,9 +9,8 @@ namespace touchdown::datasets {
 namespace {
 
 [[noreturn]] void Refuse(const std::filesystem::path& file) {
-  throw InputError(
-      fmt::format("bag {}: this build knows no ROS bags: the packages that they need were not there, see packages.txt",
-                  file.filename().string()));
+  throw InputError(fmt::format("bag {}: built without the ROS packages for bags; packages/test.txt lists them",
+                               file.filename().string()));
 }
 
 }  // namespace

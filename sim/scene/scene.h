@@ -76,7 +76,7 @@ inline constexpr char kPadCoverName[] = "pad_cover";
 /// The light of an outdoor scene. Its ambient part is the sky's.
 inline constexpr char kSunName[] = "sun";
 
-/// The whole MJCF: options, assets, floor, pad, items, lights, and `vehicle_body` (a <body> element) among them.
+/// The whole MJCF: options, assets, floor, pad, items, lights, and `vehicle_body` (a `<body>` element) among them.
 ///
 /// The pad's sheet lies at z = 0, other prints and the visible floor a fraction of a millimetre below it; the solid
 /// floor "floor" is an invisible plane at z = 0. GeomGroup says who sees what. The sheet kPadCoverName above the pad is

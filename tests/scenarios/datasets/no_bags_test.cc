@@ -20,7 +20,7 @@ std::string ErrorOf(const Action& action) {
 
 TEST(NoBags, SaysThatTheBuildKnowsNone) {
   constexpr const char* kError =
-      "bag flight.bag: this build knows no ROS bags: the packages that they need were not there, see packages.txt";
+      "bag flight.bag: built without the ROS packages for bags; packages/test.txt lists them";
   EXPECT_EQ(ErrorOf([] { FlightBag({}, "out/flight.bag"); }), kError);
   EXPECT_EQ(ErrorOf([] { BagFile("out/flight.bag", {}); }), kError);
 }
