@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 const fs::path kRoot = TOUCHDOWN_SOURCE_DIR;
 
-std::string TextOf(const fs::path& file) {
+std::string ContentOf(const fs::path& file) {
   std::ifstream stream(file);
   if (!stream) throw std::runtime_error("cannot read " + file.string());
   return {std::istreambuf_iterator<char>(stream), {}};
@@ -67,16 +67,16 @@ std::vector<std::string> Files() {
 
 /// Files that still have such words. The list only shrinks.
 std::set<std::string> Exceptions() {
-  std::istringstream lines(TextOf(kRoot / "tests" / "language_exceptions.txt"));
+  std::istringstream lines(ContentOf(kRoot / "tests" / "language_exceptions.txt"));
   return {std::istream_iterator<std::string>(lines), {}};
 }
 
 TEST(Language, AvoidsTheWordsThatTheGlossaryLists) {
-  const std::regex words = WordsToAvoid(TextOf(kRoot / "docs" / "glossary.md"));
+  const std::regex words = WordsToAvoid(ContentOf(kRoot / "docs" / "glossary.md"));
   std::set<std::string> exceptions = Exceptions();
   for (const std::string& file : Files()) {
     if (file == "docs/glossary.md") continue;
-    const std::vector<std::string> findings = Findings(words, TextOf(kRoot / file));
+    const std::vector<std::string> findings = Findings(words, ContentOf(kRoot / file));
     if (exceptions.erase(file) == 0) {
       EXPECT_THAT(findings, testing::IsEmpty()) << file;
     } else {
