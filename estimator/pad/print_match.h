@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "estimator/pad/rectified_disc.h"
@@ -48,8 +49,8 @@ class PrintMatch {
   /// `pad` and `config` must be valid.
   explicit PrintMatch(const models::LandingPad& pad, const PrintMatchConfig& config = {});
 
-  /// Whether the print is at this place of a ring's plane.
-  bool IsAt(const models::ImageView& image, const SeenPlane& plane, const PrintPlace& place) const;
+  /// Whether the print is at one of `places` on a ring's plane. The disc within the ring is rectified once for all.
+  bool IsAt(const models::ImageView& image, const SeenPlane& plane, std::span<const PrintPlace> places) const;
 
   struct Found {
     PrintPlace place;

@@ -150,8 +150,9 @@ bool PadSearch::IsPrintUnder(const pad::Ellipse& normalized_letter, const Reduce
   const auto letter = pad::FitEllipse(on_plane);
   if (!letter) return false;
   const double angle = letter_.StrokeAngle(*letter);
-  const auto is_at = [&](double turned) { return print_.IsAt(seen.image, plane, {.angle = turned}); };
-  return is_at(angle) || (!pad_.marks.empty() && is_at(angle + models::kPi));
+  std::vector<pad::PrintPlace> places{{.angle = angle}};
+  if (!pad_.marks.empty()) places.push_back({.angle = angle + models::kPi});  // The H alone looks the same.
+  return print_.IsAt(seen.image, plane, places);
 }
 
 std::optional<FoundPad> PadSearch::ByEdges(const Reduced& searched, const Reduced& measured) const {

@@ -152,12 +152,16 @@ TEST_F(PrintMatchTest, KnowsWhetherThePrintIsAtAPlace) {
   ASSERT_TRUE(found);
   EXPECT_GT(found->likeness, 0.9);
   const double angle = found->place.angle;
-  for (const double turned_deg : {0.0, 3.0, -3.0, 180.0}) {
-    EXPECT_TRUE(print.IsAt(image.View(), plane, {.angle = angle + models::DegToRad(turned_deg)})) << turned_deg;
+  const auto turned = [&](double by_deg) { return PrintPlace{.angle = angle + models::DegToRad(by_deg)}; };
+  for (const double by_deg : {0.0, 3.0, -3.0, 180.0}) {
+    EXPECT_TRUE(print.IsAt(image.View(), plane, std::vector{turned(by_deg)})) << by_deg;
   }
-  for (const double turned_deg : {25.0, -25.0, 90.0}) {
-    EXPECT_FALSE(print.IsAt(image.View(), plane, {.angle = angle + models::DegToRad(turned_deg)})) << turned_deg;
+  for (const double by_deg : {25.0, -25.0, 90.0}) {
+    EXPECT_FALSE(print.IsAt(image.View(), plane, std::vector{turned(by_deg)})) << by_deg;
   }
+  EXPECT_TRUE(print.IsAt(image.View(), plane, std::vector{turned(90.0), turned(0.0)}));
+  EXPECT_FALSE(print.IsAt(image.View(), plane, std::vector{turned(90.0), turned(25.0)}));
+  EXPECT_FALSE(print.IsAt(image.View(), plane, {}));
 }
 
 TEST_F(PrintMatchTest, FindsAPadWhoseMarksLieAllAlongTheRing) {
