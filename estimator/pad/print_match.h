@@ -8,6 +8,7 @@
 #include "estimator/pad/rectified_disc.h"
 #include "estimator/pad/seen_plane.h"
 #include "models/landing_pad.h"
+#include "models/pad_outline.h"
 #include "models/signals.h"
 
 namespace touchdown::estimator::pad {
@@ -86,6 +87,7 @@ class PrintMatch {
   float BlackAt(const Cells& print, const Eigen::Vector2d& p_W) const;
 
   models::LandingPad pad_;
+  models::PadOutline outline_;
   PrintMatchConfig config_;
   double reach_m_;         // Of the disc that is looked at.
   double white_m_;         // Of a circle of white within the ring.

@@ -7,8 +7,8 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
-#include "estimator/pad/letter_outline.h"
 #include "models/angles.h"
+#include "models/pad_outline.h"
 
 namespace touchdown::estimator::paper {
 namespace {
@@ -191,7 +191,7 @@ std::optional<FoundPad> PadSearch::Measure(const Reduced& seen, const PixelBox& 
   if (!ring_outer) return std::nullopt;
   constexpr double kSpacing = 0.1;  // Of a stroke.
   std::vector<Vector2d> outline;
-  for (const Vector2d& p_W : pad::LetterOutline(pad_, kSpacing * pad_.h_stroke_m)) {
+  for (const Vector2d& p_W : models::PadOutline(pad_).PointsAlongLetter(kSpacing * pad_.h_stroke_m)) {
     outline.push_back(camera_.PixelFromNormalized(plane.InCamera(place.OnPlane(p_W)).hnormalized()));
   }
   const auto letter = pad::FitEllipse(outline);
