@@ -36,19 +36,6 @@ void LandingPad::Validate() const {
   for (const PadMark& mark : marks) mark.Validate(inner_radius_m());
 }
 
-bool LandingPad::IsBlack(const Eigen::Vector2d& p_W) const {
-  const double radius = p_W.norm();
-  if (radius >= inner_radius_m() && radius <= outer_radius_m) return true;
-  return IsLetter(p_W) || std::any_of(marks.begin(), marks.end(), [&](const PadMark& mark) { return mark.Holds(p_W); });
-}
-
-bool LandingPad::IsLetter(const Eigen::Vector2d& p_W) const {
-  const double x = std::abs(p_W.x()), y = std::abs(p_W.y());
-  if (x > h_height_m / 2.0 || y > h_width_m / 2.0) return false;
-  const bool on_stroke = y >= h_width_m / 2.0 - h_stroke_m, on_bar = x <= h_stroke_m / 2.0;
-  return on_stroke || on_bar || letter() == PadLetter::kRectangle;
-}
-
 Eigen::Isometry3d NearerTwin(const Eigen::Isometry3d& X_WB, double yaw) {
   const double difference = WrapToPi(TaitBryanFromRotation(X_WB.linear()).yaw - yaw);
   if (std::abs(difference) <= kPi / 2.0) return X_WB;

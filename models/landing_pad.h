@@ -15,7 +15,7 @@ enum class PadLetter { kH, kRectangle };
 ///
 /// Frame W lies at the pad's centre, Z up. The H's long strokes run along X, its cross-bar along Y, and the
 /// sheet's long side along X. An H whose two strokes meet, 2 h_stroke_m = h_width_m, is a solid rectangle of h_height_m
-/// by h_width_m. A pad may bear marks beside its H; the built-in one has none.
+/// by h_width_m. A pad may bear marks beside its H; the built-in one has none. PadOutline gives its shapes.
 struct LandingPad {
   double outer_radius_m = 0.090;
   double ring_width_m = 0.016;
@@ -35,12 +35,6 @@ struct LandingPad {
   /// wide as it is high, the H does not fit inside the ring with a white gap, the ring does not fit on the sheet, or a
   /// mark is refused by PadMark::Validate for the ring's inner radius.
   void Validate() const;
-
-  /// Whether the point of the sheet's plane, in W, lies on black: on the ring, on the H or on a mark.
-  bool IsBlack(const Eigen::Vector2d& p_W) const;
-
-  /// Whether the point of the sheet's plane, in W, lies on the H.
-  bool IsLetter(const Eigen::Vector2d& p_W) const;
 
   friend bool operator==(const LandingPad&, const LandingPad&) = default;
 };

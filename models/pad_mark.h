@@ -26,9 +26,6 @@ struct PadMark {
   /// mark does not lie wholly within the circle of `radius_m` around W's origin.
   void Validate(double radius_m) const;
 
-  /// Whether the point of the sheet's plane, in W, lies on the mark.
-  bool Holds(const Eigen::Vector2d& p_W) const;
-
   friend bool operator==(const PadMark&, const PadMark&) = default;
 };
 

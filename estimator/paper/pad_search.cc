@@ -7,8 +7,8 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
-#include "estimator/pad/letter_outline.h"
 #include "models/angles.h"
+#include "models/pad_outline.h"
 
 namespace touchdown::estimator::paper {
 namespace {
@@ -150,8 +150,9 @@ bool PadSearch::IsPrintUnder(const pad::Ellipse& normalized_letter, const Reduce
   const auto letter = pad::FitEllipse(on_plane);
   if (!letter) return false;
   const double angle = letter_.StrokeAngle(*letter);
-  const auto is_at = [&](double turned) { return print_.IsAt(seen.image, plane, {.angle = turned}); };
-  return is_at(angle) || (!pad_.marks.empty() && is_at(angle + models::kPi));
+  std::vector<pad::PrintPlace> places{{.angle = angle}};
+  if (!pad_.marks.empty()) places.push_back({.angle = angle + models::kPi});  // The H alone looks the same.
+  return print_.IsAt(seen.image, plane, places);
 }
 
 std::optional<FoundPad> PadSearch::ByEdges(const Reduced& searched, const Reduced& measured) const {
@@ -190,7 +191,7 @@ std::optional<FoundPad> PadSearch::Measure(const Reduced& seen, const PixelBox& 
   if (!ring_outer) return std::nullopt;
   constexpr double kSpacing = 0.1;  // Of a stroke.
   std::vector<Vector2d> outline;
-  for (const Vector2d& p_W : pad::LetterOutline(pad_, kSpacing * pad_.h_stroke_m)) {
+  for (const Vector2d& p_W : models::PadOutline(pad_).PointsAlongLetter(kSpacing * pad_.h_stroke_m)) {
     outline.push_back(camera_.PixelFromNormalized(plane.InCamera(place.OnPlane(p_W)).hnormalized()));
   }
   const auto letter = pad::FitEllipse(outline);

@@ -1,14 +1,14 @@
 #include "scenarios/experiments/still_room.h"
 
 #include "estimator/make_estimator.h"
+#include "sim/render/camera_optics.h"
 
 namespace touchdown::experiments {
 
 StillRoom::StillRoom(const runner::Scenario& told, const sim::Scene& scene, std::uint64_t seed,
                      std::span<const double> noise_sigmas)
     : time_(told.time),
-      optics_(told.camera.model),
-      camera_(scene, optics_, noise_sigmas, seed),
+      camera_(scene, sim::CameraOptics(told.camera.model), noise_sigmas, seed),
       estimator_(estimator::MakeEstimator(told.estimator, {.camera = told.assumed_camera(),
                                                            .pad = told.pad,
                                                            .X_BC = told.assumed_vehicle().X_BC(),

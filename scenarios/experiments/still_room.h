@@ -9,7 +9,6 @@
 #include "estimator/estimator.h"
 #include "scenarios/runner/scenario.h"
 #include "scenarios/training/classifier_camera.h"
-#include "sim/render/camera_optics.h"
 
 namespace touchdown::experiments {
 
@@ -36,7 +35,6 @@ class StillRoom {
 
  private:
   models::TimeBase time_;
-  sim::CameraOptics optics_;
   training::SceneCamera camera_;
   std::unique_ptr<estimator::Estimator> estimator_;
   models::Tick tick_ = 0;

@@ -101,7 +101,7 @@ models::LandingPad DrawPad(models::PadLetter letter, RandomStream& random) {
   return pad;
 }
 
-SceneSamples CollectSceneSamples(const SceneSamplesConfig& config, sim::CameraOptics& optics, std::uint64_t seed,
+SceneSamples CollectSceneSamples(const SceneSamplesConfig& config, const sim::CameraOptics& optics, std::uint64_t seed,
                                  int pictures) {
   config.Validate();
   RandomStream random(seed, "classifier.scene");

@@ -51,7 +51,7 @@ models::LandingPad DrawPad(models::PadLetter letter, models::RandomStream& rando
 /// truth. Four views in ten look for the pad, the others for a lone ring or letter. Among lone rectangles every third
 /// is an H instead: clutter. The same seed gives the same samples. `optics` are config.camera's. `pictures` is how many
 /// annotated frames to keep.
-SceneSamples CollectSceneSamples(const SceneSamplesConfig& config, sim::CameraOptics& optics, std::uint64_t seed,
+SceneSamples CollectSceneSamples(const SceneSamplesConfig& config, const sim::CameraOptics& optics, std::uint64_t seed,
                                  int pictures);
 
 }  // namespace touchdown::training

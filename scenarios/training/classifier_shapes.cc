@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "models/pad_outline.h"
 #include "sim/scene/prints.h"
 
 namespace touchdown::training {
@@ -70,11 +71,12 @@ Sheet PadSheet(const models::LandingPad& pad, bool ring) {
   sheet.size_m = {pad.sheet_length_m, pad.sheet_width_m};
   const cv::Size size = Texels(sheet.size_m);
   sheet.ink = cv::Mat1b::zeros(size);
+  const models::PadOutline outline(pad);
   for (int row = 0; row < size.height; ++row) {
     for (int column = 0; column < size.width; ++column) {
       const Eigen::Vector2d p_W = sheet.PointAt(column + 0.5, row + 0.5);
-      const bool on_ring = p_W.norm() >= pad.inner_radius_m() && pad.IsBlack(p_W);
-      if (ring ? on_ring : pad.IsLetter(p_W)) sheet.ink(row, column) = 255;
+      const bool on_ring = p_W.norm() >= pad.inner_radius_m() && outline.IsBlack(p_W);
+      if (ring ? on_ring : outline.IsLetter(p_W)) sheet.ink(row, column) = 255;
     }
   }
   return sheet;

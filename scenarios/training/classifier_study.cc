@@ -53,7 +53,7 @@ struct Pool {
 /// What the part's scenes give, the first frame of each of the first scenes kept as a picture.
 Pool Collect(const ClassifierStudyConfig& config, std::uint64_t seed, const std::string& part, int scenes,
              Count& count) {
-  sim::CameraOptics optics(config.scene.camera);
+  const sim::CameraOptics optics(config.scene.camera);
   Pool pool;
   for (int scene = 0; scene < scenes; ++scene) {
     const int pictures = scene < kPictures ? 1 : 0;

@@ -45,7 +45,7 @@ Camera::Camera(const CameraConfig& config, const Eigen::Isometry3d& X_BC, World&
       period_(time.PeriodOf(config.rate_hz)),
       half_exposure_(0.5 * config.exposure_s * time.ticks_per_s),
       reach_(static_cast<models::Tick>(std::ceil(half_exposure_))),
-      imager_(world.model(), config.model, config.noise_sigma, seed) {
+      imager_(world.model(), CameraOptics(config.model), {config.noise_sigma}, seed) {
   latency_ = std::max(time.FromSeconds(config.latency_s), reach_);
 }
 
@@ -97,7 +97,7 @@ std::vector<Eigen::Isometry3d> Camera::ExposedPath() const {
 
 models::CameraFrame Camera::Expose(models::Tick mid_exposure) {
   const auto begin = std::chrono::steady_clock::now();
-  models::CameraFrame frame{.mid_exposure = mid_exposure, .image = imager_.Expose(world_.data(), ExposedPath())};
+  models::CameraFrame frame{.mid_exposure = mid_exposure, .image = imager_.Take(world_.data(), ExposedPath())};
   render_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   return frame;
 }

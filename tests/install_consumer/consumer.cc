@@ -5,14 +5,19 @@
 #include <string>
 
 #include <touchdown/controller/flight_controller.h>
+#include <touchdown/controller/mixer.h>
 #include <touchdown/estimator/make_estimator.h>
 #include <touchdown/estimator/state_estimator.h>
 #include <touchdown/models/vehicle.h>
+
+#include "controller/mixer.h"
 
 using touchdown::controller::Phase;
 
 int main() {
   const touchdown::models::Vehicle vehicle;
+  const touchdown::controller::Mixer mixer(vehicle);
+  const consumer::Mixer motors(vehicle.rotor.max_speed_rad_s);
   const touchdown::models::TimeBase time;
   constexpr int kImu_hz = 200, kCamera_hz = 50;
   const touchdown::models::Tick imu_period = time.PeriodOf(kImu_hz), camera_period = time.PeriodOf(kCamera_hz);
@@ -34,6 +39,7 @@ int main() {
     control = controller.Update(estimator.At(tick));
   }
   std::printf("%s, %s\n", std::string(Name(status)).c_str(), std::string(Name(control.phase)).c_str());
-  const bool stands = control.phase == Phase::kStandby && control.rotors.speed_rad_s[0] == 0.0;
+  const bool stands = control.phase == Phase::kStandby && motors.Fractions(control.rotors.speed_rad_s)[0] == 0.0 &&
+                      mixer.WrenchOf(control.rotors).thrust_n == 0.0;
   return stands && status == touchdown::estimator::FrameStatus::kNoComponent ? 0 : 1;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "estimator/paper/paper_estimator.h"
+#include "models/pad_outline.h"
 #include "tests/support/paper_estimator_fixture.h"
 #include "tests/support/synthetic_pad.h"
 
@@ -34,11 +35,10 @@ TEST_F(PaperEstimatorStatus, SeesALoneRingAsNoH) {
 }
 
 TEST_F(PaperEstimatorStatus, SeesAnHBesideTheRingAsNoPair) {
-  const models::LandingPad pad;
-  const auto letter_aside = [pad](const Eigen::Vector2d& p) -> std::optional<double> {
+  const auto letter_aside = [outline = models::PadOutline({})](const Eigen::Vector2d& p) -> std::optional<double> {
     const Eigen::Vector2d q = p - Eigen::Vector2d(0.0, 0.35);
     if (q.norm() > 0.10) return std::nullopt;
-    return pad.IsBlack(q) && q.norm() < pad.inner_radius_m() ? 25.0 : 215.0;
+    return outline.IsLetter(q) ? 25.0 : 215.0;
   };
   const FrameEstimate seen = See(BodyWithCameraAt({0, 0.15, 0.6}), {.letter = false, .paint = letter_aside});
   EXPECT_EQ(seen.status, FrameStatus::kNoPair);

@@ -4,13 +4,13 @@
 
 #include <cmath>
 
+#include "tests/support/empty_room.h"
+
 namespace touchdown::training {
 namespace {
 
 std::vector<GroundShape> ShapesOfPad(const models::LandingPad& pad) {
-  sim::SceneConfig bare;
-  bare.posters = bare.lone_circles = bare.lone_letters = bare.objects = 0;
-  return ShapesOf(sim::MakeScene(bare, pad, 1));
+  return ShapesOf(sim::MakeScene(tests::EmptyRoomConfig(), pad, 1));
 }
 
 TEST(ClassifierShapes, OfAPadAreItsRingAndItsHWithoutItsMarks) {
@@ -41,8 +41,7 @@ TEST(ClassifierShapes, OfARectangleAreSolid) {
 }
 
 TEST(ClassifierShapes, OfASceneAreTheLoneLettersOfThePadsKind) {
-  sim::SceneConfig scene;
-  scene.posters = scene.lone_circles = scene.objects = 0;
+  sim::SceneConfig scene = tests::EmptyRoomConfig();
   scene.lone_letters = 3;
   models::LandingPad pad;
   pad.h_stroke_m = 0.5 * pad.h_width_m;

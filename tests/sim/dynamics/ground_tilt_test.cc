@@ -48,7 +48,7 @@ TEST(GroundTilt, RefusesWhatIsSteeperThan15Degrees) {
 
 TEST(GroundTilt, ThingsFallAlongTiltedGravity) {
   World world = WorldOnTheSlope();
-  world.Reset(tests::LevelAt(0.3, -0.2, 10.0), false);
+  world.Reset(tests::LevelPose(0.3, -0.2, 10.0), false);
   tests::StepFor(world, {}, 1.0);
   EXPECT_LT((world.state().v_WB - GravityOnTheSlope()).norm(), 1e-8);
   EXPECT_LT((world.state().X_WB.translation() - Vector3d(0.3, -0.2, 10.0) - 0.5 * GravityOnTheSlope()).norm(), 1e-8);

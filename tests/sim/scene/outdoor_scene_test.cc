@@ -21,12 +21,16 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using tests::CameraAt;
-using tests::LevelAt;
+using tests::GreyAt;
 
 constexpr SceneConfig::Setting kOutdoor = SceneConfig::Setting::kOutdoor;
 
 SceneConfig Meadow(const Sun& sun, int objects = 0) {
-  return {.setting = kOutdoor, .posters = 0, .lone_circles = 0, .lone_letters = 0, .objects = objects, .sun = sun};
+  SceneConfig meadow = tests::EmptyRoomConfig();
+  meadow.setting = kOutdoor;
+  meadow.objects = objects;
+  meadow.sun = sun;
+  return meadow;
 }
 
 /// A meadow with the vehicle above it.
@@ -45,7 +49,7 @@ class Meadows : public ::testing::Test {
   double Seen(const Vector3d& p_W, const Vector3d& p_WB) {
     world_->Reset(Eigen::Isometry3d(Eigen::Translation3d(p_WB)), true);
     const Eigen::Isometry3d X_WC = CameraAt(p_W + Vector3d(0.0, 0.0, 0.4));
-    return LevelAt(renderer_->Render(world_->data(), X_WC), {319.5, 239.5});
+    return GreyAt(renderer_->Render(world_->data(), X_WC), {319.5, 239.5});
   }
 
   /// What a place keeps of its light when the vehicle comes.
@@ -99,7 +103,7 @@ TEST_F(Meadows, ATurningRotorTakesTheShareThatItsBladesCover) {
 TEST_F(Meadows, ThereIsNoShadowUnderAnOvercastSkyNorIndoors) {
   Make(Meadow({.to_sky = 0.0}));
   EXPECT_EQ(Kept(kOnPaper, Above(kOnPaper, 0.3, {})), 1.0);
-  Make({.posters = 0, .lone_circles = 0, .lone_letters = 0, .objects = 0});
+  Make(tests::EmptyRoomConfig());
   EXPECT_EQ(Kept(kOnPaper, Above(kOnPaper, 0.3, {})), 1.0);
 }
 

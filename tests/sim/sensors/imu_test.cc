@@ -74,7 +74,7 @@ TEST(Imu, IntegratesToTheTrueVelocityAndAttitude) {
   models::Vehicle vehicle;
   vehicle.imu = {.position_m = {0.03, -0.02, 0.04}, .misalignment = {0.05, -0.03, 0.4}};
   World world = tests::QuietWorld(vehicle);
-  world.Reset(tests::LevelAt(0.0, 0.0, 20.0), true);
+  world.Reset(tests::LevelPose(0.0, 0.0, 20.0), true);
   const Eigen::Isometry3d X_BU = vehicle.X_BU();
   Imu imu(PerfectImu(), X_BU, kTime, 1);
   imu.Sample(world.state());
@@ -102,7 +102,7 @@ TEST(Imu, IntegratesToTheTrueVelocityAndAttitude) {
 
 TEST(Imu, DampsTheVibrationOfTheRotorsInsteadOfAliasingIt) {
   World world(tests::Unpainted(), models::Vehicle{}, tests::EmptyRoom(), kTime, 2);
-  world.Reset(tests::LevelAt(0.0, 0.0, 2.0), true);
+  world.Reset(tests::LevelPose(0.0, 0.0, 2.0), true);
   Imu imu(PerfectImu(), Eigen::Isometry3d::Identity(), kTime, 1);
   double raw = 0.0, sampled = 0.0;
   int samples = 0;
