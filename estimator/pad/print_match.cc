@@ -147,8 +147,15 @@ PrintMatch::PrintMatch(const models::LandingPad& pad, const PrintMatchConfig& co
 }
 
 bool PrintMatch::IsAt(const models::ImageView& image, const SeenPlane& plane, const PrintPlace& place) const {
+  return IsAtAny(image, plane, {&place, 1});
+}
+
+bool PrintMatch::IsAtAny(const models::ImageView& image, const SeenPlane& plane,
+                         std::span<const PrintPlace> places) const {
   const auto within = Within(image, plane);
-  return within && Passes(At(within->disc, place), within->ring_contrast);
+  return within && std::any_of(places.begin(), places.end(), [&](const PrintPlace& place) {
+           return Passes(At(within->disc, place), within->ring_contrast);
+         });
 }
 
 std::optional<PrintMatch::Found> PrintMatch::Find(const models::ImageView& image, const SeenPlane& plane) const {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "estimator/pad/rectified_disc.h"
@@ -50,6 +51,9 @@ class PrintMatch {
 
   /// Whether the print is at this place of a ring's plane.
   bool IsAt(const models::ImageView& image, const SeenPlane& plane, const PrintPlace& place) const;
+
+  /// Whether the print is at one of these places; the plane is rectified once.
+  bool IsAtAny(const models::ImageView& image, const SeenPlane& plane, std::span<const PrintPlace> places) const;
 
   struct Found {
     PrintPlace place;
