@@ -1,5 +1,6 @@
 #include "controller/flight_controller.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "controller/validate.h"
@@ -23,7 +24,18 @@ bool MotorsOff(Phase phase) { return phase == Phase::kStandby || phase == Phase:
 
 }  // namespace
 
+std::vector<std::string> ControllerNames() { return {"paper"}; }
+
+void RequireControllerName(const std::string& name) {
+  const std::vector<std::string> names = ControllerNames();
+  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  std::string known;
+  for (const std::string& each : names) known += (known.empty() ? "" : ", ") + each;
+  throw InputError("unknown controller '" + name + "', known: " + known);
+}
+
 void FlightControllerConfig::Validate() const {
+  RequireControllerName(name);
   guidance.Validate();
   position.Validate();
   attitude.Validate();

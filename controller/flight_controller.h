@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "controller/attitude_controller.h"
@@ -14,7 +15,9 @@
 
 namespace touchdown::controller {
 
+/// The controller by its name, and its options.
 struct FlightControllerConfig {
+  std::string name = "paper";  ///< One of ControllerNames().
   GuidanceConfig guidance;
   PositionControllerConfig position;
   AttitudeControllerConfig attitude;
@@ -24,6 +27,12 @@ struct FlightControllerConfig {
   /// Throws InputError.
   void Validate() const;
 };
+
+/// The names that FlightControllerConfig::name may have.
+std::vector<std::string> ControllerNames();
+
+/// Throws InputError for a name that is not among ControllerNames(); the message lists them.
+void RequireControllerName(const std::string& name);
 
 /// What the controller did on an IMU tick: the command, and what led to it, for the logs.
 struct ControlOutput {

@@ -51,6 +51,11 @@ class AttitudeEstimator {
   /// Estimated bias of the gyro, in B, rad/s.
   const Eigen::Vector3d& gyro_bias_B() const { return gyro_bias_B_; }
 
+  /// Estimated bias of the accelerometer, in B, m/s^2.
+  const Eigen::Vector3d& accelerometer_bias_B() const { return accelerometer_bias_B_; }
+  /// Variance of the tilt about each horizontal axis that the filter claims, rad^2.
+  double tilt_variance() const { return covariance_(0, 0); }
+
   /// Unit vector pointing down, in B at `tick`: the newest sample's not after it, or the oldest one kept. Before the
   /// first sample: of a level body.
   Eigen::Vector3d GravityAt(models::Tick tick) const;

@@ -10,12 +10,14 @@
 namespace touchdown::estimator {
 namespace {
 
-using Maker = std::function<std::unique_ptr<Estimator>(const EstimatorConfig&, const EstimatorSetup&)>;
+using Maker = std::function<std::unique_ptr<StateEstimator>(const EstimatorConfig&, const EstimatorSetup&)>;
 
-std::unique_ptr<Estimator> MakePaperEstimator(const EstimatorConfig& config, const EstimatorSetup& setup) {
+std::unique_ptr<StateEstimator> MakePaperEstimator(const EstimatorConfig& config, const EstimatorSetup& setup) {
   paper::PaperEstimatorConfig paper;
   paper.search.edges.contour_points = config.paper.contour_points;
-  return std::make_unique<paper::PaperEstimator>(setup, paper);
+  paper.search.verify = config.paper.verify;
+  return std::make_unique<LooselyCoupled>(std::make_unique<paper::PaperEstimator>(setup, paper), config.filters,
+                                          setup.time, setup.R_BU);
 }
 
 const std::vector<std::pair<std::string, Maker>>& Makers() {
@@ -44,7 +46,7 @@ void EstimatorConfig::Validate() const {
   throw InputError("unknown estimator '" + name + "', known: " + known);
 }
 
-std::unique_ptr<Estimator> MakeEstimator(const EstimatorConfig& config, const EstimatorSetup& setup) {
+std::unique_ptr<StateEstimator> MakeEstimator(const EstimatorConfig& config, const EstimatorSetup& setup) {
   config.Validate();
   return (*FindMaker(config.name))(config, setup);
 }

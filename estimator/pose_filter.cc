@@ -23,8 +23,7 @@ PoseFilter::PoseFilter(const PoseFilterConfig& config, const models::TimeBase& t
 void PoseFilter::Update(models::Tick mid_exposure, const Eigen::Vector3d& p_WB) {
   if (newest_.has_value() && mid_exposure <= *newest_) return;
   const Eigen::Vector3d noise = Noise(p_WB.z());
-  const Eigen::Vector3d density(config_.xy_acceleration_noise_m_s2_sqrt_hz, config_.xy_acceleration_noise_m_s2_sqrt_hz,
-                                config_.z_acceleration_noise_m_s2_sqrt_hz);
+  const Eigen::Vector3d density = AccelerationDensity();
   for (int i = 0; i < 3; ++i) {
     Axis& axis = axes_[static_cast<std::size_t>(i)];
     if (newest_.has_value()) {
@@ -47,6 +46,25 @@ std::optional<models::VehicleEstimate::Motion> PoseFilter::At(models::Tick tick)
     motion.v_WB[i] = state[1];
   }
   return motion;
+}
+
+std::optional<Eigen::Matrix<double, 6, 6>> PoseFilter::CovarianceAt(models::Tick tick) const {
+  if (!newest_.has_value()) return std::nullopt;
+  const Eigen::Vector3d density = AccelerationDensity();
+  Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
+  for (int i = 0; i < 3; ++i) {
+    Axis axis = axes_[static_cast<std::size_t>(i)];
+    axis.Predict(time_.ToSeconds(tick - *newest_), density[i]);
+    covariance(i, i) = axis.covariance(0, 0);
+    covariance(i, i + 3) = covariance(i + 3, i) = axis.covariance(0, 1);
+    covariance(i + 3, i + 3) = axis.covariance(1, 1);
+  }
+  return covariance;
+}
+
+Eigen::Vector3d PoseFilter::AccelerationDensity() const {
+  const double xy = config_.xy_acceleration_noise_m_s2_sqrt_hz;
+  return {xy, xy, config_.z_acceleration_noise_m_s2_sqrt_hz};
 }
 
 Eigen::Vector3d PoseFilter::Noise(double height_m) const {

@@ -35,6 +35,9 @@ class PoseFilter {
   /// Position and velocity predicted to `tick`; nullopt before the first update.
   std::optional<models::VehicleEstimate::Motion> At(models::Tick tick) const;
 
+  /// Covariance of (p_WB in m, v_WB in m/s) predicted to `tick`; nullopt before the first update.
+  std::optional<Eigen::Matrix<double, 6, 6>> CovarianceAt(models::Tick tick) const;
+
   /// Mid-exposure of the newest update; nullopt before the first.
   std::optional<models::Tick> newest() const { return newest_; }
 
@@ -49,6 +52,7 @@ class PoseFilter {
   };
 
   Eigen::Vector3d Noise(double height_m) const;
+  Eigen::Vector3d AccelerationDensity() const;
 
   PoseFilterConfig config_;
   models::TimeBase time_;

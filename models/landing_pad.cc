@@ -36,9 +36,10 @@ void LandingPad::Validate() const {
   for (const PadMark& mark : marks) mark.Validate(inner_radius_m());
 }
 
-Eigen::Isometry3d NearerTwin(const Eigen::Isometry3d& X_WB, double yaw) {
-  const double difference = WrapToPi(TaitBryanFromRotation(X_WB.linear()).yaw - yaw);
-  if (std::abs(difference) <= kPi / 2.0) return X_WB;
+bool HalfTurnIsNearer(double yaw, double reference_yaw) { return std::abs(WrapToPi(yaw - reference_yaw)) > kPi / 2.0; }
+
+Eigen::Isometry3d ResolveYawAmbiguity(const Eigen::Isometry3d& X_WB, double reference_yaw) {
+  if (!HalfTurnIsNearer(TaitBryanFromRotation(X_WB.linear()).yaw, reference_yaw)) return X_WB;
   const Eigen::Isometry3d half_turn(Eigen::Matrix3d(Eigen::Vector3d(-1.0, -1.0, 1.0).asDiagonal()));
   return half_turn * X_WB;
 }

@@ -39,8 +39,11 @@ struct LandingPad {
   friend bool operator==(const LandingPad&, const LandingPad&) = default;
 };
 
-/// A body's pose in W, or its twin: ring and H look the same from a pose turned by 180 degrees about W's Z axis
-/// (Sec. IV-C.3), whatever marks the pad bears. The one whose yaw is nearer to `yaw`, rad, is returned.
-Eigen::Isometry3d NearerTwin(const Eigen::Isometry3d& X_WB, double yaw);
+/// Whether `yaw` rotated by 180 degrees is nearer to `reference_yaw` than `yaw` is; both in rad.
+bool HalfTurnIsNearer(double yaw, double reference_yaw);
+
+/// Resolves the 180-degree yaw ambiguity: ring and H look the same from X_WB and from X_WB rotated by 180 degrees about
+/// W's Z axis (Sec. IV-C.3), whatever marks the pad bears. Returns the one whose yaw is nearer to `reference_yaw`, rad.
+Eigen::Isometry3d ResolveYawAmbiguity(const Eigen::Isometry3d& X_WB, double reference_yaw);
 
 }  // namespace touchdown::models

@@ -76,17 +76,25 @@ datasets::FootageSetup SetupOf(const EstimateOptions& options, const datasets::F
   setup.imu = options.imu ? datasets::ReadImuFile(*options.imu, facts.time) : facts.imu;
   setup.estimator = facts.estimator.value_or(estimator::EstimatorConfig());
   if (options.estimator) setup.estimator.name = *options.estimator;
-  setup.attitude_estimator = facts.attitude_estimator.value_or(estimator::AttitudeEstimatorConfig());
   return setup;
 }
 
-/// How often each value occurs, by its name, in the order of the enum.
+/// How often each value occurs, in the order of the values.
 template <typename Value>
 using Counts = std::map<Value, std::size_t>;
 
-Counts<FrameStatus> CountStatuses(const std::vector<datasets::FootageEstimate>& estimates) {
-  Counts<FrameStatus> counts;
-  for (const datasets::FootageEstimate& estimate : estimates) ++counts[estimate.seen.status];
+/// A frame's status and the strategy's reason for it.
+using StatusAndReason = std::pair<FrameStatus, std::string>;
+
+std::string Name(const StatusAndReason& outcome) {
+  return std::string(estimator::ReasonOrStatus(outcome.first, outcome.second));
+}
+
+Counts<StatusAndReason> CountStatuses(const std::vector<datasets::FootageEstimate>& estimates) {
+  Counts<StatusAndReason> counts;
+  for (const datasets::FootageEstimate& estimate : estimates) {
+    ++counts[{estimate.seen.status, estimate.seen.reason}];
+  }
   return counts;
 }
 
@@ -128,7 +136,7 @@ std::string SummaryJson(const std::vector<datasets::FootageEstimate>& estimates,
   json["imu"] = !setup.imu.empty();
   json["frames"] = estimates.size();
   json["statuses"] = nlohmann::ordered_json::object();
-  for (const auto& [status, count] : CountStatuses(estimates)) json["statuses"][std::string(Name(status))] = count;
+  for (const auto& [status, count] : CountStatuses(estimates)) json["statuses"][Name(status)] = count;
   json["pose_choices"] = nlohmann::ordered_json::object();
   for (const auto& [reason, count] : CountReasons(estimates)) json["pose_choices"][std::string(Name(reason))] = count;
   return json.dump(2) + "\n";

@@ -57,7 +57,7 @@ class FlightProgress final : public runner::FlightObserver {
   FlightProgress(const runner::Scenario& scenario, bool quiet)
       : time_(scenario.time), expected_s_(runner::ExpectedDuration_s(scenario)), progress_(quiet) {}
 
-  void OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate&,
+  void OnFrame(const models::CameraFrame& frame, const estimator::FrameResult&,
                const runner::FrameRecord& record) override {
     if (!progress_.IsDue()) return;
     const double flown_s = time_.ToSeconds(frame.mid_exposure);

@@ -230,6 +230,13 @@ void ConfigReader::List(const Key& key, std::size_t count, const std::function<v
   }
 }
 
+void ConfigReader::Renamed(std::string_view old_key, std::string_view new_key) {
+  const ConfigNode* const node = open_.back().node != nullptr ? open_.back().node->Find(old_key) : nullptr;
+  if (node != nullptr) {
+    throw ConfigError(node->origin, PathOf(old_key), fmt::format("is now called {}", PathOf(new_key)));
+  }
+}
+
 void ConfigReader::PatchItems(const ConfigNode& node, const std::string& path, std::size_t count,
                               const std::function<void(ConfigVisitor&, std::size_t)>& describe) {
   for (const auto& [index_text, item] : node.keys) {

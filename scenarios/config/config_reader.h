@@ -38,6 +38,7 @@ class ConfigReader : public ConfigVisitor {
                        const std::function<void(ConfigVisitor&)>& describe) override;
   void List(const Key& key, std::size_t count, const std::function<void(std::size_t)>& resize,
             const std::function<void(ConfigVisitor&, std::size_t)>& describe) override;
+  void Renamed(std::string_view old_key, std::string_view new_key) override;
   void Check(std::string_view, const std::function<void()>&) override {}
 
  private:

@@ -99,6 +99,10 @@ class ConfigVisitor {
   virtual void List(const Key& key, std::size_t count, const std::function<void(std::size_t)>& resize,
                     const std::function<void(ConfigVisitor&, std::size_t)>& describe) = 0;
 
+  /// A key of the section being visited that got a new name, `new_key`, as seen from the section. Written, it is an
+  /// error that names the new one.
+  virtual void Renamed(std::string_view /*old_key*/, std::string_view /*new_key*/) {}
+
   /// What must hold of a key of the section being visited (of the whole section: ""), beyond its range, once everything
   /// is read: `check` throws InputError without a place.
   virtual void Check(std::string_view key, const std::function<void()>& check) = 0;

@@ -11,7 +11,6 @@ void TellOfFlight(const runner::Scenario& scenario, FootageFacts& facts) {
   const models::Vehicle assumed = scenario.assumed_vehicle();
   facts.mounting = {assumed.X_BC(), assumed.X_BU()};
   facts.estimator = scenario.estimator;
-  facts.attitude_estimator = scenario.attitude_estimator;
 }
 
 }  // namespace touchdown::datasets

@@ -19,7 +19,7 @@ struct FlightBag::Impl {};
 FlightBag::FlightBag(const runner::Scenario& /*scenario*/, const std::filesystem::path& file) { Refuse(file); }
 FlightBag::~FlightBag() = default;
 void FlightBag::OnImu(const models::ImuSample& /*sample*/, bool /*at_rest*/) {}
-void FlightBag::OnFrame(const models::CameraFrame& /*frame*/, const estimator::FrameEstimate& /*estimate*/,
+void FlightBag::OnFrame(const models::CameraFrame& /*frame*/, const estimator::FrameResult& /*estimate*/,
                         const runner::FrameRecord& /*record*/) {}
 void FlightBag::Finish(const runner::FlightResult& /*result*/) {}
 

@@ -72,7 +72,7 @@ struct ErrorSums {
 
   void Add(const Eigen::Isometry3d& found, const Eigen::Isometry3d& truth) {
     const models::TaitBryan is = models::TaitBryanFromRotation(truth.linear());
-    const Eigen::Isometry3d X_WB = models::NearerTwin(found, is.yaw);
+    const Eigen::Isometry3d X_WB = models::ResolveYawAmbiguity(found, is.yaw);
     const models::TaitBryan seen = models::TaitBryanFromRotation(X_WB.linear());
     const Vector3d position_error = X_WB.translation() - truth.translation();
     const Eigen::Vector2d tilt_error(models::WrapToPi(seen.roll - is.roll), seen.pitch - is.pitch);

@@ -19,7 +19,7 @@ constexpr double kMostOfAprilTag = 0.25;
 /// Has AprilTag 3 look at a part of the frames too, in the same run, on the same core.
 class AprilTagWatch final : public runner::FlightObserver {
  public:
-  void OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate& /*estimate*/,
+  void OnFrame(const models::CameraFrame& frame, const estimator::FrameResult& /*estimate*/,
                const runner::FrameRecord& record) override {
     constexpr int kEvery = 4;
     if (count_++ % kEvery != 0) return;

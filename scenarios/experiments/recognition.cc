@@ -21,8 +21,7 @@
 namespace touchdown::experiments {
 namespace {
 
-using estimator::FrameStatus;
-using estimator::FrameTrace;
+using estimator::paper::ComponentClass;
 using models::RandomStream;
 
 constexpr std::array<double, 6> kRecallDistances_m = {0.12, 0.3, 0.6, 1.0, 1.6, 2.5};
@@ -48,8 +47,8 @@ class Room {
   struct Seen {
     training::View view = {};
     models::Image image = {};
-    std::vector<std::optional<FrameTrace::Label>> truth = {};  ///< Of each component, where clear.
-    estimator::FrameEstimate estimate = {};
+    std::vector<std::optional<ComponentClass>> truth = {};  ///< Of each component, where clear.
+    estimator::FrameResult estimate = {};
   };
 
   /// With a pad, four views in five look for it; all others look for decoys.
@@ -99,6 +98,14 @@ class Room {
   StillRoom room_;
 };
 
+/// The class that `paper` gave to a component, by the name of its box: there is one box for each component, in order.
+ComponentClass ClassOf(const estimator::Overlay::Box& box) {
+  for (const ComponentClass label : {ComponentClass::kCircle, ComponentClass::kH}) {
+    if (box.name == Name(label)) return label;
+  }
+  return ComponentClass::kOther;
+}
+
 /// Of a room's frames without a pad: components and frames that were taken for what they are not.
 Json CountFalse(const runner::Scenario& told, int number, int frames, const util::StopRequested& stop_requested) {
   Room room(told, number, false);
@@ -111,15 +118,15 @@ Json CountFalse(const runner::Scenario& told, int number, int frames, const util
     bool false_circle = false, false_letter = false;
     for (std::size_t k = 0; k < seen.truth.size(); ++k) {
       if (!seen.truth[k]) continue;
-      const auto truth = *seen.truth[k], label = seen.estimate.trace.components.at(k).label;
+      const auto truth = *seen.truth[k], label = ClassOf(seen.estimate.overlay.boxes.at(k));
       ++given[static_cast<std::size_t>(truth)][static_cast<std::size_t>(label)];
-      false_circle |= label == FrameTrace::Label::kCircle && truth != label;
-      false_letter |= label == FrameTrace::Label::kH && truth != label;
+      false_circle |= label == ComponentClass::kCircle && truth != label;
+      false_letter |= label == ComponentClass::kH && truth != label;
     }
     frames_false_circle += false_circle ? 1 : 0;
     frames_false_letter += false_letter ? 1 : 0;
-    const FrameStatus status = seen.estimate.status;
-    pairs += status == FrameStatus::kNoEllipse || seen.estimate.pose ? 1 : 0;
+    const bool is_pair = seen.estimate.reason == Name(estimator::paper::Reason::kNoEllipse) || seen.estimate.pose;
+    pairs += is_pair ? 1 : 0;
     pads += seen.estimate.pose ? 1 : 0;
   }
   return {{"frames", frames},
@@ -174,7 +181,7 @@ struct FalseCounts {
   int frames = 0, frames_false_circle = 0, frames_false_letter = 0, pairs = 0, pads = 0;
 
   /// Of the components that are no circles (H), the share labelled so: p1 and p2.
-  util::Interval FalseShare(FrameTrace::Label label) const {
+  util::Interval FalseShare(ComponentClass label) const {
     const auto as = static_cast<std::size_t>(label);
     int wrong = 0, others = 0;
     for (std::size_t truth = 0; truth < given.size(); ++truth) {
@@ -203,7 +210,7 @@ FalseCounts SumFalse(const PaperPlan& plan, const Measured& measured) {
 }
 
 void ReportFalse(const FalseCounts& sum, PaperSection& section) {
-  const util::Interval p1 = sum.FalseShare(FrameTrace::Label::kCircle), p2 = sum.FalseShare(FrameTrace::Label::kH);
+  const util::Interval p1 = sum.FalseShare(ComponentClass::kCircle), p2 = sum.FalseShare(ComponentClass::kH);
   const util::Interval frames_p1 = util::ShareInterval(sum.frames_false_circle, sum.frames),
                        frames_p2 = util::ShareInterval(sum.frames_false_letter, sum.frames),
                        pairs = util::ShareInterval(sum.pairs, sum.frames),

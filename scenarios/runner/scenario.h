@@ -105,8 +105,6 @@ struct Scenario {
   sim::WorldConfig world;
   Calibration calibration;
   estimator::EstimatorConfig estimator;
-  estimator::AttitudeEstimatorConfig attitude_estimator;
-  estimator::PoseFilterConfig pose_filter;
   controller::FlightControllerConfig controller;
 
   Outcome expected_outcome() const;

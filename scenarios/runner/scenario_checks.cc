@@ -78,7 +78,7 @@ void CheckEvents(config::ConfigVisitor& v, const Scenario& s) {
 void CheckScenario(config::ConfigVisitor& v, const Scenario& s) {
   v.Check("camera.latency_ms", [&s] {
     const double oldest_s = s.camera.latency_s + 1.0 / s.camera.rate_hz;
-    if (oldest_s >= s.controller.vision_fresh_s || s.camera.latency_s >= s.attitude_estimator.history_s) {
+    if (oldest_s >= s.controller.vision_fresh_s || s.camera.latency_s >= s.estimator.filters.attitude.history_s) {
       throw InputError(
           "with a frame's period on top must stay below controller.vision_fresh_s, and below "
           "attitude_estimator.history_s: the frames would come too late to be used");

@@ -155,8 +155,8 @@ void DescribeSimulation(ConfigVisitor& v, Scenario& s) {
 
 void DescribeAutopilot(ConfigVisitor& v, Scenario& s) {
   v.Keys({"estimator", "Frames to poses."}, s.estimator);
-  v.Keys({"attitude_estimator", "Roll and pitch from the IMU, yaw from vision."}, s.attitude_estimator);
-  v.Keys({"pose_filter", "The Kalman filter on vision's position."}, s.pose_filter);
+  v.Keys({"attitude_estimator", "Roll and pitch from the IMU, yaw from vision."}, s.estimator.filters.attitude);
+  v.Keys({"pose_filter", "The Kalman filter on vision's position."}, s.estimator.filters.pose_filter);
   v.Keys({"controller", "Guidance, position loop, attitude loop."}, s.controller);
 }
 

@@ -32,6 +32,7 @@ void Describe(ConfigVisitor& v, sim::SceneConfig& config);
 void Describe(ConfigVisitor& v, sim::WorldConfig& config);
 void DescribeCamera(ConfigVisitor& v, sim::CameraConfig& config, const models::TimeBase& time);
 
+void Describe(ConfigVisitor& v, estimator::paper::PaperOptions& config);
 void Describe(ConfigVisitor& v, estimator::EstimatorConfig& config);
 void Describe(ConfigVisitor& v, estimator::AttitudeEstimatorConfig& config);
 void Describe(ConfigVisitor& v, estimator::PoseFilterConfig& config);

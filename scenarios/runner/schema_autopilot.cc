@@ -6,15 +6,25 @@ using namespace runner;
 namespace {
 
 constexpr std::array<std::string_view, 2> kContourPointNames = {"integer", "subpixel"};
+constexpr std::array<std::string_view, 2> kVerifyNames = {"none", "template"};
 
 constexpr Unit kRadianPerSecond2{"rad/s^2"};
 
 }  // namespace
 
+void Describe(ConfigVisitor& v, estimator::paper::PaperOptions& c) {
+  v.Choice({"contour_points", "Where edge points are taken: on Canny's pixels, or at their sub-pixel places."},
+           c.contour_points, kContourPointNames);
+  v.Choice({"verify",
+            "How a ring and an H that may be the pad are verified: not at all, as published, or by a template match of "
+            "the pad's artwork."},
+           c.verify, kVerifyNames);
+}
+
 void Describe(ConfigVisitor& v, estimator::EstimatorConfig& c) {
   v.Text({"name", "Which estimator turns frames into poses."}, c.name);
-  v.Choice({"contour_points", "Where edge points are taken: on Canny's pixels, or at their sub-pixel places."},
-           c.paper.contour_points, kContourPointNames);
+  v.Keys({"paper", "Options of the estimator paper, the method of Yang et al."}, c.paper);
+  v.Renamed("contour_points", "paper.contour_points");
   v.Check("name", [&c] { c.Validate(); });
 }
 
@@ -170,6 +180,8 @@ void Describe(ConfigVisitor& v, controller::AttitudeControllerConfig& c) {
 }
 
 void Describe(ConfigVisitor& v, controller::FlightControllerConfig& c) {
+  v.Text({"name", "Which controller flies."}, c.name);
+  v.Check("name", [&c] { controller::RequireControllerName(c.name); });
   v.Keys({"guidance", "The set-points (Sec. V): takeoff, landing, and what happens when the pad is not seen."},
          c.guidance);
   v.Keys({"position", "The outer loop: position error to thrust and tilt."}, c.position);

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "estimator/estimator.h"
 #include "estimator/paper/classifier.h"
 #include "models/camera_model.h"
 #include "models/landing_pad.h"
@@ -20,7 +19,7 @@ namespace touchdown::training {
 /// A component as the classifier sees it, and what it is.
 struct LabelledPattern {
   estimator::paper::Pattern pattern{};
-  estimator::FrameTrace::Label label = estimator::FrameTrace::Label::kOther;
+  estimator::paper::ComponentClass label = estimator::paper::ComponentClass::kOther;
 };
 
 /// What one scene gives.

@@ -10,7 +10,7 @@
 namespace touchdown::training {
 namespace {
 
-using estimator::FrameTrace;
+using estimator::paper::ComponentClass;
 
 constexpr double kTexelsPerMetre = 1000.0;
 
@@ -48,7 +48,7 @@ double LargestDisc(const cv::Mat1b& texels) {
   return 2.0 * largest / kTexelsPerMetre;
 }
 
-GroundShape ShapeOf(FrameTrace::Label label, const Sheet& sheet) {
+GroundShape ShapeOf(ComponentClass label, const Sheet& sheet) {
   std::vector<cv::Point> texels, hull;
   cv::findNonZero(sheet.ink, texels);
   cv::convexHull(texels, hull);
@@ -100,15 +100,15 @@ Sheet LoneSheet(const sim::SceneItem& item) {
 std::vector<GroundShape> ShapesOf(const sim::Scene& scene) {
   std::vector<GroundShape> shapes;
   if (scene.config.pad) {
-    shapes.push_back(ShapeOf(FrameTrace::Label::kCircle, PadSheet(scene.pad, true)));
-    shapes.push_back(ShapeOf(FrameTrace::Label::kH, PadSheet(scene.pad, false)));
+    shapes.push_back(ShapeOf(ComponentClass::kCircle, PadSheet(scene.pad, true)));
+    shapes.push_back(ShapeOf(ComponentClass::kH, PadSheet(scene.pad, false)));
   }
   const bool solid = scene.pad.letter() == models::PadLetter::kRectangle;
   const auto letter_kind = solid ? sim::SceneItem::Kind::kRectangle : sim::SceneItem::Kind::kLetterH;
   for (const sim::SceneItem& item : scene.items) {
     const bool ring = item.kind == sim::SceneItem::Kind::kRing;
     if (!ring && item.kind != letter_kind) continue;
-    shapes.push_back(ShapeOf(ring ? FrameTrace::Label::kCircle : FrameTrace::Label::kH, LoneSheet(item)));
+    shapes.push_back(ShapeOf(ring ? ComponentClass::kCircle : ComponentClass::kH, LoneSheet(item)));
   }
   return shapes;
 }

@@ -83,17 +83,25 @@ TEST(LandingPadValidate, RefusesWhatCannotBePrinted) {
   }
 }
 
-TEST(NearerTwin, TurnsThePoseAboutThePadWhenItsYawIsHalfATurnAway) {
+TEST(ResolveYawAmbiguity, TurnsThePoseAboutThePadWhenItsYawIsHalfATurnAway) {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   X_WB.translation() << 0.3, -0.2, 1.0;
   X_WB.linear() = RotationFromTaitBryan({0.1, -0.05, DegToRad(80)});
-  EXPECT_TRUE(NearerTwin(X_WB, DegToRad(20)).isApprox(X_WB));
-  const Eigen::Isometry3d twin = NearerTwin(X_WB, DegToRad(-95));
+  EXPECT_TRUE(ResolveYawAmbiguity(X_WB, DegToRad(20)).isApprox(X_WB));
+  const Eigen::Isometry3d twin = ResolveYawAmbiguity(X_WB, DegToRad(-95));
   EXPECT_TRUE(twin.translation().isApprox(Eigen::Vector3d(-0.3, 0.2, 1.0)));
   const TaitBryan angles = TaitBryanFromRotation(twin.linear());
   EXPECT_NEAR(angles.roll, 0.1, 1e-12);
   EXPECT_NEAR(angles.pitch, -0.05, 1e-12);
   EXPECT_NEAR(RadToDeg(angles.yaw), -100.0, 1e-9);
+}
+
+TEST(HalfTurnIsNearer, ComparesYawsOnTheCircle) {
+  for (const double turns : {-720.0, 0.0, 360.0}) {
+    EXPECT_FALSE(HalfTurnIsNearer(DegToRad(170.0 + turns), DegToRad(-110.0)));
+    EXPECT_TRUE(HalfTurnIsNearer(DegToRad(170.0 + turns), DegToRad(-90.0)));
+    EXPECT_TRUE(HalfTurnIsNearer(DegToRad(10.0), DegToRad(170.0 + turns)));
+  }
 }
 
 }  // namespace

@@ -50,8 +50,7 @@ std::string PosesOf(const fs::path& input) {
                                                     .pad = facts.pad.value(),
                                                     .mounting = facts.mounting,
                                                     .imu = facts.imu,
-                                                    .estimator = facts.estimator.value(),
-                                                    .attitude_estimator = facts.attitude_estimator.value()});
+                                                    .estimator = facts.estimator.value()});
   return runner::TumText(PosesTrajectory(estimates, facts.time), facts.time);
 }
 

@@ -191,7 +191,8 @@ TEST(FlightPage, IsMadeOfAFlightThatHadNothingToShow) {
   const runner::Scenario scenario = Parsed();
   runner::FlightLog blind = MadeFlight(scenario, 1.0);
   for (runner::FrameRecord& frame : blind.frames) {
-    frame.status = estimator::FrameStatus::kNoComponent;
+    frame.status = estimator::FrameStatus::kNotFound;
+    frame.reason = "no_component";
     frame.pose.reset();
   }
   runner::FlightLog without_frames = MadeFlight(scenario, 1.0);

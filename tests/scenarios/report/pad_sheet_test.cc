@@ -9,7 +9,7 @@
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 
-#include "estimator/make_estimator.h"
+#include "estimator/paper/paper_estimator.h"
 #include "models/angles.h"
 #include "models/error.h"
 #include "models/vehicle.h"
@@ -172,8 +172,8 @@ TEST(PadSheet, IsFoundByTheEstimatorInThePrint) {
     tests::PadPicture picture{.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5};
     picture.paint = Printed(raster, pad);
     const models::Image image = tests::RenderPad(setup.camera, pad, X_WC, picture, &random);
-    const auto seen = estimator::MakeEstimator({}, setup)->Estimate(image.View(), 0, tests::GravityIn(X_WB));
-    ASSERT_TRUE(seen.pose) << Name(seen.status);
+    const auto seen = estimator::paper::PaperEstimator(setup).Estimate(image.View(), 0, tests::GravityIn(X_WB));
+    ASSERT_TRUE(seen.pose) << seen.reason;
     EXPECT_LT((seen.pose->X_WB.translation() - X_WB.translation()).norm(), 0.02);
     EXPECT_LT(models::RotationLog(seen.pose->X_WB.linear().transpose() * X_WB.linear()).norm(), 0.06);
   }

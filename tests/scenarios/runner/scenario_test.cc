@@ -229,6 +229,20 @@ TEST(Scenario, FliesDefaultsAsItWouldReadThemAgain) {
   EXPECT_EQ(Parse(ScenarioYaml(scenario)).tracking.rotation_noise_rad, scenario.tracking.rotation_noise_rad);
 }
 
+TEST(Scenario, NamesTheNewKeyOfOneThatWasRenamed) {
+  const std::string renamed = "estimator.contour_points: is now called estimator.paper.contour_points";
+  EXPECT_THAT(ErrorOf(With("estimator: {contour_points: integer}\n")), HasSubstr(renamed));
+  EXPECT_THAT(ErrorOf(With(""), {"estimator.contour_points=integer"}), HasSubstr(renamed));
+  EXPECT_EQ(Parse(With("estimator: {paper: {contour_points: integer}}\n")).estimator.paper.contour_points,
+            estimator::pad::ContourPoints::kInteger);
+}
+
+TEST(Scenario, RefusesAnUnknownControllerAndNamesTheKnownOnes) {
+  EXPECT_EQ(Parse(With("controller: {name: paper}\n")).controller.name, "paper");
+  EXPECT_THAT(ErrorOf(With("controller: {name: papyrus}\n")),
+              HasSubstr("controller.name: unknown controller 'papyrus', known: paper"));
+}
+
 TEST(ScenarioReference, ListsKeysOfEveryKind) {
   const std::vector<config::KeyRow> reference = ScenarioReference();
   const auto has = [](const char* path, const char* unit, const char* value) {
@@ -242,7 +256,7 @@ TEST(ScenarioReference, ListsKeysOfEveryKind) {
   EXPECT_THAT(reference, has("script.N.duration_s", "s", "required"));
   EXPECT_THAT(reference, has("start.position_m", "m", "[0, 0, 1]"));
   EXPECT_THAT(reference, has("start.x_m", "m", "0"));
-  EXPECT_THAT(reference, has("estimator.contour_points", "-", "subpixel"));
+  EXPECT_THAT(reference, has("estimator.paper.contour_points", "-", "subpixel"));
   EXPECT_THAT(reference, has("scene.pad", "-", "true"));
   EXPECT_THAT(reference, has("pad.marks.N.diameter_m", "m", "required"));
   EXPECT_THAT(reference, has("pad.marks.N.angle_deg", "deg", "0"));

@@ -51,7 +51,7 @@ FlightLog TurningLog() {
   log.frames[1].pose.emplace().X_WB = Turned(2.1);
   log.frames[2].mid_exposure = 40;
   log.frames[2].X_WB = Turned(2.5);
-  log.frames[2].status = estimator::FrameStatus::kOutlier;
+  log.frames[2].status = estimator::FrameStatus::kRejected;
   log.frames[2].pose.emplace().X_WB = Turned(0.1);
   log.tracking.emplace_back().tracked.tick = 12;
   log.tracking[0].tracked.X_WB = Turned(1.6);

@@ -19,8 +19,8 @@ TEST(ClassifierShapes, OfAPadAreItsRingAndItsHWithoutItsMarks) {
                   {.shape = models::PadMark::Shape::kBar, .centre_m = {0.05, 0.0}, .length_m = 0.02, .width_m = 0.05}};
   const std::vector<GroundShape> shapes = ShapesOfPad(marked), plain = ShapesOfPad({});
   ASSERT_EQ(shapes.size(), 2u);
-  EXPECT_EQ(shapes[0].label, estimator::FrameTrace::Label::kCircle);
-  EXPECT_EQ(shapes[1].label, estimator::FrameTrace::Label::kH);
+  EXPECT_EQ(shapes[0].label, estimator::paper::ComponentClass::kCircle);
+  EXPECT_EQ(shapes[1].label, estimator::paper::ComponentClass::kH);
   EXPECT_NEAR(shapes[0].radius_m, 0.090, 0.001);
   EXPECT_NEAR(shapes[1].radius_m, std::hypot(0.050, 0.028), 0.001);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
@@ -34,7 +34,7 @@ TEST(ClassifierShapes, OfARectangleAreSolid) {
   pad.h_stroke_m = 0.5 * pad.h_width_m;
   const std::vector<GroundShape> shapes = ShapesOfPad(pad);
   ASSERT_EQ(shapes.size(), 2u);
-  EXPECT_EQ(shapes[1].label, estimator::FrameTrace::Label::kH);
+  EXPECT_EQ(shapes[1].label, estimator::paper::ComponentClass::kH);
   EXPECT_NEAR(shapes[1].radius_m, std::hypot(0.050, 0.028), 0.001);
   EXPECT_EQ(shapes[1].ink_share, 1.0);
   EXPECT_NEAR(shapes[1].gap_m, 0.056, 0.002) << "as wide as the rectangle";

@@ -50,7 +50,7 @@ seeds: {from: 5, count: 2}
 parameters:
   camera.noise_sigma: [0, 3]
   camera.exposure_ms: {range: {from: 2, to: 4, count: 3}}
-variants: [{name: a}, {name: b, set: {estimator.contour_points: integer}}]
+variants: [{name: a}, {name: b, set: {estimator.paper.contour_points: integer}}]
 )");
   ASSERT_EQ(plan.flights.size(), 24u);
   EXPECT_THAT(plan.keys, ElementsAre("camera.noise_sigma", "camera.exposure_ms"));
