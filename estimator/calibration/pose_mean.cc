@@ -7,6 +7,7 @@
 
 #include "models/angles.h"
 #include "models/error.h"
+#include "models/order_statistic.h"
 
 namespace touchdown::estimator::calibration {
 namespace {
@@ -15,18 +16,12 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 Vector3d Median(const std::vector<Vector3d>& points) {
   Vector3d median;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> values;
     for (const Vector3d& point : points) values.push_back(point[axis]);
-    median[axis] = Median(values);
+    median[axis] = models::UpperMedian(values);
   }
   return median;
 }

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
+#include "models/bilinear.h"
 #include "models/error.h"
 #include "models/pad_outline.h"
 
@@ -40,16 +41,9 @@ struct Patch {
 
   Vector2d GradientAt(int x, int y) const { return {gradient_u.at<short>(y, x), gradient_v.at<short>(y, x)}; }
 
-  double GreyAt(const Vector2d& p) const {
-    const int x = static_cast<int>(std::floor(p.x())), y = static_cast<int>(std::floor(p.y()));
-    const double a = p.x() - x, b = p.y() - y;
-    const std::uint8_t* upper = grey.ptr(y) + x;
-    const std::uint8_t* lower = grey.ptr(y + 1) + x;
-    return (1 - b) * ((1 - a) * upper[0] + a * upper[1]) + b * ((1 - a) * lower[0] + a * lower[1]);
-  }
-  bool Holds(const Vector2d& p) const {
-    return p.x() >= 0.0 && p.y() >= 0.0 && p.x() < width - 1 && p.y() < height - 1;
-  }
+  models::ImageView view() const { return {grey.data, width, height, static_cast<std::ptrdiff_t>(grey.step)}; }
+  double GreyAt(const Vector2d& p) const { return models::BilinearGrey<double>(view(), p); }
+  bool Holds(const Vector2d& p) const { return models::IsBetweenPixels(view(), p); }
 };
 
 /// Of a picture of two grey values, about as much of each.

@@ -8,6 +8,7 @@
 
 #include "models/angles.h"
 #include "models/error.h"
+#include "models/order_statistic.h"
 
 namespace touchdown::estimator::pad {
 namespace {
@@ -54,9 +55,7 @@ constexpr double kFarOff = 3.7;
 double MedianDistance(const Ellipse& ellipse, std::span<const Eigen::Vector2d> points) {
   std::vector<double> distances;
   for (const Eigen::Vector2d& point : points) distances.push_back(std::abs(DistanceFrom(ellipse, point)));
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  return models::UpperMedian(distances);
 }
 
 /// Where along an ellipse, by the angle on the circle that it comes from, there are no points.

@@ -9,7 +9,9 @@
 #include <utility>
 
 #include "models/angles.h"
+#include "models/bilinear.h"
 #include "models/error.h"
+#include "models/order_statistic.h"
 
 namespace touchdown::estimator::pad {
 namespace {
@@ -22,22 +24,14 @@ constexpr double kBlurred = 0.03;        // Standard deviation, in inner radii.
 constexpr double kFarthestOffset = 0.1;  // In inner radii.
 constexpr double kLargestScale = 1.12;
 
-float Quantile(std::vector<float> values, double share) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+float Quantile(const std::vector<float>& values, double share) {
+  return models::OrderStatistic(values, static_cast<std::size_t>(share * static_cast<double>(values.size() - 1)));
 }
 
 /// Interpolated bilinearly; nullopt outside the image.
 std::optional<float> GreyAt(const models::ImageView& image, const Vector2d& pixel) {
-  if (!(pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() < image.width - 1 && pixel.y() < image.height - 1)) {
-    return std::nullopt;
-  }
-  const int u = static_cast<int>(pixel.x()), v = static_cast<int>(pixel.y());
-  const auto a = static_cast<float>(pixel.x() - u), b = static_cast<float>(pixel.y() - v);
-  const std::uint8_t* upper = image.Row(v) + u;
-  const std::uint8_t* lower = image.Row(v + 1) + u;
-  return (1 - b) * ((1 - a) * upper[0] + a * upper[1]) + b * ((1 - a) * lower[0] + a * lower[1]);
+  if (!models::IsBetweenPixels(image, pixel)) return std::nullopt;
+  return models::BilinearGrey<float>(image, pixel);
 }
 
 /// What is printed within the ring.

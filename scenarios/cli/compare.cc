@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include <charconv>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -14,6 +13,7 @@
 #include "models/error.h"
 #include "scenarios/cli/talk.h"
 #include "scenarios/sweeper/analysis/compare.h"
+#include "scenarios/util/number.h"
 
 namespace touchdown::cli {
 namespace {
@@ -29,14 +29,12 @@ struct CompareOptions {
 /// "pass_rate=0.02".
 sweeper::Margin MarginFrom(const std::string& text) {
   const std::size_t sign = text.find('=');
-  sweeper::Margin margin{.name = text.substr(0, sign)};
   const std::string number = sign == std::string::npos ? "" : text.substr(sign + 1);
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), margin.margin);
-  const bool is_number = error == std::errc() && end == number.data() + number.size() && std::isfinite(margin.margin);
-  if (!is_number || margin.margin < 0.0) {
+  const std::optional<double> value = util::FiniteNumber(number);
+  if (!value || *value < 0.0) {
     throw InputError(fmt::format("--margin {}: must be NAME=NUMBER, the number at least 0", text));
   }
-  return margin;
+  return {.name = text.substr(0, sign), .margin = *value};
 }
 
 /// What is compared, and what it is called.

@@ -9,6 +9,7 @@
 #include "scenarios/report/flight_files.h"
 #include "scenarios/report/flight_page.h"
 #include "scenarios/report/flight_video.h"
+#include "scenarios/runner/flight_tables.h"
 #include "scenarios/util/output_folder.h"
 
 namespace touchdown::cli {
@@ -36,18 +37,13 @@ runner::FlightResult FlyIntoFolder(const runner::Scenario& scenario, const std::
   if (extras.recording) all.push_back(&recording.emplace(scenario, folder.PathOf(kRecordingFolder)));
   std::optional<datasets::FlightBag> bag;
   if (extras.bag) all.push_back(&bag.emplace(scenario, folder.PathOf("flight.bag")));
-  const runner::FlightResult result = runner::Fly(scenario, all, stop_requested);
+  const runner::FlightLog log = runner::FlyClosedLoop(scenario, all, stop_requested);
+  const runner::FlightResult result = runner::JudgeFlight(scenario, log);
   if (video) video->Finish();
-  if (recording) recording->Finish(result.truth);
-  if (bag) bag->Finish(result);
+  if (recording) recording->Finish(log);
+  if (bag) bag->Finish(log);
   folder.Write("scenario.yaml", runner::ScenarioYaml(scenario));
-  folder.Write("flight.csv", result.tables.flight_csv);
-  folder.Write("frames.csv", result.tables.frames_csv);
-  folder.Write("tracking.csv", result.tables.tracking_csv);
-  folder.Write("truth.tum", result.tables.truth_tum);
-  folder.Write("estimate.tum", result.tables.estimate_tum);
-  folder.Write("tracking.tum", result.tables.tracking_tum);
-  folder.Write("frame_timing.csv", result.tables.frame_timing_csv);
+  for (const auto& [name, text] : runner::WriteTables(log)) folder.Write(name, text);
   folder.Write("timing.json", runner::TimingJson(result.timing));
   if (const auto png = sheet.Png()) folder.Write("frames.png", *png);
   folder.Write("result.json", runner::ResultJson(scenario, result));

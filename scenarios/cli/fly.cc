@@ -101,7 +101,7 @@ struct Order {
 Order OrderFrom(const std::string& folder, const std::string& id) {
   const auto row = sweeper::SweepStore(folder, sweeper::SweepStore::Access::kRead).Find(id);
   if (!row) throw InputError(fmt::format("{}: has no flight {}", folder, id));
-  return {runner::ParseScenario(row->scenario_yaml, id, {}), row->log_sha256};
+  return {runner::ParseScenario(row->scenario, id, {}), row->log_sha256};
 }
 
 /// A scenario's folder is not the place for what is made of it.

@@ -20,7 +20,7 @@ struct SweepTaskOptions {
 
 int FlyTask(const SweepTaskOptions& options) {
   const auto tell = [](const sweeper::FlightRow& row) {
-    fmt::print("{} {} in {:.1f} s\n", row.id, row.verdict, row.wall_s);
+    fmt::print("{} {} in {:.1f} s\n", row.id, Name(row.verdict), row.wall_s);
     std::fflush(stdout);
   };
   const bool is_done = sweeper::FlyChunk(options.folder, options.number, options.jobs, InterruptRequested, tell);

@@ -156,9 +156,9 @@ std::string SummaryJson(const sweeper::SweepOutcome& sweep, const sweeper::Sweep
   Put(summary.all, json);
   json["stale"] = sweep.stale;
   json["unplanned"] = sweep.unplanned;
-  json["crashed"] = sweeper::CountEnds(sweep.results, sweeper::RowEnd::kCrashed);
-  json["hung"] = sweeper::CountEnds(sweep.results, sweeper::RowEnd::kHung);
-  json["out_of_memory"] = sweeper::CountEnds(sweep.results, sweeper::RowEnd::kOutOfMemory);
+  json["crashed"] = sweeper::CountEnds(sweep.results, sweeper::ProcessEnd::kCrashed);
+  json["hung"] = sweeper::CountEnds(sweep.results, sweeper::ProcessEnd::kHung);
+  json["out_of_memory"] = sweeper::CountEnds(sweep.results, sweeper::ProcessEnd::kOutOfMemory);
   // A part, or what is flown so far, is not judged.
   const bool passes = sweep.terms.sought ? summary.finds_edge() : summary.keeps_criteria();
   json["pass"] = summary.is_whole ? Json(passes) : Json();

@@ -26,7 +26,7 @@ struct TestOptions {
 
 void PrintTest(const sweeper::TestedFlight& test) {
   fmt::print("{:<5} {:<32} {:6.1f} s  {} ({})\n", test.row.passed() ? "pass" : "FAIL", test.file.stem().string(),
-             test.row.wall_s, test.row.outcome, test.row.reason);
+             test.row.wall_s, Name(test.row.outcome), test.row.reason);
   for (const runner::Check& check : test.checks) {
     if (check.pass) continue;
     const std::string value = check.value          ? fmt::format("{:.4g} {}", *check.value, check.unit)
@@ -41,8 +41,7 @@ void PrintTest(const sweeper::TestedFlight& test) {
 std::string Junit(const std::vector<sweeper::TestedFlight>& tests) {
   std::vector<report::JunitSuite> suites;
   for (const sweeper::TestedFlight& test : tests) {
-    const runner::Verdict verdict = test.row.verdict == "error" ? runner::Verdict::kError : runner::Verdict::kFail;
-    suites.push_back(report::SuiteOf(test.scenario, verdict, test.row.reason, test.row.metrics, test.checks));
+    suites.push_back(report::SuiteOf(test.scenario, test.row.verdict, test.row.reason, test.row.metrics, test.checks));
   }
   return report::JunitXml(suites);
 }
@@ -55,8 +54,9 @@ int Test(const TestOptions& options) {
   const auto passed =
       std::count_if(tests.begin(), tests.end(), [](const sweeper::TestedFlight& t) { return t.row.passed(); });
   fmt::print("{} of {} flights passed\n", passed, tests.size());
-  const bool is_error =
-      std::any_of(tests.begin(), tests.end(), [](const sweeper::TestedFlight& t) { return t.row.verdict == "error"; });
+  const bool is_error = std::any_of(tests.begin(), tests.end(), [](const sweeper::TestedFlight& t) {
+    return t.row.verdict == runner::Verdict::kError;
+  });
   if (is_error) return kInternalError;
   return passed == static_cast<std::ptrdiff_t>(tests.size()) ? kPassed : kFailed;
 }

@@ -4,27 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 
+#include "scenarios/util/number.h"
+
 namespace touchdown::config {
 namespace {
-
-template <typename T>
-struct Parsed {
-  std::optional<T> value;
-  bool out_of_range = false;
-};
-
-template <typename T>
-Parsed<T> ParseWhole(const std::string& text) {
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (end != text.data() + text.size()) return {};
-  if (error == std::errc::result_out_of_range) return {std::nullopt, true};
-  return error == std::errc() ? Parsed<T>{value, false} : Parsed<T>{};
-}
 
 std::string Excerpt(const std::string& text) {
   return text.size() <= 40 ? fmt::format("'{}'", text) : fmt::format("'{}...'", text.substr(0, 40));
@@ -37,8 +23,8 @@ double ParseNumber(const ConfigNode& node, const std::string& path, const Unit& 
                                                     ".INF", "-.inf", "-.Inf", "-.INF", "+.inf"};
   const bool named_not_finite =
       std::find(std::begin(kNotFinite), std::end(kNotFinite), node.text) != std::end(kNotFinite);
-  const Parsed<double> parsed = ParseWhole<double>(node.text);
-  if (named_not_finite || parsed.out_of_range || (parsed.value && !std::isfinite(*parsed.value))) {
+  const util::NumberToken<double> parsed = util::ReadNumber<double>(node.text);
+  if (named_not_finite || parsed.is_out_of_range || (parsed.value && !std::isfinite(*parsed.value))) {
     throw fail("must be a finite number, is " + Excerpt(node.text));
   }
   if (!parsed.value) throw fail("must be a number, is " + Excerpt(node.text));
@@ -128,7 +114,7 @@ void ConfigReader::Numbers(const Key& key, const std::vector<double*>& values_si
   const std::string path = PathOf(key.name);
   if (node->kind == ConfigNode::Kind::kKeys && node->patch) {
     for (const auto& [index_text, value] : node->keys) {
-      const auto index = ParseWhole<std::size_t>(index_text).value;
+      const auto index = util::FiniteNumber<std::size_t>(index_text);
       if (!index || *index >= values_si.size()) throw ConfigError(value.origin, path + "." + index_text, "unknown key");
       *values_si[*index] = ParseNumber(value, path + "." + index_text, unit, range);
     }
@@ -145,9 +131,10 @@ void ConfigReader::Numbers(const Key& key, const std::vector<double*>& values_si
 void ConfigReader::Integer64(const Key& key, std::int64_t& value, const Range& range) {
   const ConfigNode* const node = VisitText(key, "a whole number");
   if (node == nullptr) return;
-  const Parsed<std::int64_t> parsed = node->quoted ? Parsed<std::int64_t>{} : ParseWhole<std::int64_t>(node->text);
+  const util::NumberToken<std::int64_t> parsed =
+      node->quoted ? util::NumberToken<std::int64_t>{} : util::ReadNumber<std::int64_t>(node->text);
   const auto fail = [&](const std::string& message) { return ConfigError(node->origin, PathOf(key.name), message); };
-  if (parsed.out_of_range) throw fail("is too large a number");
+  if (parsed.is_out_of_range) throw fail("is too large a number");
   if (!parsed.value) throw fail("must be a whole number, is " + Excerpt(node->text));
   if (!range.Contains(static_cast<double>(*parsed.value))) {
     throw fail(fmt::format("{}, is {}", range.Describe(), node->text));
@@ -241,7 +228,7 @@ void ConfigReader::PatchItems(const ConfigNode& node, const std::string& path, s
                               const std::function<void(ConfigVisitor&, std::size_t)>& describe) {
   for (const auto& [index_text, item] : node.keys) {
     const std::string item_path = path + "." + index_text;
-    const auto index = ParseWhole<std::size_t>(index_text).value;
+    const auto index = util::FiniteNumber<std::size_t>(index_text);
     if (!index || *index >= count) {
       throw ConfigError(item.origin, item_path, fmt::format("unknown key, the list has {} items", count));
     }

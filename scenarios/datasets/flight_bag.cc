@@ -11,6 +11,7 @@
 
 #include "models/error.h"
 #include "scenarios/datasets/bag_messages.h"
+#include "scenarios/runner/tum_trajectory.h"
 
 namespace touchdown::datasets {
 namespace {
@@ -254,12 +255,12 @@ void FlightBag::OnFrame(const models::CameraFrame& frame, const estimator::Frame
   }
 }
 
-void FlightBag::Finish(const runner::FlightResult& result) {
+void FlightBag::Finish(const runner::FlightLog& log) {
   // Who plays the bag goes back and forth between these chunks and those with the frames, and reads each as a whole.
   constexpr std::uint32_t kSmallChunk_bytes = 64 * 1024;
   impl_->Try([this] { impl_->bag->setChunkThreshold(kSmallChunk_bytes); });
-  for (const auto& [tick, X_WB] : result.truth) impl_->PutTruth(tick, X_WB);
-  for (const auto& [tick, X_WB] : result.tracked) {
+  for (const auto& [tick, X_WB] : runner::TrueTrajectory(log)) impl_->PutTruth(tick, X_WB);
+  for (const auto& [tick, X_WB] : runner::TrackedTrajectory(log)) {
     impl_->Put("/tracking", impl_->At(tick), BodyPose(impl_->At(tick), X_WB));
   }
   impl_->Close();

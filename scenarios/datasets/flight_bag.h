@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "scenarios/runner/flight_log.h"
 #include "scenarios/runner/flight_observer.h"
-#include "scenarios/runner/fly.h"
 #include "scenarios/runner/scenario.h"
 
 namespace touchdown::datasets {
@@ -39,7 +39,7 @@ class FlightBag final : public runner::FlightObserver {
                const runner::FrameRecord& record) override;
 
   /// Writes the truth and the tracking system's poses, and completes the file.
-  void Finish(const runner::FlightResult& result);
+  void Finish(const runner::FlightLog& log);
 
  private:
   struct Impl;

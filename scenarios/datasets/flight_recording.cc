@@ -10,6 +10,7 @@
 #include "models/error.h"
 #include "scenarios/config/camera_info.h"
 #include "scenarios/datasets/euroc_sensor.h"
+#include "scenarios/runner/tum_trajectory.h"
 
 namespace touchdown::datasets {
 namespace {
@@ -72,10 +73,10 @@ void FlightRecording::OnFrame(const models::CameraFrame& frame, const estimator:
   WritePng(folder_ / "mav0" / "cam0" / "data" / name, frame.image);
 }
 
-void FlightRecording::Finish(const runner::Trajectory& truth) {
+void FlightRecording::Finish(const runner::FlightLog& log) {
   std::string truth_csv =
       "#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []\n";
-  for (const auto& [tick, X_WB] : truth) {
+  for (const auto& [tick, X_WB] : runner::TrueTrajectory(log)) {
     const Eigen::Vector3d p = X_WB.translation();
     const Eigen::Quaterniond q(X_WB.linear());
     fmt::format_to(std::back_inserter(truth_csv), "{},{},{},{},{},{},{},{}\n", scenario_.time.ToNanoseconds(tick),

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "scenarios/runner/flight_log.h"
 #include "scenarios/runner/flight_observer.h"
 #include "scenarios/runner/scenario.h"
-#include "scenarios/runner/tum_trajectory.h"
 
 namespace touchdown::datasets {
 
@@ -28,7 +28,7 @@ class FlightRecording final : public runner::FlightObserver {
                const runner::FrameRecord& record) override;
 
   /// Writes all but the frames, which are written as they come.
-  void Finish(const runner::Trajectory& truth);
+  void Finish(const runner::FlightLog& log);
 
  private:
   void Write(const std::filesystem::path& name, const std::string& content) const;

@@ -21,7 +21,7 @@ FlightBag::~FlightBag() = default;
 void FlightBag::OnImu(const models::ImuSample& /*sample*/, bool /*at_rest*/) {}
 void FlightBag::OnFrame(const models::CameraFrame& /*frame*/, const estimator::FrameResult& /*estimate*/,
                         const runner::FrameRecord& /*record*/) {}
-void FlightBag::Finish(const runner::FlightResult& /*result*/) {}
+void FlightBag::Finish(const runner::FlightLog& /*log*/) {}
 
 struct BagFile::Impl {
   FootageFacts facts;

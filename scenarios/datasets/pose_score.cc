@@ -4,17 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
 
 #include "models/error.h"
+#include "models/pose_interpolation.h"
 #include "scenarios/datasets/euroc_folder.h"
 #include "scenarios/runner/flight_log.h"
 #include "scenarios/runner/scenario.h"
 #include "scenarios/util/csv_table.h"
+#include "scenarios/util/file.h"
 #include "scenarios/util/stamped_csv.h"
 
 namespace touchdown::datasets {
@@ -34,11 +34,7 @@ std::optional<Eigen::Isometry3d> At(const std::vector<TimedPose>& truth, double 
   if (after == truth.begin() || after->t_s - (after - 1)->t_s > kLongestGap_s) return std::nullopt;
   const TimedPose& before = *(after - 1);
   const double share = (t_s - before.t_s) / (after->t_s - before.t_s);
-  const Eigen::Quaterniond q0(before.X_WB.linear()), q1(after->X_WB.linear());
-  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  X_WB.linear() = q0.slerp(share, q1).toRotationMatrix();
-  X_WB.translation() = (1.0 - share) * before.X_WB.translation() + share * after->X_WB.translation();
-  return X_WB;
+  return models::InterpolatePose(before.X_WB, after->X_WB, share);
 }
 
 std::vector<TimedPose> ReadEurocTruth(const fs::path& file) {
@@ -52,12 +48,6 @@ std::vector<TimedPose> ReadEurocTruth(const fs::path& file) {
     pose.X_WB.linear() = q.normalized().toRotationMatrix();
   }
   return truth;
-}
-
-std::string ReadText(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(fmt::format("{}: cannot be read", file.string()));
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 /// The poses as records of frames with status ok, beside the truth at their times.
@@ -88,7 +78,7 @@ std::vector<runner::FrameRecord> ReadFrames(const fs::path& flight, const std::v
   const models::CameraModel camera = scenario.assumed_camera();
   const Eigen::Isometry3d X_BC = scenario.assumed_vehicle().X_BC();
   const fs::path file = flight / "frames.csv";
-  const std::string text = ReadText(file);
+  const std::string text = util::ReadTextFile(file);
   const util::CsvTable table(text, file.string());
   const std::vector<double> t_s = table.Times("t_s"), in_view = table.AllNumbers("ring_in_view");
   const auto true_u = table.Numbers("true_pad_u_px"), true_v = table.Numbers("true_pad_v_px");

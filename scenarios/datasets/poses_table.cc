@@ -36,7 +36,7 @@ std::string PosesCsv(std::span<const FootageEstimate> estimates, const models::T
     const FootageEstimate& estimate = estimates[i];
     const estimator::FrameResult& seen = estimate.seen;
     table << i;
-    table.Text(estimate.source);
+    table << estimate.source;
     estimate.mid_exposure ? table << time.ToSeconds(*estimate.mid_exposure) : table.Empty(1);
     table << estimator::ReasonOrStatus(seen.status, seen.reason);
     seen.pose ? table.Pose(seen.pose->X_WB) : table.Empty(6);
@@ -55,7 +55,7 @@ std::string ChoicesCsv(std::span<const FootageEstimate> estimates) {
     const std::optional<PoseChoice>& choice = estimates[i].seen.choice;
     if (!choice) continue;
     table << i;
-    table.Text(estimates[i].source) << Name(choice->reason);
+    table << estimates[i].source << Name(choice->reason);
     if (choice->reason == PoseChoice::Reason::kPrint) {
       table.Empty(2) << kMillimetresPerMetre * choice->chosen << kMillimetresPerMetre * choice->other;
     } else {

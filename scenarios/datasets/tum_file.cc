@@ -4,11 +4,11 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 #include <string>
 
 #include "models/error.h"
+#include "scenarios/util/file.h"
 
 namespace touchdown::datasets {
 namespace {
@@ -36,8 +36,7 @@ TimedPose ParseLine(const std::string& line) {
 }  // namespace
 
 std::vector<TimedPose> ReadTumFile(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) throw InputError(fmt::format("{}: cannot be read", file.string()));
+  std::istringstream stream(util::ReadTextFile(file));
   std::vector<TimedPose> poses;
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number) {

@@ -9,6 +9,7 @@
 #include "models/random_stream.h"
 #include "scenarios/experiments/circle_limit.h"
 #include "scenarios/experiments/still_room.h"
+#include "scenarios/util/csv_writer.h"
 #include "scenarios/util/text.h"
 #include "sim/scene/scene.h"
 

@@ -11,6 +11,7 @@
 #include "models/angles.h"
 #include "models/random_stream.h"
 #include "scenarios/experiments/still_room.h"
+#include "scenarios/util/csv_writer.h"
 #include "scenarios/util/statistics.h"
 #include "scenarios/util/text.h"
 

@@ -6,6 +6,7 @@
 #include "scenarios/experiments/april_tag.h"
 #include "scenarios/experiments/flown_flight.h"
 #include "scenarios/runner/closed_loop.h"
+#include "scenarios/util/csv_writer.h"
 #include "scenarios/util/statistics.h"
 #include "scenarios/util/stopwatch.h"
 #include "scenarios/util/text.h"

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "scenarios/util/text.h"
+#include "scenarios/util/csv_writer.h"
 
 namespace touchdown::experiments {
 namespace {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "models/angles.h"
+#include "models/pose_interpolation.h"
 #include "scenarios/experiments/shadow_estimator.h"
 #include "scenarios/experiments/shipped_flights.h"
 #include "scenarios/report/published.h"
@@ -44,11 +45,7 @@ std::optional<Eigen::Isometry3d> TrackedAt(std::span<const runner::TrackingRecor
   const models::TrackedPose &a = (after - 1)->tracked, &b = after->tracked;
   if (b.tick - a.tick > period) return std::nullopt;
   const double share = static_cast<double>(tick - a.tick) / static_cast<double>(b.tick - a.tick);
-  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  X_WB.linear() =
-      a.X_WB.linear() * models::RotationExp(share * models::RotationLog(a.X_WB.linear().transpose() * b.X_WB.linear()));
-  X_WB.translation() = a.X_WB.translation() + share * (b.X_WB.translation() - a.X_WB.translation());
-  return X_WB;
+  return models::InterpolatePose(a.X_WB, b.X_WB, share);
 }
 
 /// The frames with the tracking system's word in place of the truth, without those that it has none for.

@@ -7,6 +7,7 @@
 #include "scenarios/experiments/flight_group.h"
 #include "scenarios/experiments/flown_flight.h"
 #include "scenarios/experiments/table_one.h"
+#include "scenarios/util/csv_writer.h"
 #include "scenarios/util/statistics.h"
 #include "scenarios/util/text.h"
 

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <system_error>
 #include <utility>
 
 #include "models/error.h"
+#include "scenarios/util/file.h"
 #include "scenarios/util/output_file.h"
 #include "scenarios/util/platform.h"
 
@@ -25,11 +25,10 @@ MeasurementStore::MeasurementStore(std::filesystem::path folder, std::string ori
 }
 
 std::optional<Json> MeasurementStore::Read(const std::string& id) const {
-  std::ifstream stream(FileOf(id));
-  if (!stream) return std::nullopt;
-  Json file = Json::parse(stream, nullptr, false);
-  if (!file.is_object() || file.value("kind", "") != kStoreSignature || file.value("origin", "") != origin_)
-    return std::nullopt;
+  const std::optional<std::string> text = util::ReadTextFileIfPresent(FileOf(id));
+  if (!text) return std::nullopt;
+  Json file = Json::parse(*text, nullptr, false);
+  if (!file.is_object() || file.value("kind", "") != kStoreSignature || file.value("origin", "") != origin_) return std::nullopt;
   return file;
 }
 

@@ -7,7 +7,7 @@
 
 #include "scenarios/report/page_assets.h"
 #include "scenarios/report/section_page.h"
-#include "scenarios/util/text.h"
+#include "scenarios/util/csv_writer.h"
 
 namespace touchdown::experiments {
 namespace {
@@ -37,13 +37,12 @@ std::string SummaryCsv(const std::vector<PaperSection>& sections) {
   std::string csv = "section,quantity,unit,published,ours,spread,kept,why\n";
   for (const PaperSection& section : sections) {
     for (const ComparedQuantity& row : section.compared) {
-      csv += util::QuotedCsvLine({section.id, row.quantity, row.unit,
-                                  row.published ? fmt::format("{}", *row.published) : "",
-                                  row.ours ? fmt::format("{:.6g}", *row.ours) : "", row.spread,
-                                  !row.published ? ""
-                                  : row.IsKept() ? "yes"
-                                                 : "no",
-                                  row.why});
+      csv += util::CsvLine({section.id, row.quantity, row.unit, row.published ? fmt::format("{}", *row.published) : "",
+                            row.ours ? fmt::format("{:.6g}", *row.ours) : "", row.spread,
+                            !row.published ? ""
+                            : row.IsKept() ? "yes"
+                                           : "no",
+                            row.why});
     }
   }
   return csv;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <string>
 
 #include "models/error.h"
@@ -19,6 +18,7 @@
 #include "scenarios/experiments/recognition.h"
 #include "scenarios/experiments/table_one.h"
 #include "scenarios/experiments/yaw.h"
+#include "scenarios/util/file.h"
 #include "scenarios/util/output_folder.h"
 #include "scenarios/util/program_digest.h"
 
@@ -44,8 +44,7 @@ std::string FolderJson(const ReproductionOptions& options) {
 
 /// Whether the run that `out` is from was a quick one.
 bool WasQuick(const fs::path& out) {
-  std::ifstream stream(out / "paper.json");
-  const Json json = Json::parse(stream, nullptr, false);
+  const Json json = Json::parse(util::ReadTextFile(out / "paper.json"), nullptr, false);
   return json.is_object() && json.value("quick", false);
 }
 

@@ -7,6 +7,7 @@
 #include "scenarios/experiments/flown_flight.h"
 #include "scenarios/experiments/table_one.h"
 #include "scenarios/experiments/yaw_study.h"
+#include "scenarios/util/csv_writer.h"
 #include "scenarios/util/text.h"
 
 namespace touchdown::experiments {

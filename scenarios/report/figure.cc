@@ -1,18 +1,13 @@
 #include "scenarios/report/figure.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <iterator>
+#include <optional>
 #include <regex>
 #include <stdexcept>
 #include <utility>
@@ -20,6 +15,8 @@
 
 #include "models/error.h"
 #include "scenarios/report/page_assets.h"
+#include "scenarios/util/file.h"
+#include "scenarios/util/process.h"
 #include "scenarios/util/scratch_folder.h"
 
 namespace touchdown::report {
@@ -48,33 +45,27 @@ const Colours& PageColours() {
   return colours;
 }
 
-std::string FileText(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-std::vector<char*> Pointers(std::vector<std::string>& texts) {
-  std::vector<char*> pointers;
-  for (std::string& text : texts) pointers.push_back(text.data());
-  pointers.push_back(nullptr);
-  return pointers;
-}
-
-void RunGnuplot(const fs::path& script, const fs::path& words) {
-  std::vector<std::string> arguments{"gnuplot", script.string()};
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, words.c_str(), O_WRONLY | O_CREAT, 0600);
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, Pointers(arguments).data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) {
+void RunGnuplot(const fs::path& script) {
+  const std::optional<util::ProcessResult> run = util::RunProcess({"gnuplot", script.string()});
+  if (!run) {
     throw InputError("gnuplot, which draws the figures, cannot be run; on Debian: apt-get install gnuplot-nox");
   }
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error("gnuplot: " + FileText(words));
+  if (!run->succeeded) throw std::runtime_error("gnuplot: " + run->err);
+}
+
+/// Throws InputError when the disk is full or the like.
+void WriteInput(const fs::path& file, const std::string& content) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << content;
+  stream.close();
+  if (!stream) throw InputError(fmt::format("{}: cannot be written", file.string()));
+}
+
+/// A file that gnuplot drew.
+std::string ReadDrawing(const fs::path& file, const std::string& figure) {
+  std::optional<std::string> drawing = util::ReadTextFileIfPresent(file);
+  if (!drawing || drawing->empty()) throw std::runtime_error("gnuplot drew nothing of " + figure);
+  return *std::move(drawing);
 }
 
 /// Names of the page's colours for the gnuplot commands: `lc rgb ESTIMATE`.
@@ -158,13 +149,12 @@ std::string Undated(std::string pdf) {
 
 DrawnFigure Draw(const Figure& figure) {
   const util::ScratchFolder folder;
-  std::ofstream(folder.path() / "data.csv") << figure.csv;
-  std::ofstream(folder.path() / "figure.gp") << Script(figure, folder.path());
-  RunGnuplot(folder.path() / "figure.gp", folder.path() / "words");
-  DrawnFigure drawn{.svg = FileText(folder.path() / "figure.svg"),
+  WriteInput(folder.path() / "data.csv", figure.csv);
+  WriteInput(folder.path() / "figure.gp", Script(figure, folder.path()));
+  RunGnuplot(folder.path() / "figure.gp");
+  DrawnFigure drawn{.svg = ReadDrawing(folder.path() / "figure.svg", figure.name),
                     .page_svg = {},
-                    .pdf = Undated(FileText(folder.path() / "figure.pdf"))};
-  if (drawn.svg.empty() || drawn.pdf.empty()) throw std::runtime_error("gnuplot drew nothing of " + figure.name);
+                    .pdf = Undated(ReadDrawing(folder.path() / "figure.pdf", figure.name))};
   drawn.page_svg = ForThePage(drawn.svg, figure.name);
   return drawn;
 }

@@ -117,6 +117,13 @@ std::optional<double> Find(const Json& metrics, std::string_view name) {
   return found == metrics.end() || !found->is_number() ? std::nullopt : std::optional(found->get<double>());
 }
 
+/// nullopt for a flight that did not touch down.
+std::optional<Touchdown> TouchdownOf(const Json& metrics) {
+  const auto t_s = Find(metrics, "flight.touchdown_time_s");
+  const auto x_m = Find(metrics, "flight.touchdown_x_m"), y_m = Find(metrics, "flight.touchdown_y_m");
+  return t_s && x_m && y_m ? std::optional(Touchdown{*t_s, *x_m, *y_m}) : std::nullopt;
+}
+
 /// The flight at a glance: those of its figures that it has.
 void PutGlance(const Json& metrics, const JsonFile& timing, data& page) {
   struct Item {
@@ -245,7 +252,8 @@ std::string FlightPage(const FlightFiles& files) {
   page.set("description", scenario.description);
   page.set("scenario_yaml", files.scenario_yaml);
   page.set("has_video", files.has_video ? data::type::bool_true : data::type::bool_false);
-  page.set("flight", Inlined(FlightPlots(ReadFlightSeries(files, 1.0 / scenario.camera.rate_hz), scenario)));
+  const FlightSeries series = ReadFlightSeries(files, 1.0 / scenario.camera.rate_hz);
+  page.set("flight", Inlined(FlightPlots(series, TouchdownOf(metrics), scenario)));
   return Rendered(page);
 }
 

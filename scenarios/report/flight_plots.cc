@@ -259,16 +259,16 @@ Json PadJson(const models::LandingPad& pad) {
 
 }  // namespace
 
-Json FlightPlots(const FlightSeries& flight, const runner::Scenario& scenario) {
+Json FlightPlots(const FlightSeries& flight, const std::optional<Touchdown>& touchdown,
+                 const runner::Scenario& scenario) {
   Json json;
   json["duration_s"] = Time(flight.duration_s);
   json["phases"] = SpansJson(flight.phases);
   json["events"] = EventsJson(scenario.events, flight.duration_s);
   json["touchdown"] = nullptr;
-  if (flight.touchdown) {
-    json["touchdown"] = {{"t_s", Time(flight.touchdown->t_s)},
-                         {"x_m", Significant(flight.touchdown->x_m)},
-                         {"y_m", Significant(flight.touchdown->y_m)}};
+  if (touchdown) {
+    json["touchdown"] = {
+        {"t_s", Time(touchdown->t_s)}, {"x_m", Significant(touchdown->x_m)}, {"y_m", Significant(touchdown->y_m)}};
   }
   json["pad"] = scenario.scene.pad ? PadJson(scenario.pad) : Json(nullptr);
   json["track"] = TrackJson(flight);

@@ -81,19 +81,6 @@ std::vector<Span> SpansOf(const std::vector<std::string_view>& names, const std:
   return spans;
 }
 
-std::optional<FlightSeries::Instant> FindTouchdown(const FlightSeries& flight,
-                                                   const std::vector<std::string_view>& phases,
-                                                   const std::vector<double>& gear_in_contact) {
-  for (std::size_t i = 1; i < phases.size(); ++i) {
-    const bool coming_down = phases[i] == "landing" || phases[i] == "blind_descent" || phases[i] == "touchdown";
-    if (!coming_down || gear_in_contact[i] == 0.0 || gear_in_contact[i - 1] != 0.0) continue;
-    if (flight.truth.x_m[i] && flight.truth.y_m[i]) {
-      return FlightSeries::Instant{flight.t_s[i], *flight.truth.x_m[i], *flight.truth.y_m[i]};
-    }
-  }
-  return std::nullopt;
-}
-
 void ReadTicks(const FlightFiles& files, FlightSeries& flight) {
   const util::CsvTable table(files.flight_csv, files.NameOf("flight.csv"));
   flight.t_s = table.Times("t_s");
@@ -114,7 +101,6 @@ void ReadTicks(const FlightFiles& files, FlightSeries& flight) {
   const double longest_step_s = flight.t_s.empty() ? 0.0 : flight.t_s.back() - flight.t_s.front();
   flight.phases = SpansOf(phases, flight.t_s, longest_step_s);
   if (!flight.phases.empty()) flight.phases.back().to_s = flight.t_s.back();
-  flight.touchdown = FindTouchdown(flight, phases, table.AllNumbers("gear_in_contact"));
 }
 
 Series ReadVisionTime(const FlightFiles& files, const std::vector<double>& frame_ticks) {

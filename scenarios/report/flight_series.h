@@ -32,11 +32,6 @@ struct FlightSeries {
     double from_s = 0.0;
     double to_s = 0.0;
   };
-  struct Instant {
-    double t_s = 0.0;
-    double x_m = 0.0;
-    double y_m = 0.0;
-  };
 
   double duration_s = 0.0;  ///< Of the last row.
 
@@ -46,7 +41,6 @@ struct FlightSeries {
   PoseSeries set_point;  ///< While the motors run.
   std::array<Series, 4> command_rad_s;
   std::vector<Span> phases;
-  std::optional<Instant> touchdown;  ///< First contact of a landing.
 
   // At the mid-exposure of the frames that arrived.
   std::vector<double> frame_t_s;

@@ -6,7 +6,7 @@
 #include "scenarios/report/page_assets.h"
 #include "scenarios/report/picture_pdf.h"
 #include "scenarios/util/base64.h"
-#include "scenarios/util/text.h"
+#include "scenarios/util/csv_writer.h"
 
 namespace touchdown::report {
 namespace {
@@ -68,8 +68,8 @@ void AddFiles(const ReportPicture& picture, Files& files) {
 }
 
 void AddFiles(const ReportTable& table, Files& files) {
-  std::string csv = util::QuotedCsvLine(table.head);
-  for (const auto& row : table.rows) csv += util::QuotedCsvLine(row);
+  std::string csv = util::CsvLine(table.head);
+  for (const auto& row : table.rows) csv += util::CsvLine(row);
   files["figures/" + table.name + ".table.csv"] = csv;
 }
 

@@ -2,7 +2,9 @@
 
 #include <string_view>
 
+#include "scenarios/runner/tum_trajectory.h"
 #include "scenarios/util/csv_writer.h"
+#include "scenarios/util/sha256.h"
 
 namespace touchdown::runner {
 namespace {
@@ -32,10 +34,7 @@ void PutCovariance(util::CsvWriter& table, const Eigen::Matrix<double, 6, 6>& co
   }
 }
 
-}  // namespace
-
-std::string FlightCsv(const FlightLog& log) {
-  util::CsvWriter table(kFlightHeader);
+void PutTicks(const FlightLog& log, util::CsvWriter& table) {
   for (const TickRecord& record : log.ticks) {
     const sim::TrueState& truth = record.truth;
     const models::VehicleEstimate& estimate = record.estimate;
@@ -56,11 +55,9 @@ std::string FlightCsv(const FlightLog& log) {
     for (const double speed : truth.rotor_speed_rad_s) table << speed;
     table.EndLine();
   }
-  return table.Take();
 }
 
-std::string FramesCsv(const FlightLog& log) {
-  util::CsvWriter table(kFramesHeader);
+void PutFrames(const FlightLog& log, util::CsvWriter& table) {
   for (const FrameRecord& frame : log.frames) {
     table << frame.mid_exposure << log.time.ToSeconds(frame.mid_exposure) << frame.delivered << Name(frame.phase)
           << estimator::ReasonOrStatus(frame.status, frame.reason);
@@ -74,6 +71,19 @@ std::string FramesCsv(const FlightLog& log) {
     }
     table.EndLine();
   }
+}
+
+}  // namespace
+
+std::string FlightCsv(const FlightLog& log) {
+  util::CsvWriter table(kFlightHeader);
+  PutTicks(log, table);
+  return table.Take();
+}
+
+std::string FramesCsv(const FlightLog& log) {
+  util::CsvWriter table(kFramesHeader);
+  PutFrames(log, table);
   return table.Take();
 }
 
@@ -95,6 +105,27 @@ std::string FrameTimingCsv(const FlightLog& log) {
     table.EndLine();
   }
   return table.Take();
+}
+
+std::vector<NamedText> WriteTables(const FlightLog& log) {
+  return {{"flight.csv", FlightCsv(log)},
+          {"frames.csv", FramesCsv(log)},
+          {"tracking.csv", TrackingCsv(log)},
+          {"frame_timing.csv", FrameTimingCsv(log)},
+          {"truth.tum", TumText(TrueTrajectory(log), log.time)},
+          {"estimate.tum", TumText(EstimatedTrajectory(log), log.time)},
+          {"tracking.tum", TumText(TrackedTrajectory(log), log.time)}};
+}
+
+std::string LogDigest(const FlightLog& log) {
+  util::Sha256Stream digest;
+  const util::TextSink sink = [&digest](std::string_view piece) { digest.Add(piece); };
+  util::CsvWriter ticks(kFlightHeader, sink), frames(kFramesHeader, sink);
+  PutTicks(log, ticks);
+  ticks.Take();
+  PutFrames(log, frames);
+  frames.Take();
+  return digest.Finish();
 }
 
 }  // namespace touchdown::runner

@@ -1,23 +1,35 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "scenarios/runner/flight_log.h"
 
 namespace touchdown::runner {
 
-/// One row for each IMU tick. A cell is empty where there is nothing to tell, as before the first vision pose. Numbers
-/// are the shortest that read back to the same double.
+/// flight.csv: one row for each IMU tick. A cell is empty where there is no value, as before the first vision pose.
+/// Numbers are the shortest that read back to the same double.
 std::string FlightCsv(const FlightLog& log);
 
-/// One row for each delivered frame; what is called true is at mid-exposure. The covariance is of (position in m,
+/// frames.csv: one row for each delivered frame; true values are at mid-exposure. The covariance is of (position in m,
 /// rotation vector in W in rad), its upper triangle by rows.
 std::string FramesCsv(const FlightLog& log);
 
-/// One row for each pose of the tracking system, beside the truth.
+/// tracking.csv: one row for each pose of the tracking system, beside the true pose.
 std::string TrackingCsv(const FlightLog& log);
 
-/// One row for each delivered frame: what it cost by the wall clock.
+/// frame_timing.csv: one row for each delivered frame with its wall-clock times.
 std::string FrameTimingCsv(const FlightLog& log);
+
+/// A file's name and its text.
+using NamedText = std::pair<std::string, std::string>;
+
+/// Every table and trajectory of a flight: flight.csv, frames.csv, tracking.csv, frame_timing.csv, truth.tum,
+/// estimate.tum, tracking.tum.
+std::vector<NamedText> WriteTables(const FlightLog& log);
+
+/// SHA-256, in hexadecimal, of flight.csv followed by frames.csv. Keeps no text.
+std::string LogDigest(const FlightLog& log);
 
 }  // namespace touchdown::runner

@@ -1,12 +1,11 @@
 #include "scenarios/runner/fly.h"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "scenarios/runner/flight_tables.h"
 #include "scenarios/util/platform.h"
-#include "scenarios/util/sha256.h"
+#include "scenarios/util/statistics.h"
 #include "scenarios/util/version.h"
 
 namespace touchdown::runner {
@@ -15,20 +14,16 @@ namespace {
 constexpr int kResultSchema = 1;
 
 Timing ComputeTiming(const FlightLog& log) {
-  Timing timing;
-  std::vector<double> vision_ms;
+  std::vector<double> vision_ms, render_ms;
   for (const FrameRecord& frame : log.frames) {
     vision_ms.push_back(frame.vision_ms);
-    timing.vision_ms_mean += frame.vision_ms;
-    timing.render_ms_mean += frame.render_ms;
+    render_ms.push_back(frame.render_ms);
   }
-  if (!vision_ms.empty()) {
-    const auto count = static_cast<double>(vision_ms.size());
-    timing.vision_ms_mean /= count;
-    timing.render_ms_mean /= count;
-    const auto rank = static_cast<std::size_t>(std::ceil(0.99 * count)) - 1;
-    std::nth_element(vision_ms.begin(), vision_ms.begin() + static_cast<std::ptrdiff_t>(rank), vision_ms.end());
-    timing.vision_ms_p99 = vision_ms[rank];
+  Timing timing;
+  if (!log.frames.empty()) {
+    timing.vision_ms_mean = util::Mean(vision_ms);
+    timing.vision_ms_p99 = util::Quantile(vision_ms, 0.99);
+    timing.render_ms_mean = util::Mean(render_ms);
   }
   if (log.wall_s > 0.0) timing.realtime_factor = log.time.ToSeconds(log.end) / log.wall_s;
   return timing;
@@ -48,18 +43,6 @@ nlohmann::ordered_json CheckJson(const Check& check) {
 
 }  // namespace
 
-std::string_view Name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kPass:
-      return "pass";
-    case Verdict::kFail:
-      return "fail";
-    case Verdict::kError:
-      break;
-  }
-  return "error";
-}
-
 FlightResult JudgeFlight(const Scenario& scenario, const FlightLog& log) {
   FlightResult result;
   result.outcome = log.outcome;
@@ -69,16 +52,7 @@ FlightResult JudgeFlight(const Scenario& scenario, const FlightLog& log) {
   const bool passed = std::all_of(result.checks.begin(), result.checks.end(), [](const Check& c) { return c.pass; });
   result.verdict = log.outcome == Outcome::kError ? Verdict::kError : passed ? Verdict::kPass : Verdict::kFail;
   result.timing = ComputeTiming(log);
-  result.truth = TrueTrajectory(log);
-  result.tracked = TrackedTrajectory(log);
-  result.tables = {.flight_csv = FlightCsv(log),
-                   .frames_csv = FramesCsv(log),
-                   .tracking_csv = TrackingCsv(log),
-                   .frame_timing_csv = FrameTimingCsv(log),
-                   .truth_tum = TumText(result.truth, log.time),
-                   .estimate_tum = TumText(EstimatedTrajectory(log), log.time),
-                   .tracking_tum = TumText(result.tracked, log.time)};
-  result.log_sha256 = util::Sha256({&result.tables.flight_csv, &result.tables.frames_csv});
+  result.log_sha256 = LogDigest(log);
   return result;
 }
 

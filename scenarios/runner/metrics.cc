@@ -28,6 +28,7 @@ constexpr MetricInfo kMetrics[] = {
     {"flight.excursions", "", "How often that distance rose over 0.3 m, having been below 0.15 m before."},
     {"flight.max_tilt_deg", "deg", "Largest true tilt from start to end."},
     {"flight.landing_time_s", "s", "From the beginning of the landing phase to first contact."},
+    {"flight.touchdown_time_s", "s", "Simulated time of the first contact of a foot in a landing, from the start."},
     {"flight.touchdown_xy_error_m", "m", "True horizontal distance from the pad's centre at first contact of a foot."},
     {"flight.touchdown_x_m", "m", "True place of the body's origin along W's X then."},
     {"flight.touchdown_y_m", "m", "The same along W's Y."},
@@ -99,6 +100,7 @@ void PutHover(const FlightLog& log, Metrics& metrics) {
 void PutTouchdown(const FlightLog& log, Metrics& metrics) {
   if (!log.touchdown) return;
   const sim::TrueState& at = log.touchdown->at;
+  metrics.emplace("flight.touchdown_time_s", log.time.ToSeconds(at.tick));
   metrics.emplace("flight.touchdown_xy_error_m", at.X_WB.translation().head<2>().norm());
   metrics.emplace("flight.touchdown_x_m", at.X_WB.translation().x());
   metrics.emplace("flight.touchdown_y_m", at.X_WB.translation().y());

@@ -38,6 +38,7 @@ enum class Outcome {
   kError,    ///< The simulation went wrong.
 };
 inline constexpr std::array<std::string_view, 5> kOutcomeNames = {"landed", "hovered", "gave_up", "crashed", "error"};
+constexpr const auto& NamesOf(Outcome) { return kOutcomeNames; }
 constexpr std::string_view Name(Outcome outcome) { return kOutcomeNames[static_cast<std::size_t>(outcome)]; }
 
 /// Where the vehicle is at tick 0, at rest.

@@ -1,44 +1,48 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "scenarios/util/csv_reader.h"
+
 namespace touchdown::util {
 
-/// One of a flight's tables as it lies in its file: a header and rows of as many cells, commas between them.
+/// A CSV text with a header, read by column.
 ///
-/// Everything that is not as it should be throws InputError with file, line and column's name, when it is asked for.
+/// Every member throws InputError, naming file, line and column, when what it is asked for is not there or not as it
+/// should be.
 class CsvTable {
  public:
-  /// `name` stands for the file in messages. Throws InputError when a row has not the header's number of cells, as when
-  /// the file was cut off.
+  /// `name` stands for the file in messages; `text` must outlive the table. Throws InputError when a row does not have
+  /// as many cells as the header, or the last line has no end, as when the file was cut off.
   CsvTable(const std::string& text, std::string name);
 
   std::size_t rows() const { return rows_.size(); }
+  const std::vector<std::string_view>& header() const { return header_; }
 
-  /// A column's cells. The views are into the text that the table was made of.
+  /// The cells of a column. The views are valid as long as the table and its text.
   std::vector<std::string_view> Texts(std::string_view column) const;
 
-  /// The same as numbers; nullopt for an empty cell.
+  /// The cells of a column as finite numbers; nullopt for an empty cell.
   std::vector<std::optional<double>> Numbers(std::string_view column) const;
 
-  /// The same of a column that has no empty cell.
+  /// The cells of a column as finite numbers. No cell may be empty.
   std::vector<double> AllNumbers(std::string_view column) const;
 
-  /// The same of times, each after the one before.
+  /// The cells of a column as numbers, each larger than the one before.
   std::vector<double> Times(std::string_view column) const;
 
  private:
-  using Cells = std::vector<std::string_view>;
-
   std::size_t IndexOf(std::string_view column) const;
-  [[noreturn]] void Complain(std::size_t row, std::string_view column, std::string_view what) const;
+  [[noreturn]] void Refuse(std::size_t row, std::string_view column, std::string_view why) const;
 
   std::string name_;
-  Cells header_;
-  std::vector<Cells> rows_;
+  std::unique_ptr<CsvReader> reader_;  ///< Owns the cells that were quoted.
+  std::vector<std::string_view> header_;
+  std::vector<CsvRow> rows_;
 };
 
 }  // namespace touchdown::util

@@ -4,40 +4,49 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "models/angles.h"
 
 namespace touchdown::util {
 
-/// The text of a CSV file while it is written: a header, cells with commas between them and a line's end behind.
-/// Numbers are the shortest that read back to the same double; angles are told in degrees.
+/// Receives a text piece by piece.
+using TextSink = std::function<void(std::string_view)>;
+
+/// Writes a CSV text (RFC 4180): cells are separated by commas, texts are quoted where they need it, and lines end with
+/// LF. Numbers are the shortest that read back to the same double.
 class CsvWriter {
  public:
+  CsvWriter() = default;
+  /// Begins with a header line, given as its text.
   explicit CsvWriter(std::string_view header) : text_(std::string(header) + '\n') {}
+  /// Hands the text to `sink` instead of keeping it. The last piece comes with Take.
+  CsvWriter(std::string_view header, TextSink sink) : text_(std::string(header) + '\n'), sink_(std::move(sink)) {}
 
   template <typename T>
   CsvWriter& operator<<(const T& cell) {
     if (!at_line_start_) text_ += ',';
     at_line_start_ = false;
-    fmt::format_to(std::back_inserter(text_), "{}", cell);
+    if constexpr (std::is_convertible_v<const T&, std::string_view>) {
+      Append(cell);
+    } else {
+      fmt::format_to(std::back_inserter(text_), "{}", cell);
+    }
     return *this;
   }
-  /// Text that somebody else wrote: in quotes where it needs them (RFC 4180).
-  CsvWriter& Text(std::string_view text) {
-    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return *this << text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
-    return *this << quoted + '"';
-  }
   CsvWriter& Vector(const Eigen::Vector3d& v) { return *this << v.x() << v.y() << v.z(); }
+  /// Angles, written in degrees.
   CsvWriter& Angles(const models::TaitBryan& a) {
     return *this << models::RadToDeg(a.roll) << models::RadToDeg(a.pitch) << models::RadToDeg(a.yaw);
   }
+  /// An angular velocity, written in degrees per second.
   CsvWriter& Rates(const Eigen::Vector3d& w) { return Vector(w * (180.0 / models::kPi)); }
   CsvWriter& Pose(const Eigen::Isometry3d& X_WB) {
     return Vector(X_WB.translation()).Angles(models::TaitBryanFromRotation(X_WB.linear()));
@@ -50,12 +59,41 @@ class CsvWriter {
   void EndLine() {
     text_ += '\n';
     at_line_start_ = true;
+    constexpr std::size_t kPiece_bytes = 1 << 16;
+    if (sink_ && text_.size() >= kPiece_bytes) Flush();
   }
-  std::string Take() { return std::move(text_); }
+  /// The text; empty when a sink received it.
+  std::string Take() {
+    if (sink_) Flush();
+    return std::move(text_);
+  }
 
  private:
+  void Append(std::string_view cell) {
+    if (cell.find_first_of(",\"\r\n") == std::string_view::npos) {
+      text_ += cell;
+      return;
+    }
+    text_ += '"';
+    for (const char c : cell) text_.append(c == '"' ? 2 : 1, c);
+    text_ += '"';
+  }
+  void Flush() {
+    sink_(text_);
+    text_.clear();
+  }
+
   std::string text_;
+  TextSink sink_;
   bool at_line_start_ = true;
 };
+
+/// A line of CSV.
+inline std::string CsvLine(const std::vector<std::string>& cells) {
+  CsvWriter line;
+  for (const std::string& cell : cells) line << cell;
+  line.EndLine();
+  return line.Take();
+}
 
 }  // namespace touchdown::util

@@ -5,12 +5,13 @@
 #include <unistd.h>
 
 #include <fstream>
-#include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 
 #include "models/error.h"
+#include "scenarios/util/file.h"
 
 namespace touchdown::util {
 namespace {
@@ -22,9 +23,8 @@ InputError UnusableFile(const fs::path& place, std::string_view why) {
 }
 
 bool Holds(const fs::path& place, std::string_view mark) {
-  std::ifstream stream(place, std::ios::binary);
-  const std::string content{std::istreambuf_iterator<char>(stream), {}};
-  return content.find(mark) != std::string::npos;
+  const std::optional<std::string> content = ReadTextFileIfPresent(place);
+  return content && content->find(mark) != std::string::npos;
 }
 
 /// Brings a file's content, or a folder's names, onto the disk, where the machine's sudden end does not undo it.

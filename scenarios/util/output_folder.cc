@@ -4,10 +4,11 @@
 #include <unistd.h>
 
 #include <fstream>
-#include <iterator>
+#include <optional>
 #include <system_error>
 
 #include "models/error.h"
+#include "scenarios/util/file.h"
 
 namespace touchdown::util {
 namespace {
@@ -67,9 +68,8 @@ void OutputFolder::CheckSubfolders() const {
 }
 
 bool OutputFolder::IsOfKind() const {
-  std::ifstream stream(place_ / kind_.files.front(), std::ios::binary);
-  const std::string content{std::istreambuf_iterator<char>(stream), {}};
-  return content.find(kind_.mark) != std::string::npos;
+  const std::optional<std::string> content = ReadTextFileIfPresent(place_ / kind_.files.front());
+  return content && content->find(kind_.mark) != std::string::npos;
 }
 
 void OutputFolder::MakeFolders() {

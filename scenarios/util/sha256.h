@@ -1,11 +1,27 @@
 #pragma once
 
+#include <memory>
 #include <string>
-#include <vector>
+#include <string_view>
 
 namespace touchdown::util {
 
-/// SHA-256 of the texts, one after the other, in lower-case hexadecimal.
-std::string Sha256(const std::vector<const std::string*>& texts);
+/// SHA-256 of a text that comes piece by piece.
+class Sha256Stream {
+ public:
+  Sha256Stream();
+  ~Sha256Stream();
+
+  void Add(std::string_view piece);
+  /// The digest in lower-case hexadecimal. Ends the stream.
+  std::string Finish();
+
+ private:
+  struct Context;
+  std::unique_ptr<Context> context_;
+};
+
+/// SHA-256 of a text, in lower-case hexadecimal.
+std::string Sha256(std::string_view text);
 
 }  // namespace touchdown::util

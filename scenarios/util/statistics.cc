@@ -9,6 +9,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "models/order_statistic.h"
+
 namespace touchdown::util {
 namespace {
 
@@ -43,13 +45,13 @@ double StandardDeviation(std::span<const double> values) {
   return std::sqrt(sum / static_cast<double>(values.size() - 1));
 }
 
-double Quantile(std::vector<double> values, double q) {
+double Quantile(std::span<const double> values, double q) {
   RequireSome(values.size());
-  std::sort(values.begin(), values.end());
   const double place = std::clamp(q, 0.0, 1.0) * static_cast<double>(values.size() - 1);
   const auto below = static_cast<std::size_t>(place);
   const std::size_t above = std::min(below + 1, values.size() - 1);
-  return std::lerp(values[below], values[above], place - static_cast<double>(below));
+  return std::lerp(models::OrderStatistic(values, below), models::OrderStatistic(values, above),
+                   place - static_cast<double>(below));
 }
 
 Interval QuantileInterval(std::vector<double> values, double q, int clusters) {

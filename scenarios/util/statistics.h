@@ -19,7 +19,7 @@ double RootMeanSquare(std::span<const double> values);
 /// Sample standard deviation, with n - 1; 0 of a single value.
 double StandardDeviation(std::span<const double> values);
 /// The value below which a share `q` of them lies, interpolated between order statistics; of at least one value.
-double Quantile(std::vector<double> values, double q);
+double Quantile(std::span<const double> values, double q);
 
 /// The same, with the order statistics between which the true quantile lies whatever the distribution (David and
 /// Nagaraja 2003, section 7.1): an end that so few values do not tell is infinite. `clusters`: see ShareInterval.

@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace touchdown::util {
 
@@ -19,19 +18,6 @@ inline std::string Fixed(double value, int digits) {
 
 inline std::string FixedOrNone(const std::optional<double>& value, int digits) {
   return value ? Fixed(*value, digits) : "none";
-}
-
-/// A line of CSV. No cell may hold a comma.
-inline std::string CsvLine(const std::vector<std::string>& cells) { return fmt::format("{}\n", fmt::join(cells, ",")); }
-
-/// A line of CSV of any cells, in quotes where they must be (RFC 4180).
-inline std::string QuotedCsvLine(std::vector<std::string> cells) {
-  for (std::string& cell : cells) {
-    if (cell.find_first_of(",\"\r\n") == std::string::npos) continue;
-    for (std::size_t at = 0; (at = cell.find('"', at)) != std::string::npos; at += 2) cell.insert(at, 1, '"');
-    cell = '"' + cell + '"';
-  }
-  return CsvLine(cells);
 }
 
 /// A limit as people write it, "≤ 0.06".

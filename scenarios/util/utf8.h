@@ -5,7 +5,7 @@
 
 namespace touchdown::util {
 
-/// How many of a text's bytes are UTF-8 (RFC 3629), from its start to the first character that is not.
+/// Length in bytes of the longest prefix of a text that is valid UTF-8 (RFC 3629).
 std::size_t Utf8Bytes(std::string_view text);
 
 }  // namespace touchdown::util

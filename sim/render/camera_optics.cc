@@ -5,6 +5,7 @@
 #include <string>
 
 #include "models/error.h"
+#include "models/pose_interpolation.h"
 
 namespace touchdown::sim {
 namespace {
@@ -26,10 +27,7 @@ Eigen::Isometry3d PoseAlong(ExposurePath X_WC, double fraction) {
   const auto after = std::min(before + 1, X_WC.size() - 1);
   const double weight = place - static_cast<double>(before);
   if (weight == 0.0) return X_WC[before];
-  const Eigen::Quaterniond q_before(X_WC[before].linear()), q_after(X_WC[after].linear());
-  Eigen::Isometry3d X(q_before.slerp(weight, q_after));
-  X.translation() = (1.0 - weight) * X_WC[before].translation() + weight * X_WC[after].translation();
-  return X;
+  return models::InterpolatePose(X_WC[before], X_WC[after], weight);
 }
 
 CameraOptics::CameraOptics(const models::CameraModel& camera) : width_(camera.width_px), height_(camera.height_px) {

@@ -1,7 +1,9 @@
 #include "tests/support/made_flight.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "scenarios/runner/flight_tables.h"
 #include "scenarios/runner/fly.h"
 
 namespace touchdown::tests {
@@ -50,6 +52,9 @@ FlightLog MadeFlight(const Scenario& scenario, double duration_s) {
     record.estimate.motion.emplace();
     record.estimate.motion->p_WB = record.truth.X_WB.translation();
   }
+  const auto contact = std::find_if(log.ticks.begin(), log.ticks.end(),
+                                    [](const TickRecord& record) { return record.control.phase == Phase::kTouchdown; });
+  log.touchdown = FlightLog::FirstContact{(contact - 1)->truth, contact->truth};
   for (models::Tick tick = 0; tick <= log.end; tick += kCameraPeriod) {
     FrameRecord& frame = log.frames.emplace_back();
     frame.mid_exposure = frame.delivered = tick;
@@ -70,9 +75,9 @@ report::FlightFiles FilesOf(const Scenario& scenario, const FlightLog& log) {
   files.folder = "flight";
   files.result_json = ResultJson(scenario, result);
   files.scenario_yaml = ScenarioYaml(scenario);
-  files.flight_csv = result.tables.flight_csv;
-  files.frames_csv = result.tables.frames_csv;
-  files.frame_timing_csv = result.tables.frame_timing_csv;
+  files.flight_csv = runner::FlightCsv(log);
+  files.frames_csv = runner::FramesCsv(log);
+  files.frame_timing_csv = runner::FrameTimingCsv(log);
   files.timing_json = TimingJson(result.timing);
   return files;
 }

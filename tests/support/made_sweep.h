@@ -28,25 +28,26 @@ inline sweeper::SweepOutcome MadeSweep() {
         sweep.results.push_back({.seed = static_cast<std::uint64_t>(seed),
                                  .values = {noise, exposure, std::to_string(seed) + ".5"},
                                  .row = {.id = "id" + std::to_string(sweep.results.size() + 1),
-                                         .end = RowEnd::kFlown,
-                                         .verdict = failed ? "fail" : "pass",
-                                         .outcome = failed ? "gave_up" : "landed",
+                                         .process = ProcessEnd::kFlown,
+                                         .verdict = failed ? runner::Verdict::kFail : runner::Verdict::kPass,
+                                         .outcome = failed ? runner::Outcome::kGaveUp : runner::Outcome::kLanded,
                                          .reason = failed ? "the pad was <lost>" : "",
                                          .failed_check = failed ? "outcome" : "",
                                          .failed_phase = failed ? "blind_descent" : "",
                                          .metrics = {{"flight.touchdown_xy_error_m", n / 1000.0},
                                                      {"flight.touchdown_x_m", n / 1000.0},
                                                      {"flight.touchdown_y_m", -0.001}},
-                                         .scenario_yaml = "pad: {outer_radius_m: 0.08, ring_width_m: 0.01}\n"
-                                                          "script: [{do: land}]\nstart: {airborne: true}\n"}});
+                                         .scenario = "pad: {outer_radius_m: 0.08, ring_width_m: 0.01}\n"
+                                                     "script: [{do: land}]\nstart: {airborne: true}\n"}});
       }
     }
   }
   FlightRow& crashed = sweep.results.back().row;
-  crashed.end = RowEnd::kOutOfMemory;
-  crashed.verdict = crashed.outcome = "error";
+  crashed.process = ProcessEnd::kOutOfMemory;
+  crashed.verdict = runner::Verdict::kError;
+  crashed.outcome = runner::Outcome::kError;
   crashed.reason = "needs more memory than its limit";
-  crashed.complaint = "std::bad_alloc </pre>";
+  crashed.stderr_tail = "std::bad_alloc </pre>";
   crashed.metrics.clear();
   return sweep;
 }

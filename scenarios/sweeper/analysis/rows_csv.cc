@@ -4,90 +4,81 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <tuple>
-#include <utility>
 
 #include "models/error.h"
-#include "scenarios/util/text.h"
+#include "scenarios/util/csv_reader.h"
+#include "scenarios/util/csv_writer.h"
+#include "scenarios/util/enum_names.h"
+#include "scenarios/util/file.h"
+#include "scenarios/util/number.h"
 
 namespace touchdown::sweeper {
 namespace {
 
-/// The cells of the line that begins at `at`, which is moved behind it; quoted ones may hold line ends.
-std::vector<std::string> TakeLine(const std::string& csv, std::size_t& at) {
-  std::vector<std::string> cells(1);
-  bool is_quoted = false;
-  for (; at < csv.size(); ++at) {
-    const char c = csv[at];
-    if (c == '"' && is_quoted && at + 1 < csv.size() && csv[at + 1] == '"') {
-      cells.back() += csv[++at];
-    } else if (c == '"') {
-      is_quoted = !is_quoted;
-    } else if (c == ',' && !is_quoted) {
-      cells.emplace_back();
-    } else if (c == '\n' && !is_quoted) {
-      ++at;
-      break;
-    } else {
-      cells.back() += c;
-    }
-  }
-  return cells;
-}
+constexpr const char* kSeed = "seed";
+constexpr const char* kLogDigest = "log_sha256";
 
-/// Where the parts of a row lie: id, variant, parameters, seed, verdict, outcome, metrics, log_sha256.
+/// The columns of a row beside its parameters and metrics, those between `seed` and the metrics.
+constexpr std::array<const char*, 3> kFlightColumns = {"process", "verdict", "outcome"};
+
+/// Where the parts of a row lie: id, variant, parameters, seed, flight columns, metrics, log_sha256.
+///
+/// Files of versions before 0.2 have no column `process`: there, the outcome of a flight without one says how its
+/// process ended.
 struct Layout {
   std::vector<std::string> head;
   std::size_t seed = 0;
+  bool has_process = false;
 
-  explicit Layout(std::vector<std::string> cells) : head(std::move(cells)) {
-    seed = static_cast<std::size_t>(std::find(head.begin(), head.end(), "seed") - head.begin());
+  explicit Layout(const std::vector<std::string_view>& cells) : head(cells.begin(), cells.end()) {
+    seed = static_cast<std::size_t>(std::find(head.begin(), head.end(), kSeed) - head.begin());
+    has_process = seed + 1 < head.size() && head[seed + 1] == kFlightColumns[0];
   }
+  std::size_t verdict() const { return seed + (has_process ? 2 : 1); }
+  std::size_t outcome() const { return verdict() + 1; }
   bool IsValid() const {
-    return head.size() > seed + 3 && seed >= 2 && head[0] == "id" && head[1] == "variant" &&
-           head[seed + 1] == "verdict" && head[seed + 2] == "outcome" && head.back() == "log_sha256";
+    return seed >= 2 && head.size() > outcome() + 1 && head[0] == "id" && head[1] == "variant" &&
+           head[verdict()] == kFlightColumns[1] && head[outcome()] == kFlightColumns[2] && head.back() == kLogDigest;
   }
 };
 
-/// Throws std::invalid_argument for what is none, as a whole.
+/// What a cell must hold; throws std::invalid_argument for nullopt.
 template <typename Value>
-Value NumberIn(const std::string& cell) {
-  Value value{};
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  const bool is_whole = error == std::errc() && end == cell.data() + cell.size();
-  if (!is_whole || !std::isfinite(static_cast<double>(value))) throw std::invalid_argument("no number: " + cell);
-  return value;
+Value Required(const std::optional<Value>& value) {
+  if (!value) throw std::invalid_argument("not a row");
+  return *value;
 }
 
-SweepResult ResultFrom(const Layout& layout, const std::vector<std::string>& cells) {
-  const auto begin = cells.begin();
-  SweepResult result{.seed = NumberIn<std::uint64_t>(cells[layout.seed]), .variant = cells[1]};
-  result.values.assign(begin + 2, begin + static_cast<std::ptrdiff_t>(layout.seed));
-  result.row.id = cells[0];
-  result.row.end = RowEnd::kFlown;
-  result.row.verdict = cells[layout.seed + 1];
-  constexpr std::array<std::string_view, 3> kVerdicts = {"pass", "fail", "error"};
-  if (std::find(kVerdicts.begin(), kVerdicts.end(), result.row.verdict) == kVerdicts.end()) {
-    throw std::invalid_argument("no verdict: " + result.row.verdict);
+void ReadFlightColumns(const Layout& layout, const std::vector<std::string_view>& cells, FlightRow& row) {
+  const std::string_view outcome = cells[layout.outcome()];
+  row.verdict = Required(util::EnumFromName<runner::Verdict>(cells[layout.verdict()]));
+  if (layout.has_process) {
+    row.process = Required(util::EnumFromName<ProcessEnd>(cells[layout.seed + 1]));
+  } else {
+    const auto process = util::EnumFromName<ProcessEnd>(outcome);
+    row.process = process && row.verdict == runner::Verdict::kError ? *process : ProcessEnd::kFlown;
+    if (row.process != ProcessEnd::kFlown) return;
   }
-  result.row.outcome = cells[layout.seed + 2];
+  row.outcome = Required(util::EnumFromName<runner::Outcome>(outcome));
+}
+
+SweepResult ResultFrom(const Layout& layout, const std::vector<std::string_view>& cells) {
+  SweepResult result{.seed = Required(util::FiniteNumber<std::uint64_t>(cells[layout.seed])),
+                     .variant = std::string(cells[1])};
+  result.values.assign(cells.begin() + 2, cells.begin() + static_cast<std::ptrdiff_t>(layout.seed));
+  result.row.id = cells[0];
+  ReadFlightColumns(layout, cells, result.row);
   result.row.log_sha256 = cells.back();
-  for (std::size_t i = layout.seed + 3; i + 1 < cells.size(); ++i) {
-    if (!cells[i].empty() && runner::FindMetric(layout.head[i]) != nullptr)
-      result.row.metrics[layout.head[i]] = NumberIn<double>(cells[i]);
+  for (std::size_t i = layout.outcome() + 1; i + 1 < cells.size(); ++i) {
+    if (!cells[i].empty() && runner::FindMetric(layout.head[i]) != nullptr) {
+      result.row.metrics[layout.head[i]] = Required(util::FiniteNumber(cells[i]));
+    }
   }
   return result;
-}
-
-/// Of a flight without a result, how its process ended.
-std::string OutcomeOf(const FlightRow& row) {
-  return row.end == RowEnd::kFlown ? row.outcome : std::string(Name(row.end));
 }
 
 }  // namespace
@@ -96,43 +87,42 @@ std::string RowsCsv(const std::vector<std::string>& keys, std::vector<SweepResul
   std::sort(results.begin(), results.end(), [](const SweepResult& a, const SweepResult& b) {
     return std::tie(a.row.id, a.variant, a.values) < std::tie(b.row.id, b.variant, b.values);
   });
-  std::vector<std::string> head{"id", "variant"};
-  head.insert(head.end(), keys.begin(), keys.end());
-  for (const char* name : {"seed", "verdict", "outcome"}) head.push_back(name);
-  for (const runner::MetricInfo& metric : runner::AllMetrics()) head.emplace_back(metric.name);
-  head.push_back("log_sha256");
-  std::string csv = util::QuotedCsvLine(head);
+  util::CsvWriter csv;
+  csv << "id"
+      << "variant";
+  for (const std::string& key : keys) csv << key;
+  csv << kSeed;
+  for (const char* const column : kFlightColumns) csv << column;
+  for (const runner::MetricInfo& metric : runner::AllMetrics()) csv << metric.name;
+  csv << kLogDigest;
+  csv.EndLine();
   for (const SweepResult& result : results) {
-    std::vector<std::string> cells{result.row.id, result.variant};
-    cells.insert(cells.end(), result.values.begin(), result.values.end());
-    for (const std::string& cell : {std::to_string(result.seed), result.row.verdict, OutcomeOf(result.row)}) {
-      cells.push_back(cell);
-    }
+    const FlightRow& row = result.row;
+    csv << row.id << result.variant;
+    for (const std::string& value : result.values) csv << value;
+    csv << result.seed << Name(row.process) << Name(row.verdict) << Name(row.outcome);
     for (const runner::MetricInfo& metric : runner::AllMetrics()) {
-      const auto found = result.row.metrics.find(metric.name);
-      cells.push_back(found == result.row.metrics.end() ? "" : fmt::format("{}", found->second));
+      const auto found = row.metrics.find(metric.name);
+      found == row.metrics.end() ? csv.Empty(1) : csv << found->second;
     }
-    cells.push_back(result.row.log_sha256);
-    csv += util::QuotedCsvLine(std::move(cells));
+    csv << row.log_sha256;
+    csv.EndLine();
   }
-  return csv;
+  return csv.Take();
 }
 
 StoredResults ReadRowsCsv(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(fmt::format("{}: cannot be read", file.string()));
-  const std::string csv{std::istreambuf_iterator<char>(stream), {}};
-  std::size_t at = 0;
-  const Layout layout(TakeLine(csv, at));
+  const std::string text = util::ReadTextFile(file);
+  util::CsvReader reader(text);
+  const Layout layout(reader.Next().value_or(util::CsvRow()).cells);
   if (!layout.IsValid()) throw InputError(fmt::format("{}:1: is no header of a sweep's rows", file.string()));
   StoredResults stored{.source = file.string(), .keys = {}, .results = {}};
   stored.keys.assign(layout.head.begin() + 2, layout.head.begin() + static_cast<std::ptrdiff_t>(layout.seed));
-  for (int line = 2; at < csv.size(); ++line) {
-    const std::vector<std::string> cells = TakeLine(csv, at);
-    const auto fail = [&] { return InputError(fmt::format("{}:{}: is no row of a sweep", file.string(), line)); };
-    if (cells.size() != layout.head.size()) throw fail();
+  while (const std::optional<util::CsvRow> row = reader.Next()) {
+    const auto fail = [&] { return InputError(fmt::format("{}:{}: is no row of a sweep", file.string(), row->line)); };
+    if (row->cells.size() != layout.head.size()) throw fail();
     try {
-      stored.results.push_back(ResultFrom(layout, cells));
+      stored.results.push_back(ResultFrom(layout, row->cells));
     } catch (const std::invalid_argument&) {
       throw fail();
     }

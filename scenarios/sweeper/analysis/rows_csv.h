@@ -18,8 +18,8 @@ struct StoredResults {
   std::vector<SweepResult> results = {};
 };
 
-/// The results as CSV, sorted by id: id, variant, the parameters `keys`, seed, verdict, outcome (or how the process
-/// of a flight without one ended), every metric (empty where a flight does not have it), log hash. It holds nothing
+/// The results as CSV, sorted by id: id, variant, the parameters `keys`, seed, process, verdict, outcome, every metric
+/// (empty where a flight does not have it), log_sha256. It holds nothing
 /// that depends on when, where or in which order they were flown.
 std::string RowsCsv(const std::vector<std::string>& keys, std::vector<SweepResult> results);
 

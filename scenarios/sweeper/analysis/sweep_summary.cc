@@ -168,14 +168,14 @@ bool IsNumeric(const SweepAxis& axis) {
          std::all_of(axis.listed.begin(), axis.listed.end(), [](const std::string& v) { return AsNumber(v); });
 }
 
-int CountEnds(const std::vector<SweepResult>& results, RowEnd end) {
+int CountEnds(const std::vector<SweepResult>& results, ProcessEnd end) {
   return static_cast<int>(std::count_if(results.begin(), results.end(),
-                                        [end](const SweepResult& result) { return result.row.end == end; }));
+                                        [end](const SweepResult& result) { return result.row.process == end; }));
 }
 
 std::string LostProcesses(const std::vector<SweepResult>& results) {
   std::vector<std::string> words;
-  for (const RowEnd end : {RowEnd::kCrashed, RowEnd::kHung, RowEnd::kOutOfMemory}) {
+  for (const ProcessEnd end : {ProcessEnd::kCrashed, ProcessEnd::kHung, ProcessEnd::kOutOfMemory}) {
     const int count = CountEnds(results, end);
     if (count > 0) words.push_back(fmt::format("{} {}", count, util::Words(std::string(Name(end)))));
   }

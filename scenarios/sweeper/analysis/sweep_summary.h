@@ -105,7 +105,7 @@ PassCount CountWhere(const std::vector<SweepResult>& results, const Belongs& bel
 }
 
 /// How many flights' processes ended so.
-int CountEnds(const std::vector<SweepResult>& results, RowEnd end);
+int CountEnds(const std::vector<SweepResult>& results, ProcessEnd end);
 /// How many crashed, hung or ran out of memory, as in "2 crashed, 1 hung"; empty when none did.
 std::string LostProcesses(const std::vector<SweepResult>& results);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scenarios/sweeper/page/figure_text.h"
+#include "scenarios/util/csv_writer.h"
 #include "scenarios/util/text.h"
 
 namespace touchdown::sweeper {

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "scenarios/sweeper/page/figure_text.h"
+#include "scenarios/util/csv_writer.h"
 #include "scenarios/util/text.h"
 
 namespace touchdown::sweeper {
@@ -150,9 +151,9 @@ report::Figure PassRateFigure(const SweepOutcome& sweep, std::size_t axis, const
       });
       if (count.flown == 0) continue;
       const util::Interval rate = count.rate();
-      figure.csv += util::QuotedCsvLine({std::to_string(variant), variants[variant], Number(*AsNumber(value) + beside),
-                                         value, util::Fixed(kPercent * rate.value, 2),
-                                         util::Fixed(kPercent * rate.low, 2), util::Fixed(kPercent * rate.high, 2)});
+      figure.csv += util::CsvLine({std::to_string(variant), variants[variant], Number(*AsNumber(value) + beside), value,
+                                   util::Fixed(kPercent * rate.value, 2), util::Fixed(kPercent * rate.low, 2),
+                                   util::Fixed(kPercent * rate.high, 2)});
     }
     curves.push_back(
         fmt::format("data using (column('curve') == {} ? column('place') : NaN):'percent':'low':'high' with "

@@ -89,8 +89,8 @@ data FailureData(const SweepTerms& terms, const SweepResult& result, const fs::p
   failure.set("command", fmt::format("touchdown fly --from {} {}", util::ShellWord(folder.string()), row.id));
   failure.set("cause", CauseOf(row));
   failure.set("reason", row.reason);
-  failure.set("complaint", row.complaint);
-  failure.set("has_complaint", Flag(!row.complaint.empty()));
+  failure.set("stderr_tail", row.stderr_tail);
+  failure.set("has_stderr", Flag(!row.stderr_tail.empty()));
   failure.set("cells", Texts(FailureCells(terms, result)));
   const std::string picture = "pictures/" + row.id + ".png";
   std::error_code error;

@@ -118,7 +118,7 @@ report::ReportSection PassRateSection(const SweepOutcome& sweep, const SweepSumm
 /// Of the first flight's scenario; nullopt for one that this program does not read.
 std::optional<double> PadRadius_m(const SweepOutcome& sweep) {
   try {
-    return runner::ParseScenario(sweep.results.front().row.scenario_yaml, "scenario", {}).pad.outer_radius_m;
+    return runner::ParseScenario(sweep.results.front().row.scenario, "scenario", {}).pad.outer_radius_m;
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -206,9 +206,10 @@ report::ReportSection CausesSection(const SweepOutcome& sweep) {
 }  // namespace
 
 std::string CauseOf(const FlightRow& row) {
-  if (row.end != RowEnd::kFlown) return util::Words(std::string(Name(row.end)));
-  if (row.failed_check.empty()) return row.verdict;
-  const std::string what = row.failed_check == "outcome" ? util::Words(row.outcome) : row.failed_check;
+  if (row.process != ProcessEnd::kFlown) return util::Words(std::string(Name(row.process)));
+  if (row.failed_check.empty()) return std::string(Name(row.verdict));
+  const std::string what =
+      row.failed_check == "outcome" ? util::Words(std::string(Name(row.outcome))) : row.failed_check;
   return row.failed_phase.empty() ? what : fmt::format("{} in {}", what, util::Words(row.failed_phase));
 }
 

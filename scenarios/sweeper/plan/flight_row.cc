@@ -1,64 +1,49 @@
 #include "scenarios/sweeper/plan/flight_row.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <type_traits>
+
+#include "scenarios/util/enum_names.h"
 
 namespace touchdown::sweeper {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kSchema = 1;
+constexpr int kSchema = 2;
 
-std::optional<FlightRow> RowFrom(const Json& json) {
-  const std::optional<RowEnd> end = RowEndFrom(json.at("end").get<std::string>());
-  if (json.at("schema").get<int>() != kSchema || !end) return std::nullopt;
+/// Throws Json::exception or std::invalid_argument for what is not a row.
+FlightRow RowFrom(const Json& json) {
+  if (json.at("schema").get<int>() != kSchema) throw std::invalid_argument("another schema");
   FlightRow row;
-  row.end = *end;
-  row.id = json.at("id");
-  row.program = json.at("program");
-  row.version = json.at("version");
-  row.host = json.at("host");
-  row.verdict = json.at("verdict");
-  row.outcome = json.at("outcome");
-  row.reason = json.at("reason");
-  row.failed_check = json.at("failed_check");
-  row.failed_phase = json.at("failed_phase");
+  VisitColumns(row, [&json]<typename T>(const char* name, T& value) {
+    if constexpr (std::is_enum_v<T>) {
+      const std::optional<T> named = util::EnumFromName<T>(json.at(name).template get<std::string>());
+      if (!named) throw std::invalid_argument(name);
+      value = *named;
+    } else {
+      json.at(name).get_to(value);
+    }
+  });
   for (const auto& [name, value] : json.at("metrics").items()) row.metrics[name] = value;
-  row.log_sha256 = json.at("log_sha256");
-  row.wall_s = json.at("wall_s");
-  row.complaint = json.at("complaint");
-  row.scenario_yaml = json.at("scenario");
   return row;
 }
 
 }  // namespace
 
-std::optional<RowEnd> RowEndFrom(std::string_view name) {
-  const auto found = std::find(kRowEndNames.begin(), kRowEndNames.end(), name);
-  if (found == kRowEndNames.end()) return std::nullopt;
-  return static_cast<RowEnd>(found - kRowEndNames.begin());
-}
-
 std::string RowJson(const FlightRow& row) {
-  Json json{{"schema", kSchema},
-            {"id", row.id},
-            {"program", row.program},
-            {"version", row.version},
-            {"host", row.host},
-            {"end", Name(row.end)},
-            {"verdict", row.verdict},
-            {"outcome", row.outcome},
-            {"reason", row.reason},
-            {"failed_check", row.failed_check},
-            {"failed_phase", row.failed_phase},
-            {"metrics", Json::object()},
-            {"log_sha256", row.log_sha256},
-            {"wall_s", row.wall_s},
-            {"complaint", row.complaint},
-            {"scenario", row.scenario_yaml}};
+  Json json{{"schema", kSchema}};
+  VisitColumns(row, [&json]<typename T>(const char* name, const T& value) {
+    if constexpr (std::is_enum_v<T>) {
+      json[name] = Name(value);
+    } else {
+      json[name] = value;
+    }
+  });
+  json["metrics"] = Json::object();
   for (const auto& [name, value] : row.metrics) json["metrics"][name] = value;
-  // What a process says may be no UTF-8.
+  // What a process writes may not be UTF-8.
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -66,6 +51,8 @@ std::optional<FlightRow> RowFromJson(const std::string& text) {
   try {
     return RowFrom(Json::parse(text));
   } catch (const Json::exception&) {
+    return std::nullopt;
+  } catch (const std::invalid_argument&) {
     return std::nullopt;
   }
 }

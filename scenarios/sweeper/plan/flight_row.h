@@ -8,43 +8,64 @@
 #include <vector>
 
 #include "scenarios/runner/metrics.h"
+#include "scenarios/runner/verdict.h"
 
 namespace touchdown::sweeper {
 
-/// How the process that flew ended.
-enum class RowEnd {
+/// How the process that flew a flight ended.
+enum class ProcessEnd {
   kFlown,        ///< With a flight's result, whatever its verdict.
-  kCrashed,      ///< By a signal, or without leaving a result: the program itself failed.
+  kCrashed,      ///< By a signal, or without a result: the program itself failed.
   kHung,         ///< It took longer than its limit.
-  kOutOfMemory,  ///< It needed more than its limit, or the system ended it (SIGKILL).
+  kOutOfMemory,  ///< It needed more memory than its limit, or the system killed it (SIGKILL).
 };
-inline constexpr std::array<std::string_view, 4> kRowEndNames = {"flown", "crashed", "hung", "out_of_memory"};
-constexpr std::string_view Name(RowEnd end) { return kRowEndNames[static_cast<std::size_t>(end)]; }
-/// nullopt for what is no end's name.
-std::optional<RowEnd> RowEndFrom(std::string_view name);
+inline constexpr std::array<std::string_view, 4> kProcessEndNames = {"flown", "crashed", "hung", "out_of_memory"};
+constexpr const auto& NamesOf(ProcessEnd) { return kProcessEndNames; }
+constexpr std::string_view Name(ProcessEnd end) { return kProcessEndNames[static_cast<std::size_t>(end)]; }
 
-/// What is kept of a flight of a sweep.
+/// What a sweep keeps of a flight.
 struct FlightRow {
   std::string id = {};
   std::string program = {};  ///< Digest of the program that flew it.
   std::string version = {};
   std::string host = {};
-  RowEnd end = RowEnd::kCrashed;
-  std::string verdict = "error";  ///< "pass", "fail" or "error".
-  std::string outcome = "error";  ///< As in result.json.
-  std::string reason = {};        ///< In a few words, why it ended so.
-  std::string failed_check = {};  ///< The first criterion that was not kept; empty when all were.
+  ProcessEnd process = ProcessEnd::kCrashed;
+  runner::Verdict verdict = runner::Verdict::kError;
+  runner::Outcome outcome = runner::Outcome::kError;
+  std::string reason = {};        ///< Why the flight ended so, in a few words.
+  std::string failed_check = {};  ///< The first check that the flight missed; empty when it met all.
   std::string failed_phase = {};  ///< The phase of the flight in which that happened.
   runner::Metrics metrics = {};
   std::string log_sha256 = {};
   double wall_s = 0.0;
-  std::string complaint = {};  ///< What the process said on stderr: its last lines.
-  std::string scenario_yaml = {};
+  std::string stderr_tail = {};  ///< The last lines that the process wrote to stderr.
+  std::string scenario = {};     ///< The resolved scenario, YAML.
 
-  bool passed() const { return verdict == "pass"; }
+  bool passed() const { return verdict == runner::Verdict::kPass; }
 };
 
-/// A flight of the sweep as it is planned now, with what was flown of it.
+/// Calls `visit(name, value)` for each column of a row, but not for its metrics: the columns of the table `flights` of
+/// sweep.db, in order, and the keys of a row's file. The first is the primary key. `Row` is FlightRow or const
+/// FlightRow.
+template <typename Row, typename Visit>
+void VisitColumns(Row& row, const Visit& visit) {
+  visit("id", row.id);
+  visit("program", row.program);
+  visit("version", row.version);
+  visit("host", row.host);
+  visit("process", row.process);
+  visit("verdict", row.verdict);
+  visit("outcome", row.outcome);
+  visit("reason", row.reason);
+  visit("failed_check", row.failed_check);
+  visit("failed_phase", row.failed_phase);
+  visit("log_sha256", row.log_sha256);
+  visit("wall_s", row.wall_s);
+  visit("stderr_tail", row.stderr_tail);
+  visit("scenario", row.scenario);
+}
+
+/// A flight of the sweep as it is planned now, with its row.
 struct SweepResult {
   std::uint64_t seed = 0;
   std::string variant = {};
@@ -52,8 +73,9 @@ struct SweepResult {
   FlightRow row = {};
 };
 
+/// Text of a row's file.
 std::string RowJson(const FlightRow& row);
-/// nullopt for a text that is no row.
+/// nullopt for a text that is not a row of this version.
 std::optional<FlightRow> RowFromJson(const std::string& text);
 
 }  // namespace touchdown::sweeper

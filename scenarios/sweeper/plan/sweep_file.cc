@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <set>
 
 #include "scenarios/config/config_reader.h"
 #include "scenarios/config/config_writer.h"
 #include "scenarios/runner/metrics.h"
+#include "scenarios/util/number.h"
 
 namespace touchdown::sweeper {
 
@@ -168,7 +168,8 @@ ListedValues Spaced(const RangeOfValues& range) {
   for (int i = 0; i < range.count; ++i) {
     const double share = static_cast<double>(i) / (range.count - 1);
     // Twelve digits: 0.1 and not 0.1 plus what counting up in steps adds to it.
-    values.yaml.push_back(fmt::format("{}", std::stod(fmt::format("{:.12g}", std::lerp(range.from, range.to, share)))));
+    const std::string rounded = fmt::format("{:.12g}", std::lerp(range.from, range.to, share));
+    values.yaml.push_back(fmt::format("{}", util::FiniteNumber(rounded).value()));
   }
   return values;
 }
@@ -305,12 +306,7 @@ void CheckStopWhen(const SweepFile& file, const config::Origin& origin) {
 
 }  // namespace
 
-std::optional<double> AsNumber(const std::string& yaml) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(yaml.data(), yaml.data() + yaml.size(), value);
-  const bool is_number = error == std::errc() && end == yaml.data() + yaml.size() && std::isfinite(value);
-  return is_number ? std::optional(value) : std::nullopt;
-}
+std::optional<double> AsNumber(const std::string& yaml) { return util::FiniteNumber(yaml); }
 
 SweepFile LoadSweepFile(const std::filesystem::path& file) {
   const config::ConfigNode root = config::ReadConfigFile(file);

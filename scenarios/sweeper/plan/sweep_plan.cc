@@ -130,7 +130,7 @@ void RefuseTheSameTwice(const SweepFile& file, const SweepPlan& plan) {
 
 std::string FlightId(const std::string& scenario_yaml, const std::string& program_digest) {
   constexpr std::size_t kDigits = 16;
-  return util::Sha256({&scenario_yaml, &program_digest}).substr(0, kDigits);
+  return util::Sha256(scenario_yaml + program_digest).substr(0, kDigits);
 }
 
 double DefaultLimit_s(const runner::Scenario& scenario) {

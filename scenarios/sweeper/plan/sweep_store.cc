@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
-#include <cstdlib>
-#include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 
 #include "models/error.h"
 #include "scenarios/sweeper/plan/parameter_json.h"
+#include "scenarios/util/enum_names.h"
+#include "scenarios/util/number.h"
 
 namespace touchdown::sweeper {
 namespace {
@@ -19,17 +21,13 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kApplicationId =
     0x7464776e;  // "tdwn": what tells a sweep's database from any other (PRAGMA application_id).
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
+/// All but the table `flights`, which FlightsSchema describes.
 constexpr const char* kTables = R"(
 CREATE TABLE sweep (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 CREATE TABLE plan (
   position INTEGER PRIMARY KEY, id TEXT NOT NULL, seed INTEGER NOT NULL, variant TEXT NOT NULL, parameters TEXT NOT NULL);
-CREATE TABLE flights (
-  id TEXT PRIMARY KEY, program TEXT NOT NULL, version TEXT NOT NULL, host TEXT NOT NULL, process TEXT NOT NULL,
-  verdict TEXT NOT NULL, outcome TEXT NOT NULL, reason TEXT NOT NULL, failed_check TEXT NOT NULL,
-  failed_phase TEXT NOT NULL, log_sha256 TEXT NOT NULL, wall_s REAL NOT NULL, complaint TEXT NOT NULL,
-  scenario TEXT NOT NULL) WITHOUT ROWID;
 CREATE TABLE metrics (
   id TEXT NOT NULL REFERENCES flights ON DELETE CASCADE, name TEXT NOT NULL, value REAL NOT NULL,
   PRIMARY KEY (id, name)) WITHOUT ROWID;
@@ -40,28 +38,58 @@ CREATE VIEW stale AS
   SELECT * FROM flights WHERE program <> (SELECT value FROM sweep WHERE key = 'program');
 )";
 
+/// "CREATE TABLE flights (id TEXT PRIMARY KEY, program TEXT NOT NULL, ...".
+std::string FlightsSchema() {
+  FlightRow row;
+  std::string columns;
+  VisitColumns(row, [&columns]<typename T>(const char* name, const T&) {
+    const char* const type = std::is_same_v<T, double> ? "REAL" : "TEXT";
+    columns +=
+        columns.empty() ? fmt::format("{} {} PRIMARY KEY", name, type) : fmt::format(", {} {} NOT NULL", name, type);
+  });
+  return fmt::format("CREATE TABLE flights ({}) WITHOUT ROWID;", columns);
+}
+
+std::string InsertFlight() {
+  FlightRow row;
+  std::string places;
+  VisitColumns(row, [&places](const char*, const auto&) { places += places.empty() ? "?" : ", ?"; });
+  return fmt::format("INSERT OR REPLACE INTO flights VALUES ({})", places);
+}
+
+InputError Damaged(const fs::path& file, std::string_view what) {
+  return InputError(fmt::format("{}: is damaged: {}", file.string(), what));
+}
+
+/// A row of the table `flights`, without metrics.
 FlightRow RowFrom(const SQLite::Statement& query, const fs::path& file) {
   FlightRow row;
-  const auto text = [&query](const char* column) { return query.getColumn(column).getString(); };
-  row.id = text("id");
-  row.program = text("program");
-  row.version = text("version");
-  row.host = text("host");
-  const std::optional<RowEnd> end = RowEndFrom(text("process"));
-  if (!end) {
-    throw InputError(fmt::format("{}: is damaged: flight {} ended as {}", file.string(), row.id, text("process")));
-  }
-  row.end = *end;
-  row.verdict = text("verdict");
-  row.outcome = text("outcome");
-  row.reason = text("reason");
-  row.failed_check = text("failed_check");
-  row.failed_phase = text("failed_phase");
-  row.log_sha256 = text("log_sha256");
-  row.wall_s = query.getColumn("wall_s").getDouble();
-  row.complaint = text("complaint");
-  row.scenario_yaml = text("scenario");
+  VisitColumns(row, [&]<typename T>(const char* name, T& value) {
+    const SQLite::Column column = query.getColumn(name);
+    if constexpr (std::is_same_v<T, double>) {
+      value = column.getDouble();
+    } else if constexpr (std::is_enum_v<T>) {
+      const std::optional<T> named = util::EnumFromName<T>(column.getString());
+      if (!named) throw Damaged(file, fmt::format("flight {}: {} is '{}'", row.id, name, column.getString()));
+      value = *named;
+    } else {
+      value = column.getString();
+    }
+  });
   return row;
+}
+
+/// The values of the parameters `keys` of a planned flight.
+std::vector<std::string> ValuesFrom(const SQLite::Statement& query, const std::vector<std::string>& keys,
+                                    const fs::path& file) {
+  try {
+    const Json parameters = Json::parse(query.getColumn("parameters").getString());
+    std::vector<std::string> values;
+    for (const std::string& key : keys) values.push_back(ParameterFrom(parameters.at(key)));
+    return values;
+  } catch (const Json::exception&) {
+    throw Damaged(file, fmt::format("flight {}: its parameters", query.getColumn("id").getString()));
+  }
 }
 
 }  // namespace
@@ -89,14 +117,14 @@ struct SweepStore::Impl {
       throw InputError(fmt::format("{}: is of version {}, this program's is {}", file.string(), version, kVersion));
     }
     const std::string state = db->execAndGet("PRAGMA quick_check").getString();
-    if (state != "ok")
-      throw InputError(fmt::format("{}: is damaged: {}", file.string(), state.substr(0, state.find('\n'))));
+    if (state != "ok") throw Damaged(file, state.substr(0, state.find('\n')));
   }
 
   void Make() {
     SQLite::Transaction transaction(*db);
     db->exec(fmt::format("PRAGMA application_id = {}", kApplicationId));
     db->exec(fmt::format("PRAGMA user_version = {}", kVersion));
+    db->exec(FlightsSchema());
     db->exec(kTables);
     transaction.commit();
   }
@@ -107,13 +135,6 @@ struct SweepStore::Impl {
     return query.executeStep() ? query.getColumn(0).getString() : "";
   }
 
-  static std::vector<std::string> ValuesIn(const SQLite::Statement& query, const std::vector<std::string>& keys) {
-    const Json parameters = Json::parse(query.getColumn("parameters").getString());
-    std::vector<std::string> values;
-    for (const std::string& key : keys) values.push_back(ParameterFrom(parameters.at(key)));
-    return values;
-  }
-
   void Put(std::span<const FlightRow> rows) {
     SQLite::Transaction transaction(*db);
     for (const FlightRow& row : rows) PutRow(row);
@@ -121,21 +142,21 @@ struct SweepStore::Impl {
   }
 
   void PutRow(const FlightRow& row) {
-    if (row.end != RowEnd::kFlown) {
+    if (row.process != ProcessEnd::kFlown) {
       SQLite::Statement flown(*db, "SELECT 1 FROM flights WHERE id = ? AND process = ?");
       flown.bind(1, row.id);
-      flown.bind(2, std::string(Name(RowEnd::kFlown)));
+      flown.bind(2, std::string(Name(ProcessEnd::kFlown)));
       if (flown.executeStep()) return;
     }
-    SQLite::Statement put(*db, "INSERT OR REPLACE INTO flights VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    SQLite::Statement put(*db, InsertFlight());
     int column = 0;
-    for (const std::string& text : {row.id, row.program, row.version, row.host, std::string(Name(row.end)), row.verdict,
-                                    row.outcome, row.reason, row.failed_check, row.failed_phase, row.log_sha256}) {
-      put.bind(++column, text);
-    }
-    put.bind(++column, row.wall_s);
-    put.bind(++column, row.complaint);
-    put.bind(++column, row.scenario_yaml);
+    VisitColumns(row, [&]<typename T>(const char*, const T& value) {
+      if constexpr (std::is_enum_v<T>) {
+        put.bind(++column, std::string(Name(value)));
+      } else {
+        put.bind(++column, value);
+      }
+    });
     put.exec();
     SQLite::Statement put_metric(*db, "INSERT OR REPLACE INTO metrics VALUES (?, ?, ?)");
     for (const auto& [name, value] : row.metrics) {
@@ -152,6 +173,16 @@ struct SweepStore::Impl {
     query.bind(1, id);
     runner::Metrics metrics;
     while (query.executeStep()) metrics[query.getColumn(0).getString()] = query.getColumn(1).getDouble();
+    return metrics;
+  }
+
+  /// The metrics of every planned flight, by its id.
+  std::map<std::string, runner::Metrics> MetricsOfPlan() {
+    SQLite::Statement query(*db, "SELECT id, name, value FROM metrics WHERE id IN (SELECT id FROM plan)");
+    std::map<std::string, runner::Metrics> metrics;
+    while (query.executeStep()) {
+      metrics[query.getColumn(0).getString()][query.getColumn(1).getString()] = query.getColumn(2).getDouble();
+    }
     return metrics;
   }
 };
@@ -259,8 +290,7 @@ std::size_t SweepStore::planned() const {
 }
 
 std::size_t SweepStore::whole() const {
-  return impl_->Guarded(
-      [&] { return static_cast<std::size_t>(std::strtoull(impl_->Value("flights").c_str(), nullptr, 10)); });
+  return impl_->Guarded([&] { return util::FiniteNumber<std::size_t>(impl_->Value("flights")).value_or(0); });
 }
 
 SweepPlan SweepStore::Plan() const {
@@ -272,7 +302,7 @@ SweepPlan SweepStore::Plan() const {
                               .id = query.getColumn("id").getString(),
                               .seed = static_cast<std::uint64_t>(query.getColumn("seed").getInt64()),
                               .variant = query.getColumn("variant").getString(),
-                              .values = Impl::ValuesIn(query, plan.keys)});
+                              .values = ValuesFrom(query, plan.keys, impl_->file)});
     }
     return plan;
   });
@@ -281,15 +311,17 @@ SweepPlan SweepStore::Plan() const {
 std::vector<SweepResult> SweepStore::Results() const {
   const std::vector<std::string> keys = terms().keys();
   return impl_->Guarded([&] {
+    const SQLite::Transaction one_state(*impl_->db);
+    const std::map<std::string, runner::Metrics> metrics = impl_->MetricsOfPlan();
     std::vector<SweepResult> results;
     SQLite::Statement query(
         *impl_->db, "SELECT seed, variant, parameters, flights.* FROM plan JOIN flights USING (id) ORDER BY position");
     while (query.executeStep()) {
       SweepResult result{.seed = static_cast<std::uint64_t>(query.getColumn("seed").getInt64()),
                          .variant = query.getColumn("variant").getString(),
-                         .values = Impl::ValuesIn(query, keys),
+                         .values = ValuesFrom(query, keys, impl_->file),
                          .row = RowFrom(query, impl_->file)};
-      result.row.metrics = impl_->MetricsOf(result.row.id);
+      if (const auto found = metrics.find(result.row.id); found != metrics.end()) result.row.metrics = found->second;
       results.push_back(std::move(result));
     }
     return results;

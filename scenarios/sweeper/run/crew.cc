@@ -39,22 +39,22 @@ FlightRow RowWithoutFlight(const Flying& flying, const WorkerEnd& end) {
                 .host = util::HostName(),
                 .failed_check = "outcome",
                 .wall_s = flying.since_start.seconds(),
-                .complaint = end.complaint,
-                .scenario_yaml = flying.task->scenario_yaml};
+                .stderr_tail = end.stderr_tail,
+                .scenario = flying.task->scenario_yaml};
   if (flying.is_hung) {
-    row.end = RowEnd::kHung;
+    row.process = ProcessEnd::kHung;
     row.reason = fmt::format("not done after {:g} s", flying.task->limit_s);
   } else if (end.signal == SIGKILL) {
-    row.end = RowEnd::kOutOfMemory;
+    row.process = ProcessEnd::kOutOfMemory;
     row.reason = "killed by the system, as it does when memory runs out";
   } else if (end.exit_status == kOutOfMemoryStatus) {
-    row.end = RowEnd::kOutOfMemory;
+    row.process = ProcessEnd::kOutOfMemory;
     row.reason = "needs more memory than its limit";
   } else if (end.signal != 0) {
-    row.end = RowEnd::kCrashed;
+    row.process = ProcessEnd::kCrashed;
     row.reason = fmt::format("the program crashed: {}", strsignal(end.signal));
   } else {
-    row.end = RowEnd::kCrashed;
+    row.process = ProcessEnd::kCrashed;
     row.reason = fmt::format("the program ended with status {}", end.exit_status);
   }
   return row;
@@ -97,15 +97,15 @@ void FlyTasks(const RowFolder& folder, const CrewOptions& options, const NextTas
   const auto finish = [&](const Flying& done, const WorkerEnd& end) {
     std::optional<FlightRow> row = folder.Find(done.task->id);
     if (!row && end.exit_status == kUnusableFolderStatus) {
-      throw InputError(LastLine(end.complaint));
+      throw InputError(LastLine(end.stderr_tail));
     }
     const bool is_stopped = stop_requested && stop_requested();
     if (!row && is_stopped && !done.is_hung && end.signal == SIGKILL) return;  // It was ended with all the others.
     if (!row) {
       row = RowWithoutFlight(done, end);
       folder.Leave(*row);
-    } else if (row->complaint != end.complaint) {
-      row->complaint = end.complaint;
+    } else if (row->stderr_tail != end.stderr_tail) {
+      row->stderr_tail = end.stderr_tail;
       folder.Leave(*row);
     }
     on_row(*row);

@@ -5,11 +5,11 @@
 #include <string.h>
 
 #include <cerrno>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "models/error.h"
+#include "scenarios/util/file.h"
 #include "scenarios/util/output_file.h"
 #include "scenarios/util/program_digest.h"
 
@@ -43,10 +43,9 @@ class Bench {
 };
 
 FlightChunk ReadChunk(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(fmt::format("{}: no such file", file.string()));
+  const std::string text = util::ReadTextFile(file);
   try {
-    const Json json = Json::parse(stream);
+    const Json json = Json::parse(text);
     FlightChunk chunk{.program = json.at("program"), .flights = {}};
     for (const Json& flight : json.at("flights")) {
       chunk.flights.push_back({.id = flight.at("id"),
@@ -69,7 +68,7 @@ void Move(const fs::path& from, const fs::path& to) {
 /// Leaves a row and its picture with the others, but no failure where another copy of the task has flown.
 void HandOver(const RowFolder& from, const RowFolder& to, const FlightRow& row) {
   const std::optional<FlightRow> there = ReadRowOrSetAside(to.RowOf(row.id));
-  if (there && there->end == RowEnd::kFlown && row.end != RowEnd::kFlown) return;
+  if (there && there->process == ProcessEnd::kFlown && row.process != ProcessEnd::kFlown) return;
   if (fs::exists(from.PictureOf(row.id))) Move(from.PictureOf(row.id), to.PictureOf(row.id));
   Move(from.RowOf(row.id), to.RowOf(row.id));
 }

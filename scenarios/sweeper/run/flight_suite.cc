@@ -27,11 +27,6 @@ std::vector<fs::path> ScenariosIn(const fs::path& folder) {
   return files;
 }
 
-std::vector<runner::Check> ChecksOf(const runner::Scenario& scenario, const FlightRow& row) {
-  const auto outcome = std::find(runner::kOutcomeNames.begin(), runner::kOutcomeNames.end(), row.outcome);
-  return runner::Judge(scenario, static_cast<runner::Outcome>(outcome - runner::kOutcomeNames.begin()), row.metrics);
-}
-
 }  // namespace
 
 std::vector<TestedFlight> TestFlights(const fs::path& folder, int jobs, const util::StopRequested& stop_requested,
@@ -53,7 +48,7 @@ std::vector<TestedFlight> TestFlights(const fs::path& folder, int jobs, const ut
     const auto test = std::find_if(tests.begin(), tests.end(),
                                    [&](const TestedFlight& each) { return each.file.stem().string() == row.id; });
     test->row = row;
-    test->checks = ChecksOf(test->scenario, row);
+    test->checks = runner::Judge(test->scenario, row.outcome, row.metrics);
     ++done;
     if (on_done) on_done(*test);
   };

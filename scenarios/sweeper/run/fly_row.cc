@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 #include "models/error.h"
 #include "scenarios/report/contact_sheet.h"
 #include "scenarios/runner/fly.h"
 #include "scenarios/sweeper/run/failure_phase.h"
+#include "scenarios/util/file.h"
 #include "scenarios/util/output_file.h"
 #include "scenarios/util/platform.h"
 #include "scenarios/util/program_digest.h"
@@ -33,9 +32,9 @@ void MakeFolder(const fs::path& folder) {
 
 void TellResult(const runner::Scenario& scenario, const runner::FlightLog& log, FlightRow& row) {
   const runner::FlightResult result = runner::JudgeFlight(scenario, log);
-  row.end = RowEnd::kFlown;
-  row.verdict = Name(result.verdict);
-  row.outcome = Name(result.outcome);
+  row.process = ProcessEnd::kFlown;
+  row.verdict = result.verdict;
+  row.outcome = result.outcome;
   row.reason = result.reason;
   row.metrics = result.metrics;
   row.log_sha256 = result.log_sha256;
@@ -49,16 +48,8 @@ void TellResult(const runner::Scenario& scenario, const runner::FlightLog& log, 
 }  // namespace
 
 std::optional<FlightRow> ReadRow(const fs::path& file) {
-  std::error_code error;
-  if (!fs::exists(file, error) && !error) return std::nullopt;
-  std::ifstream stream;
-  stream.exceptions(std::ios::failbit | std::ios::badbit);
-  try {
-    stream.open(file, std::ios::binary);
-    return RowFromJson({std::istreambuf_iterator<char>(stream), {}});
-  } catch (const std::ios::failure&) {
-    throw InputError(fmt::format("{}: cannot be read", file.string()));
-  }
+  const std::optional<std::string> text = util::ReadTextFileIfPresent(file);
+  return text ? RowFromJson(*text) : std::nullopt;
 }
 
 std::optional<FlightRow> ReadRowOrSetAside(const fs::path& file) {
@@ -83,18 +74,18 @@ void FlyRow(const std::string& scenario_yaml, const std::string& id, const RowFo
                 .program = util::ProgramDigest(),
                 .version = std::string(util::Version()),
                 .host = util::HostName(),
-                .scenario_yaml = scenario_yaml};
+                .scenario = scenario_yaml};
   const util::Stopwatch stopwatch;
   report::ContactSheet sheet(scenario.assumed_camera(), scenario.time);
   runner::FlightObserver* const observers[] = {&sheet};
   try {
     TellResult(scenario, runner::FlyClosedLoop(scenario, observers, nullptr), row);
   } catch (const InputError& error) {
-    row.end = RowEnd::kFlown;
+    row.process = ProcessEnd::kFlown;
     row.reason = error.what();
   }
   row.wall_s = stopwatch.seconds();
-  if (row.end == RowEnd::kFlown && !row.passed()) {
+  if (row.process == ProcessEnd::kFlown && !row.passed()) {
     if (const auto png = sheet.Png()) util::WriteOutputFile(folder.PictureOf(row.id), *png, kPngMark);
   }
   folder.Leave(row);

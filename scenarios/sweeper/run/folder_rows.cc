@@ -12,7 +12,7 @@ std::optional<FlightRow> FolderRows::Find(const std::string& id) const {
   std::optional<FlightRow> stored = store_ == nullptr ? std::nullopt : store_->Find(id);
   const auto left = left_.find(id);
   if (left == left_.end()) return stored;
-  const bool stays = stored && stored->end == RowEnd::kFlown && left->second.end != RowEnd::kFlown;
+  const bool stays = stored && stored->process == ProcessEnd::kFlown && left->second.process != ProcessEnd::kFlown;
   return stays ? stored : left->second;
 }
 

@@ -26,7 +26,7 @@ class Agenda {
       expected_s_[flight.id] = flight.expected_s;
       whole_s_ += flight.expected_s;
       const auto row = store.Find(flight.id);
-      if (row && !(retry && row->end != RowEnd::kFlown)) {
+      if (row && !(retry && row->process != ProcessEnd::kFlown)) {
         Count(*row);
       } else {
         tasks_.push_back({flight.id, flight.scenario_yaml, flight.limit_s, file.limits.memory_mb});

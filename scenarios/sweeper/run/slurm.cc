@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "models/error.h"
-#include "scenarios/util/tool_run.h"
+#include "scenarios/util/process.h"
 
 namespace touchdown::sweeper {
 namespace {
@@ -20,7 +20,7 @@ std::string InOneLine(const std::string& text) {
 
 /// What a tool of Slurm printed.
 std::string Ask(const std::vector<std::string>& arguments) {
-  const std::optional<util::ToolRun> run = util::RunTool(arguments);
+  const std::optional<util::ProcessResult> run = util::RunProcess(arguments);
   if (!run) throw InputError(fmt::format("--slurm: there is no {} on this machine", arguments[0]));
   if (!run->succeeded) throw InputError(fmt::format("--slurm: {} refuses: {}", arguments[0], InOneLine(run->err)));
   return run->out;
@@ -61,8 +61,8 @@ void ReleaseJob(const std::string& job) {
 }
 
 std::optional<std::map<std::string, int>> TasksInQueue(const std::string& job) {
-  const std::optional<util::ToolRun> run =
-      util::RunTool({"squeue", "--noheader", "--array", "--format=%T", "--jobs=" + job});
+  const std::optional<util::ProcessResult> run =
+      util::RunProcess({"squeue", "--noheader", "--array", "--format=%T", "--jobs=" + job});
   if (!run) return std::nullopt;
   std::map<std::string, int> tasks;
   if (!run->succeeded) {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -13,6 +13,7 @@
 #include "scenarios/sweeper/run/flight_chunk.h"
 #include "scenarios/sweeper/run/folder_rows.h"
 #include "scenarios/sweeper/run/run_sweep.h"
+#include "scenarios/util/file.h"
 #include "scenarios/util/folder_lock.h"
 #include "scenarios/util/output_file.h"
 #include "scenarios/util/program_digest.h"
@@ -34,7 +35,7 @@ std::vector<const PlannedFlight*> MissingFlights(const SweepPlan& plan, const fs
   std::vector<const PlannedFlight*> missing;
   for (const PlannedFlight& flight : plan.flights) {
     const std::optional<FlightRow> row = rows.Find(flight.id);
-    if (!row || (retry && row->end != RowEnd::kFlown)) missing.push_back(&flight);
+    if (!row || (retry && row->process != ProcessEnd::kFlown)) missing.push_back(&flight);
   }
   return missing;
 }
@@ -137,7 +138,7 @@ SlurmSweep SubmitSweep(const SweepFile& file, const SweepPlan& plan, const fs::p
 }
 
 std::optional<std::string> SlurmJobOf(const fs::path& folder) {
-  std::ifstream stream(JobFile(folder));
+  std::istringstream stream(util::ReadTextFileIfPresent(JobFile(folder)).value_or(""));
   std::string key, job;
   if (!(stream >> key >> job)) return std::nullopt;
   return job;

@@ -17,7 +17,7 @@ SweepStatus StatusOf(const std::filesystem::path& folder) {
     if (!row) continue;
     ++status.flown;
     status.passed += row->passed() ? 1 : 0;
-    if (row->end != RowEnd::kFlown) ++status.processes[std::string(Name(row->end))];
+    if (row->process != ProcessEnd::kFlown) ++status.processes[std::string(Name(row->process))];
   }
   if (status.slurm_job) status.slurm_tasks = TasksInQueue(*status.slurm_job);
   return status;

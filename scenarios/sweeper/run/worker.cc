@@ -36,14 +36,14 @@ std::string LastOf(int fd) {
 }
 
 /// What the forked process is, until its end.
-[[noreturn]] void BeWorker(const std::function<int()>& work, int complaint_fd, rlim_t memory, pid_t parent) {
+[[noreturn]] void BeWorker(const std::function<int()>& work, int stderr_fd, rlim_t memory, pid_t parent) {
   setpgid(0, 0);
   prctl(PR_SET_NAME, "touchdown-fly");
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kFailedStatus);  // It was gone before it could be asked to take its child along.
   dup2(open("/dev/null", O_RDWR), STDIN_FILENO);
   dup2(STDIN_FILENO, STDOUT_FILENO);
-  dup2(complaint_fd, STDERR_FILENO);
+  dup2(stderr_fd, STDERR_FILENO);
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
   if (memory > 0 && kMemoryCanBeLimited) {
@@ -63,27 +63,27 @@ std::string LastOf(int fd) {
 }  // namespace
 
 Worker::Worker(const std::function<int()>& work, int memory_mb) {
-  complaint_fd_ = memfd_create("complaint", MFD_CLOEXEC);
+  stderr_fd_ = memfd_create("stderr", MFD_CLOEXEC);
   const rlim_t memory = static_cast<rlim_t>(memory_mb) << 20;
   const pid_t parent = getpid();
   fflush(nullptr);
-  pid_ = complaint_fd_ < 0 ? -1 : fork();
-  if (pid_ == 0) BeWorker(work, complaint_fd_, memory, parent);
+  pid_ = stderr_fd_ < 0 ? -1 : fork();
+  if (pid_ == 0) BeWorker(work, stderr_fd_, memory, parent);
   if (pid_ > 0) return;
   const int error = errno;
-  if (complaint_fd_ >= 0) close(complaint_fd_);
+  if (stderr_fd_ >= 0) close(stderr_fd_);
   throw std::system_error(error, std::generic_category(), "no process can be started");
 }
 
 Worker::Worker(Worker&& other) noexcept
-    : pid_(std::exchange(other.pid_, -1)), complaint_fd_(std::exchange(other.complaint_fd_, -1)) {}
+    : pid_(std::exchange(other.pid_, -1)), stderr_fd_(std::exchange(other.stderr_fd_, -1)) {}
 
 Worker::~Worker() {
   if (pid_ > 0) {
     Kill();
     waitpid(pid_, nullptr, 0);
   }
-  if (complaint_fd_ >= 0) close(complaint_fd_);
+  if (stderr_fd_ >= 0) close(stderr_fd_);
 }
 
 std::optional<WorkerEnd> Worker::Poll() {
@@ -91,7 +91,7 @@ std::optional<WorkerEnd> Worker::Poll() {
   const pid_t ended = waitpid(pid_, &status, WNOHANG);
   if (ended == 0 || (ended < 0 && errno == EINTR)) return std::nullopt;
   pid_ = -1;
-  WorkerEnd end{.complaint = LastOf(complaint_fd_)};
+  WorkerEnd end{.stderr_tail = LastOf(stderr_fd_)};
   if (WIFSIGNALED(status)) {
     end.signal = WTERMSIG(status);
   } else {

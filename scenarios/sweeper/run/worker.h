@@ -10,9 +10,9 @@ namespace touchdown::sweeper {
 
 /// How a worker ended.
 struct WorkerEnd {
-  int exit_status = 0;         ///< When it was not ended by a signal.
-  int signal = 0;              ///< 0: none.
-  std::string complaint = {};  ///< The end of what it said on stderr.
+  int exit_status = 0;           ///< When it was not ended by a signal.
+  int signal = 0;                ///< 0: none.
+  std::string stderr_tail = {};  ///< The last lines that it wrote to stderr.
 };
 
 /// Work in a process of its own, forked from this one: whatever becomes of it, this one goes on. It is in a process
@@ -33,7 +33,7 @@ class Worker {
 
  private:
   pid_t pid_ = -1;
-  int complaint_fd_ = -1;
+  int stderr_fd_ = -1;
 };
 
 }  // namespace touchdown::sweeper

@@ -235,7 +235,7 @@ TEST_F(AnsweringSlurmTest, SaysWhyItCannotSubmit) {
   PutSweep(2);
   EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--slurm"}), HasSubstr("--out"));
   EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--out", "out", "--chunk", "2"}), HasSubstr("--slurm"));
-  EXPECT_THAT(ErrorOf({"sweep-task", "out", "0"}), HasSubstr("out/tasks/0.json: no such file"));
+  EXPECT_THAT(ErrorOf({"sweep-task", "out", "0"}), HasSubstr("out/tasks/0.json: cannot be read: No such file"));
   const SetVariable no_tools("PATH", "/nowhere");
   EXPECT_THAT(ErrorOf(submit), HasSubstr("there is no scontrol on this machine"));
   EXPECT_FALSE(fs::exists(folder_ / "out"));

@@ -280,8 +280,8 @@ TEST_F(SweepCommand, TellsOfAFlightThatNeedsTooMuchMemory) {
     EXPECT_THAT(folder_.Content(limit + ".csv"), HasSubstr(",error,out_of_memory,"));
     const sweeper::SweepResult result =
         sweeper::SweepStore(folder_ / limit, sweeper::SweepStore::Access::kRead).Results().at(0);
-    EXPECT_EQ(result.row.end, sweeper::RowEnd::kOutOfMemory) << limit << " MB: " << result.row.reason;
-    EXPECT_EQ(result.row.verdict, "error");
+    EXPECT_EQ(result.row.process, sweeper::ProcessEnd::kOutOfMemory) << limit << " MB: " << result.row.reason;
+    EXPECT_EQ(result.row.verdict, runner::Verdict::kError);
   }
 }
 

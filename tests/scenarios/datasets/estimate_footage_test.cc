@@ -66,10 +66,9 @@ class RecordedFlight : public ::testing::Test {
     overrides.insert(overrides.end(), more.begin(), more.end());
     const runner::Scenario scenario = runner::LoadScenario(
         std::filesystem::path(TOUCHDOWN_SOURCE_DIR) / "scenarios" / "flights" / "landing.yaml", overrides);
-    result_ = cli::FlyIntoFolder(scenario, folder_ / "flight", {.recording = true});
+    cli::FlyIntoFolder(scenario, folder_ / "flight", {.recording = true});
   }
   tests::TemporaryFolder folder_;
-  runner::FlightResult result_;
 };
 
 TEST_F(RecordedFlight, GivesTheFlightsOwnPosesToTheLastDigit) {
@@ -86,21 +85,23 @@ TEST_F(RecordedFlight, GivesTheFlightsOwnPosesToTheLastDigit) {
   const auto estimates = EstimateFootage(*footage, SetupOf(facts));
   const std::vector<std::string> names = {"t_s",      "status",    "x_m",     "y_m",      "z_m",
                                           "roll_deg", "pitch_deg", "yaw_deg", "pad_u_px", "pad_v_px"};
-  const auto flown = Columns(result_.tables.frames_csv, names);
+  const auto flown = Columns(folder_.Content("flight/frames.csv"), names);
   EXPECT_EQ(Columns(PosesCsv(estimates, facts.time), names), flown);
   EXPECT_GT(flown.size(), 100u);
-  EXPECT_EQ(runner::TumText(PosesTrajectory(estimates, facts.time), facts.time), result_.tables.estimate_tum);
+  EXPECT_EQ(runner::TumText(PosesTrajectory(estimates, facts.time), facts.time),
+            folder_.Content("flight/estimate.tum"));
 }
 
 TEST_F(RecordedFlight, GivesThemFromTheGroundTooWhereTheVehicleLearnsItsBiases) {
   const runner::Scenario scenario = runner::LoadScenario(
       std::filesystem::path(TOUCHDOWN_SOURCE_DIR) / "scenarios" / "flights" / "takeoff_hover_land.yaml",
       std::vector<runner::Override>{std::string("time_limit_s=4")});
-  result_ = cli::FlyIntoFolder(scenario, folder_ / "flight", {.recording = true});
+  cli::FlyIntoFolder(scenario, folder_ / "flight", {.recording = true});
   const auto footage = OpenFootage(folder_ / "flight");
   const auto estimates = EstimateFootage(*footage, SetupOf(footage->facts()));
   EXPECT_GT(PosesTrajectory(estimates, scenario.time).size(), 50u);
-  EXPECT_EQ(runner::TumText(PosesTrajectory(estimates, scenario.time), scenario.time), result_.tables.estimate_tum);
+  EXPECT_EQ(runner::TumText(PosesTrajectory(estimates, scenario.time), scenario.time),
+            folder_.Content("flight/estimate.tum"));
 }
 
 TEST_F(RecordedFlight, IsReplacedByTheNextOneUnlessItHoldsSomethingElse) {

@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "models/error.h"
-#include "scenarios/runner/fly.h"
+#include "scenarios/runner/flight_tables.h"
+#include "scenarios/runner/metrics.h"
 #include "scenarios/runner/pad_view.h"
+#include "scenarios/runner/tum_trajectory.h"
 #include "tests/support/made_flight.h"
 #include "tests/support/temporary_folder.h"
 
@@ -30,12 +32,11 @@ class PoseScoreTest : public ::testing::Test {
       frame.ring_in_view = runner::WholeRingInView(camera, scenario_.pad, X_WC);
       frame.true_pad_px = camera.Project(X_WC.inverse() * Eigen::Vector3d::Zero());
     }
-    const runner::FlightResult result = runner::JudgeFlight(scenario_, log_);
     folder_.Put("flight/scenario.yaml", runner::ScenarioYaml(scenario_));
-    folder_.Put("flight/frames.csv", result.tables.frames_csv);
-    folder_.Put("flight/truth.tum", result.tables.truth_tum);
-    metrics_ = result.metrics;
-    poses_ = ReadTumFile(folder_.Put("estimate.tum", result.tables.estimate_tum));
+    folder_.Put("flight/frames.csv", runner::FramesCsv(log_));
+    folder_.Put("flight/truth.tum", runner::TumText(runner::TrueTrajectory(log_), log_.time));
+    metrics_ = runner::ComputeMetrics(log_);
+    poses_ = ReadTumFile(folder_.Put("estimate.tum", runner::TumText(runner::EstimatedTrajectory(log_), log_.time)));
   }
   PoseScore Score(const std::vector<TimedPose>& poses) const { return ScorePoses(poses, folder_ / "flight"); }
 

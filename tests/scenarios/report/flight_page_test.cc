@@ -175,6 +175,18 @@ TEST(FlightPage, TellsPhasesEventsAndTouchdown) {
   EXPECT_EQ(data["touchdown"]["y_m"], 0.05);
 }
 
+TEST(FlightPage, MarksTheTouchdownThatTheMetricsGiveAndNoOther) {
+  const runner::Scenario scenario = Parsed("");
+  runner::FlightLog log = MadeFlight(scenario, 2.0);
+  log.touchdown->at.tick += 5;
+  log.touchdown->at.X_WB.translation().y() = 0.07;
+  const Json data = DataOf(scenario, log);
+  EXPECT_NEAR(data["touchdown"]["t_s"].get<double>(), scenario.time.ToSeconds(log.touchdown->at.tick), 1e-4);
+  EXPECT_EQ(data["touchdown"]["y_m"], 0.07);
+  log.touchdown.reset();
+  EXPECT_TRUE(DataOf(scenario, log)["touchdown"].is_null()) << "although its table has a contact in the landing";
+}
+
 TEST(FlightPage, SetsTheFiguresBesideThePapers) {
   const runner::Scenario scenario = Parsed();
   runner::FlightLog log = MadeFlight(scenario, 1.0);

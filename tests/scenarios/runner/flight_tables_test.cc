@@ -111,13 +111,19 @@ TEST(JudgeFlight, HashesFlightAndFramesButNotTheWallClock) {
   FlightLog log = SmallLog();
   const FlightResult result = JudgeFlight(scenario, log);
   EXPECT_EQ(result.verdict, Verdict::kPass);
-  const std::string both = result.tables.flight_csv + result.tables.frames_csv;
-  EXPECT_EQ(result.log_sha256, util::Sha256({&both}));
+  EXPECT_EQ(result.log_sha256, util::Sha256(FlightCsv(log) + FramesCsv(log)));
   log.frames[1].vision_ms = 99.0;
   log.wall_s = 3.0;
   EXPECT_EQ(JudgeFlight(scenario, log).log_sha256, result.log_sha256);
   log.frames[1].pose->covariance(5, 5) = 1e-300;
   EXPECT_NE(JudgeFlight(scenario, log).log_sha256, result.log_sha256);
+}
+
+TEST(LogDigest, IsThatOfTheFilesAlsoOfALogThatIsHashedInPieces) {
+  FlightLog log = SmallLog();
+  log.ticks.resize(2000, log.ticks.front());
+  EXPECT_GT(FlightCsv(log).size(), 4u << 16);
+  EXPECT_EQ(LogDigest(log), util::Sha256(FlightCsv(log) + FramesCsv(log)));
 }
 
 TEST(JudgeFlight, CallsASimulationThatWentWrongAnError) {

@@ -17,8 +17,8 @@ using testing::HasSubstr;
 SweepResult Result(std::uint64_t seed, bool passed, std::optional<double> error_m = std::nullopt) {
   SweepResult result{.seed = seed, .values = {"3"}};
   result.row.id = "id" + std::to_string(seed);
-  result.row.verdict = passed ? "pass" : "fail";
-  result.row.outcome = "landed";
+  result.row.verdict = passed ? runner::Verdict::kPass : runner::Verdict::kFail;
+  result.row.outcome = runner::Outcome::kLanded;
   if (error_m) result.row.metrics["flight.touchdown_xy_error_m"] = *error_m;
   return result;
 }
@@ -64,7 +64,7 @@ TEST(Compare, CallsWorseWhatIsSurelyWorseAndBeyondTheMargin) {
   EXPECT_FALSE(Compare(b, a, {}).is_worse()) << "better";
   EXPECT_FALSE(Compare(a, a, {}).is_worse());
   StoredResults few_a = Stored({Result(1, true), Result(2, true), Result(3, true)}), few_b = few_a;
-  few_b.results[0].row.verdict = "fail";
+  few_b.results[0].row.verdict = runner::Verdict::kFail;
   EXPECT_FALSE(Compare(few_a, few_b, {}).is_worse()) << "one of three may be chance";
 }
 
@@ -114,7 +114,8 @@ TEST(Compare, ResolvesAChangeOfThePassRateWithEightyPercentChance) {
   int shown = 0;
   for (int trial = 0; trial < kTrials; ++trial) {
     StoredResults b = a;
-    for (SweepResult& result : b.results) result.row.verdict = random.Uniform() < change ? "fail" : "pass";
+    for (SweepResult& result : b.results)
+      result.row.verdict = random.Uniform() < change ? runner::Verdict::kFail : runner::Verdict::kPass;
     shown += Compare(a, b, {}).is_worse() ? 1 : 0;
   }
   EXPECT_NEAR(shown / static_cast<double>(kTrials), 0.8, 0.06);
@@ -173,13 +174,24 @@ TEST(Compare, ReadsTheRowsOfAnEarlierSweepFromItsCsv) {
   ASSERT_EQ(read.results.size(), 2u);
   EXPECT_EQ(read.results[0].row.metrics.at("flight.touchdown_xy_error_m"), 0.1 + 0.2);
   EXPECT_EQ(read.results[1].values, a.results[1].values);
-  EXPECT_EQ(read.results[1].row.verdict, "fail");
+  EXPECT_EQ(read.results[1].row.verdict, runner::Verdict::kFail);
   EXPECT_EQ(Of(Compare(a, read, {}), "pass_rate").difference.value, 0.0);
+  const auto older = folder.Put("older.csv",
+                                "id,variant,seed,verdict,outcome,log_sha256\n"
+                                "a,,1,error,crashed,\nb,,2,fail,crashed,h\nc,,3,error,error,\n");
+  const StoredResults without_process = LoadResults(older.string());
+  EXPECT_EQ(without_process.results[0].row.process, ProcessEnd::kCrashed);
+  EXPECT_EQ(without_process.results[0].row.outcome, runner::Outcome::kError);
+  EXPECT_EQ(without_process.results[1].row.process, ProcessEnd::kFlown);
+  EXPECT_EQ(without_process.results[1].row.outcome, runner::Outcome::kCrashed);
+  EXPECT_EQ(without_process.results[2].row.process, ProcessEnd::kFlown);
   for (const auto& [text, error] :
        {std::pair("x,y\n1,2\n", "bad.csv:1: is no header of a sweep's rows"),
         {"id,variant,seed,verdict,outcome,log_sha256\na,,1,pass\n", "bad.csv:2: is no row"},
         {"id,variant,seed,verdict,outcome,log_sha256\na,,x,pass,landed,h\n", "bad.csv:2: is no row"},
         {"id,variant,seed,verdict,outcome,log_sha256\na,,-1,pass,landed,h\n", "bad.csv:2: is no row"},
+        {"id,variant,seed,process,verdict,outcome,log_sha256\na,,1,flow,pass,landed,h\n", "bad.csv:2: is no row"},
+        {"id,variant,seed,process,verdict,outcome,log_sha256\na,,1,flown,pass,fine,h\n", "bad.csv:2: is no row"},
         {"id,variant,seed,verdict,outcome,log_sha256\na,,1,maybe,landed,h\n", "bad.csv:2: is no row"},
         {"id,variant,seed,verdict,outcome,flight.sim_time_s,log_sha256\na,,1,pass,landed,nan,h\n", "bad.csv:2: is no"},
         {"id,variant,seed,verdict,outcome,flight.sim_time_s,log_sha256\na,,1,pass,landed,0.1s,h\n", "bad.csv:2: is"}}) {

@@ -18,7 +18,7 @@ SweepOutcome Landings(int passed, int flown, std::vector<SweepCriterion> criteri
   SweepOutcome sweep{.terms = {.criteria = std::move(criteria)}, .planned = static_cast<std::size_t>(flown)};
   for (int i = 0; i < flown; ++i) {
     sweep.results.push_back({.seed = static_cast<std::uint64_t>(i),
-                             .row = {.verdict = i < passed ? "pass" : "fail",
+                             .row = {.verdict = i < passed ? runner::Verdict::kPass : runner::Verdict::kFail,
                                      .metrics = {{"flight.touchdown_xy_error_m", (i + 1) / 1000.0}}}});
   }
   return sweep;
@@ -105,7 +105,7 @@ TEST(SweepSummary, TellsAndJudgesWhatTheSequentialTestDecided) {
   sweep.planned = 3;
   EXPECT_EQ(Summarize(sweep).criteria.at(0).check.text, "undecided") << "there are no more seeds";
   EXPECT_FALSE(Summarize(sweep).keeps_criteria());
-  for (SweepResult& result : sweep.results) result.row.verdict = "fail";
+  for (SweepResult& result : sweep.results) result.row.verdict = runner::Verdict::kFail;
   EXPECT_EQ(Summarize(sweep).criteria.at(0).check.text, "bad");
   EXPECT_FALSE(Summarize(sweep).keeps_criteria());
 }
@@ -117,8 +117,10 @@ TEST(SweepSummary, TellsTheEdgeOfEachVariantOverEachListedNumber) {
     for (const char* noise : {"0", "10"}) {
       const bool fails = variant == std::string("weak") && noise == std::string("10");
       for (std::uint64_t i = 0; i < 8; ++i) {
-        sweep.results.push_back(
-            {.seed = i, .variant = variant, .values = {noise, "1.5"}, .row = {.verdict = fails ? "fail" : "pass"}});
+        sweep.results.push_back({.seed = i,
+                                 .variant = variant,
+                                 .values = {noise, "1.5"},
+                                 .row = {.verdict = fails ? runner::Verdict::kFail : runner::Verdict::kPass}});
       }
     }
   }
@@ -132,16 +134,17 @@ TEST(SweepSummary, TellsTheEdgeOfEachVariantOverEachListedNumber) {
 TEST(SweepSummary, TellsTheEdgeThatWasSoughtAlsoWhereItMayLieBeyond) {
   SweepOutcome sweep{.terms = {.axes = {{"wind", {}}}, .sought = SoughtEdge{"wind", 0.0, 10.0, 0.6}}};
   for (std::uint64_t i = 0; i < 12; ++i) {
-    sweep.results.push_back({.seed = i, .values = {std::to_string(i % 11)}, .row = {.verdict = "pass"}});
+    sweep.results.push_back(
+        {.seed = i, .values = {std::to_string(i % 11)}, .row = {.verdict = runner::Verdict::kPass}});
   }
   EXPECT_EQ(Summarize(sweep).edges.at(0).edge, std::nullopt) << "all pass: nothing tells of an edge";
   EXPECT_FALSE(Summarize(sweep).finds_edge());
-  sweep.results[5].row.verdict = "fail";
+  sweep.results[5].row.verdict = runner::Verdict::kFail;
   const PassEdgeOf edge = Summarize(sweep).edges.at(0);
   EXPECT_EQ(edge.pass_rate, 0.6);
   EXPECT_TRUE(edge.edge);
   EXPECT_TRUE(edge.may_lie_beyond);
-  for (SweepResult& result : sweep.results) result.row.verdict = "fail";
+  for (SweepResult& result : sweep.results) result.row.verdict = runner::Verdict::kFail;
   EXPECT_FALSE(Summarize(sweep).finds_edge());
 }
 
@@ -153,7 +156,7 @@ TEST(SweepSummary, CountsTheFlightsOfASeedAsOneForItsIntervals) {
       sweep.results.push_back(
           {.seed = seed,
            .values = {noise},
-           .row = {.verdict = "pass",
+           .row = {.verdict = runner::Verdict::kPass,
                    .metrics = {{"flight.touchdown_xy_error_m", static_cast<double>(seed + 1) / 1000.0}}}});
     }
   }
@@ -167,10 +170,10 @@ TEST(SweepSummary, CountsTheFlightsOfASeedAsOneForItsIntervals) {
 
 TEST(SweepSummary, TellsHowManyProcessesWereLost) {
   SweepOutcome sweep = Landings(3, 5, {});
-  for (SweepResult& result : sweep.results) result.row.end = RowEnd::kFlown;
+  for (SweepResult& result : sweep.results) result.row.process = ProcessEnd::kFlown;
   EXPECT_EQ(LostProcesses(sweep.results), "");
-  sweep.results[3].row.end = RowEnd::kHung;
-  sweep.results[4].row.end = RowEnd::kOutOfMemory;
+  sweep.results[3].row.process = ProcessEnd::kHung;
+  sweep.results[4].row.process = ProcessEnd::kOutOfMemory;
   EXPECT_EQ(LostProcesses(sweep.results), "1 hung, 1 out of memory");
 }
 

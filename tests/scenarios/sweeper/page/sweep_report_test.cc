@@ -120,7 +120,7 @@ TEST_F(SweepReportTest, HeadsABoundaryByTheBoundary) {
   sweep_.terms.axes[0] = {"camera.noise_sigma", {}};
   sweep_.terms.sought = {"camera.noise_sigma", 2.0, 10.0, 0.5};
   EXPECT_THAT(Page(), AllOf(HasSubstr("<dt>Boundary</dt>"), Not(HasSubstr("95 % interval (Wilson)</dt>"))));
-  for (SweepResult& result : sweep_.results) result.row.verdict = "pass";
+  for (SweepResult& result : sweep_.results) result.row.verdict = runner::Verdict::kPass;
   EXPECT_THAT(Page(), HasSubstr("<dt>No boundary found</dt>"));
 }
 
@@ -153,7 +153,7 @@ TEST_F(SweepReportTest, TellsEachFailureWithItsCommandAndPicture) {
 }
 
 TEST_F(SweepReportTest, ShowsTheFirstFiftyPicturesAndLinksTheOthers) {
-  for (SweepResult& result : sweep_.results) result.row.verdict = "fail";
+  for (SweepResult& result : sweep_.results) result.row.verdict = runner::Verdict::kFail;
   const std::vector<SweepResult> twenty = sweep_.results;
   for (int i = 1; i < 3; ++i) sweep_.results.insert(sweep_.results.end(), twenty.begin(), twenty.end());
   for (int i = 1; i <= 20; ++i) folder_.Put("pictures/id" + std::to_string(i) + ".png", "a picture");
@@ -195,7 +195,8 @@ TEST(SweepFigures, TakeForNumbersWhatIsOne) {
 TEST(SweepFigures, PutDrawnValuesIntoFiveRangesOfAHeatMap) {
   SweepOutcome sweep{.terms = {.axes = {{"start.yaw_deg", {}}, {"camera.noise_sigma", {"3", "20"}}}}};
   for (int i = 0; i <= 10; ++i) {
-    sweep.results.push_back({.values = {std::to_string(i), "20"}, .row = {.verdict = i == 10 ? "fail" : "pass"}});
+    sweep.results.push_back({.values = {std::to_string(i), "20"},
+                             .row = {.verdict = i == 10 ? runner::Verdict::kFail : runner::Verdict::kPass}});
   }
   // 0 and 1, 2 and 3 and so on; the last range holds 8, 9 and 10.
   EXPECT_EQ(
@@ -208,7 +209,8 @@ TEST(SweepFigures, PutDrawnValuesIntoFiveRangesOfAHeatMap) {
 TEST(SweepFigures, GroupManyDrawnValues) {
   SweepOutcome sweep{.terms = {.axes = {{"start.yaw_deg", {}}}}};
   for (int i = 0; i < 50; ++i) {
-    sweep.results.push_back({.values = {std::to_string(i)}, .row = {.verdict = i < 10 ? "fail" : "pass"}});
+    sweep.results.push_back(
+        {.values = {std::to_string(i)}, .row = {.verdict = i < 10 ? runner::Verdict::kFail : runner::Verdict::kPass}});
   }
   const std::string csv = DrawnValuesFigure(sweep, 0, {}).csv;
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 50 + 5);

@@ -44,6 +44,13 @@ class SweepPlanTest : public testing::Test {
   const tests::TemporaryFolder folder_;
 };
 
+TEST_F(SweepPlanTest, SpacesARangeOfSubnormalNumbers) {
+  const SweepPlan plan = Plan("parameters: {world.wind_m_s.0: {range: {from: 0, to: 1e-310, count: 3}}}\n");
+  std::vector<std::string> values;
+  for (const PlannedFlight& flight : plan.flights) values.push_back(flight.values.at(0));
+  EXPECT_THAT(values, ElementsAre("0", "5e-311", "1e-310"));
+}
+
 TEST_F(SweepPlanTest, CrossesSeedsValuesAndVariantsSeedBySeed) {
   const SweepPlan plan = Plan(R"(
 seeds: {from: 5, count: 2}

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "models/error.h"
 #include "scenarios/sweeper/analysis/rows_csv.h"
@@ -37,19 +38,20 @@ SweepTerms Terms() {
           .sought = SoughtEdge{"camera.noise_sigma", 3.0, 4.5, 0.9}};
 }
 
-FlightRow Row(const std::string& id, const std::string& verdict = "pass", const std::string& program = "this") {
+FlightRow Row(const std::string& id, runner::Verdict verdict = runner::Verdict::kPass,
+              const std::string& program = "this") {
   return {.id = id,
           .program = program,
           .version = "1",
           .host = "h",
-          .end = RowEnd::kFlown,
+          .process = ProcessEnd::kFlown,
           .verdict = verdict,
-          .outcome = "landed",
+          .outcome = runner::Outcome::kLanded,
           .metrics = {{"flight.sim_time_s", 0.1 + 0.2}, {"estimate.false_pads", 2.0}},
           .log_sha256 = "abc",
           .wall_s = 2.5,
-          .complaint = "a line\n",
-          .scenario_yaml = "seed: 7\n"};
+          .stderr_tail = "a line\n",
+          .scenario = "seed: 7\n"};
 }
 
 class SweepStoreTest : public testing::Test {
@@ -71,11 +73,11 @@ TEST_F(SweepStoreTest, GivesBackWhatItWasGiven) {
   {
     SweepStore store = Open();
     store.SetPlan(Terms(), PlanOf({"a", "b"}), "this");
-    store.Put(Row("a", "fail"));
+    store.Put(Row("a", runner::Verdict::kFail));
   }
   const SweepStore store = Open(SweepStore::Access::kRead);
   EXPECT_EQ(store.planned(), 2u);
-  EXPECT_EQ(RowJson(store.Find("a").value()), RowJson(Row("a", "fail")));
+  EXPECT_EQ(RowJson(store.Find("a").value()), RowJson(Row("a", runner::Verdict::kFail)));
   EXPECT_EQ(store.Find("b"), std::nullopt);
   const std::vector<SweepResult> results = store.Results();
   ASSERT_EQ(results.size(), 1u);
@@ -139,27 +141,27 @@ TEST_F(SweepStoreTest, CountsAFlightThatWasFlownTwiceOnce) {
 
 TEST_F(SweepStoreTest, KeepsAFlownRowWhenAnotherProcessOfTheSameFlightFails) {
   SweepStore store = Open();
-  FlightRow crashed = Row("a", "error");
-  crashed.end = RowEnd::kCrashed;
+  FlightRow crashed = Row("a", runner::Verdict::kError);
+  crashed.process = ProcessEnd::kCrashed;
   crashed.metrics.clear();
   store.Put(crashed);
-  EXPECT_EQ(store.Find("a")->end, RowEnd::kCrashed);
+  EXPECT_EQ(store.Find("a")->process, ProcessEnd::kCrashed);
   store.Put(Row("a"));
-  EXPECT_EQ(store.Find("a")->end, RowEnd::kFlown) << "it was flown after all";
+  EXPECT_EQ(store.Find("a")->process, ProcessEnd::kFlown) << "it was flown after all";
   store.Put(crashed);
   EXPECT_EQ(RowJson(store.Find("a").value()), RowJson(Row("a")));
 }
 
 TEST_F(SweepStoreTest, TakesRowsAllOrNone) {
   SweepStore store = Open();
-  FlightRow crashed = Row("a", "error");
-  crashed.end = RowEnd::kCrashed;
+  FlightRow crashed = Row("a", runner::Verdict::kError);
+  crashed.process = ProcessEnd::kCrashed;
   FlightRow numberless = Row("c");
   numberless.metrics["flight.sim_time_s"] = std::nan("");
   EXPECT_THROW(store.Put(std::vector{Row("b"), numberless}), InputError) << "SQLite takes it for NULL";
   EXPECT_FALSE(store.Find("b"));
   store.Put(std::vector{Row("a"), crashed, Row("b")});
-  EXPECT_EQ(store.Find("a")->end, RowEnd::kFlown);
+  EXPECT_EQ(store.Find("a")->process, ProcessEnd::kFlown);
   EXPECT_TRUE(store.Find("b"));
 }
 
@@ -198,7 +200,7 @@ TEST_F(SweepStoreTest, UndoesWhatAKilledProgramLeftHalfWrittenAlsoToRead) {
 TEST_F(SweepStoreTest, KeepsAndDoesNotCountWhatIsNotOfThePlanOrOfAnotherBuild) {
   SweepStore store = Open();
   store.SetPlan(Terms(), PlanOf({"a", "b"}), "old");
-  store.Put(Row("a", "pass", "old"));
+  store.Put(Row("a", runner::Verdict::kPass, "old"));
   store.SetPlan(Terms(), PlanOf({"c"}), "this");
   store.Put(Row("c"));
   EXPECT_EQ(store.Results().size(), 1u);
@@ -226,7 +228,7 @@ TEST_F(SweepStoreTest, RefusesAnotherVersionAndADamagedFile) {
   std::string other = whole;
   other[63] = 9;  // The last byte of the file's user_version.
   folder_.Put("sweep.db", other);
-  EXPECT_THAT(ErrorOnOpening(SweepStore::Access::kWrite), HasSubstr("sweep.db: is of version 9, this program's is 1"));
+  EXPECT_THAT(ErrorOnOpening(SweepStore::Access::kWrite), HasSubstr("sweep.db: is of version 9, this program's is 2"));
   folder_.Put("sweep.db", whole.substr(0, whole.size() / 2));
   EXPECT_THAT(ErrorOnOpening(SweepStore::Access::kWrite), HasSubstr("sweep.db: "));
   EXPECT_THAT(ErrorOnOpening(SweepStore::Access::kRead), HasSubstr("sweep.db: "));
@@ -242,17 +244,55 @@ TEST_F(SweepStoreTest, RefusesARowOfAnEndThatItDoesNotKnow) {
     store.Results();
     ADD_FAILURE() << "no InputError";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("sweep.db: is damaged: flight a ended as flow"));
+    EXPECT_THAT(error.what(), HasSubstr("sweep.db: is damaged: flight a: process is 'flow'"));
   }
+}
+
+TEST_F(SweepStoreTest, CallsParametersThatAreNoJsonDamaged) {
+  SweepStore store = Open();
+  store.SetPlan(Terms(), PlanOf({"a"}), "this");
+  store.Put(Row("a"));
+  SQLite::Database((folder_ / "sweep.db").string(), SQLite::OPEN_READWRITE).exec("UPDATE plan SET parameters = 'x'");
+  try {
+    store.Results();
+    ADD_FAILURE() << "no InputError";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("sweep.db: is damaged: flight a: its parameters"));
+  }
+}
+
+TEST_F(SweepStoreTest, GivesEachFlightItsOwnMetrics) {
+  SweepStore store = Open();
+  store.SetPlan(Terms(), PlanOf({"a", "b", "c"}), "this");
+  FlightRow b = Row("b"), c = Row("c");
+  b.metrics = {{"flight.sim_time_s", 7.0}};
+  c.metrics = {};
+  store.Put(std::vector{Row("a"), b, c, Row("unplanned")});
+  const std::vector<SweepResult> results = store.Results();
+  ASSERT_EQ(results.size(), 3u);
+  EXPECT_EQ(results[0].row.metrics, Row("a").metrics);
+  EXPECT_EQ(results[1].row.metrics, b.metrics);
+  EXPECT_TRUE(results[2].row.metrics.empty());
+}
+
+TEST(FlightRow, HasTheSameNamesInItsFileAsInTheDatabase) {
+  const nlohmann::json json = nlohmann::json::parse(RowJson(Row("a")));
+  const tests::TemporaryFolder folder;
+  SweepStore(folder.path(), SweepStore::Access::kWrite).Put(Row("a"));
+  SQLite::Database db((folder / "sweep.db").string());
+  SQLite::Statement columns(db, "SELECT name FROM pragma_table_info('flights')");
+  std::size_t count = 0;
+  for (; columns.executeStep(); ++count) EXPECT_TRUE(json.contains(columns.getColumn(0).getString()));
+  EXPECT_EQ(json.size(), count + 2) << "and schema and metrics";
 }
 
 TEST(RowsCsv, IsSortedByIdAndQuotesWhatMustBe) {
   SweepResult b{.seed = 2, .variant = "", .values = {"[0, 1]"}, .row = Row("b")};
-  SweepResult a{.seed = 1, .variant = "", .values = {"[2, \"x\"]"}, .row = Row("a", "fail")};
+  SweepResult a{.seed = 1, .variant = "", .values = {"[2, \"x\"]"}, .row = Row("a", runner::Verdict::kFail)};
   const std::string csv = RowsCsv({"start.position_m"}, {b, a});
-  EXPECT_THAT(csv, StartsWith("id,variant,start.position_m,seed,verdict,outcome,flight.sim_time_s,"));
-  const std::size_t first = csv.find("\na,,\"[2, \"\"x\"\"]\",1,fail,landed,0.30000000000000004,"),
-                    second = csv.find("\nb,,\"[0, 1]\",2,pass,landed,");
+  EXPECT_THAT(csv, StartsWith("id,variant,start.position_m,seed,process,verdict,outcome,flight.sim_time_s,"));
+  const std::size_t first = csv.find("\na,,\"[2, \"\"x\"\"]\",1,flown,fail,landed,0.30000000000000004,"),
+                    second = csv.find("\nb,,\"[0, 1]\",2,flown,pass,landed,");
   ASSERT_NE(first, std::string::npos) << csv;
   EXPECT_LT(first, second);
   EXPECT_THAT(csv, testing::EndsWith(",abc\n"));

@@ -40,9 +40,9 @@ void Pretend(const FlightTask& task, const RowFolder& folder) {
   if (is("full")) throw InputError("output file rows/full.json: cannot be written");
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   folder.Leave({.id = task.id,
-                .end = RowEnd::kFlown,
-                .verdict = "pass",
-                .outcome = "landed",
+                .process = ProcessEnd::kFlown,
+                .verdict = runner::Verdict::kPass,
+                .outcome = runner::Outcome::kLanded,
                 .scenario_yaml = task.scenario_yaml});
 }
 
@@ -69,7 +69,7 @@ TEST_F(CrewTest, BringsARowOfEachFlight) {
   ASSERT_EQ(rows_.size(), 5u);
   for (const auto& [id, row] : rows_) {
     EXPECT_TRUE(row.passed()) << id;
-    EXPECT_EQ(row.complaint, id + " flies\n");
+    EXPECT_EQ(row.stderr_tail, id + " flies\n");
   }
 }
 
@@ -78,33 +78,33 @@ TEST_F(CrewTest, GoesOnWhenProcessesFailAndSaysWhatBecameOfThem) {
   ASSERT_EQ(rows_.size(), 7u);
   EXPECT_TRUE(rows_["a"].passed());
   EXPECT_TRUE(rows_["b"].passed());
-  EXPECT_EQ(rows_["crash"].end, RowEnd::kCrashed);
+  EXPECT_EQ(rows_["crash"].process, ProcessEnd::kCrashed);
   EXPECT_THAT(rows_["crash"].reason, HasSubstr("Aborted"));
-  EXPECT_EQ(rows_["crash"].complaint, "crash flies\n");
+  EXPECT_EQ(rows_["crash"].stderr_tail, "crash flies\n");
   EXPECT_EQ(rows_["crash"].scenario_yaml, "scenario of crash");
-  EXPECT_EQ(rows_["memory"].end, RowEnd::kOutOfMemory);
-  EXPECT_EQ(rows_["silent"].end, RowEnd::kCrashed);
+  EXPECT_EQ(rows_["memory"].process, ProcessEnd::kOutOfMemory);
+  EXPECT_EQ(rows_["silent"].process, ProcessEnd::kCrashed);
   EXPECT_THAT(rows_["status"].reason, HasSubstr("status 4"));
-  EXPECT_THAT(rows_["fault"].complaint, HasSubstr("internal error: at fault"));
+  EXPECT_THAT(rows_["fault"].stderr_tail, HasSubstr("internal error: at fault"));
   for (const char* id : {"crash", "memory", "silent", "status", "fault"}) {
-    EXPECT_EQ(rows_[id].verdict, "error");
+    EXPECT_EQ(rows_[id].verdict, runner::Verdict::kError);
     EXPECT_TRUE(fs::exists(folder_ / "rows" / (std::string(id) + ".json"))) << "left for whoever collects";
   }
 }
 
 TEST_F(CrewTest, TellsWhatNeedsTooMuchMemoryFromOtherFaults) {
   Fly({"alloc", "picture", "opencv"}, 2);
-  EXPECT_EQ(rows_["alloc"].end, RowEnd::kOutOfMemory);
-  EXPECT_EQ(rows_["picture"].end, RowEnd::kOutOfMemory);
+  EXPECT_EQ(rows_["alloc"].process, ProcessEnd::kOutOfMemory);
+  EXPECT_EQ(rows_["picture"].process, ProcessEnd::kOutOfMemory);
   EXPECT_EQ(rows_["picture"].reason, "needs more memory than its limit");
-  EXPECT_EQ(rows_["opencv"].end, RowEnd::kCrashed);
+  EXPECT_EQ(rows_["opencv"].process, ProcessEnd::kCrashed);
 }
 
 TEST_F(CrewTest, EndsWhatHangs) {
   const auto begin = std::chrono::steady_clock::now();
   Fly({"hang", "a", "b"}, 2);
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
-  EXPECT_EQ(rows_["hang"].end, RowEnd::kHung);
+  EXPECT_EQ(rows_["hang"].process, ProcessEnd::kHung);
   EXPECT_EQ(rows_["hang"].reason, "not done after 2 s");
   EXPECT_TRUE(rows_["b"].passed());
 }

@@ -12,19 +12,20 @@ TEST(FolderRows, AreWhatTakingThemInWouldLeave) {
   const tests::TemporaryFolder folder;
   SweepStore store(folder.path(), SweepStore::Access::kWrite);
   const RowFolder left(folder.path());
-  store.Put({.id = "stored", .end = RowEnd::kFlown});
-  store.Put({.id = "flown before", .end = RowEnd::kFlown});
-  left.Leave({.id = "flown before", .end = RowEnd::kCrashed});
-  store.Put({.id = "flown now", .end = RowEnd::kCrashed});
-  left.Leave({.id = "flown now", .end = RowEnd::kFlown});
-  store.Put({.id = "not flown", .end = RowEnd::kCrashed});
-  left.Leave({.id = "not flown", .end = RowEnd::kHung});
+  store.Put({.id = "stored", .process = ProcessEnd::kFlown});
+  store.Put({.id = "flown before", .process = ProcessEnd::kFlown});
+  left.Leave({.id = "flown before", .process = ProcessEnd::kCrashed});
+  store.Put({.id = "flown now", .process = ProcessEnd::kCrashed});
+  left.Leave({.id = "flown now", .process = ProcessEnd::kFlown});
+  store.Put({.id = "not flown", .process = ProcessEnd::kCrashed});
+  left.Leave({.id = "not flown", .process = ProcessEnd::kHung});
 
   const FolderRows rows(folder.path(), &store);
-  for (const char* id : {"stored", "flown before", "flown now"}) EXPECT_EQ(rows.Find(id)->end, RowEnd::kFlown) << id;
-  EXPECT_EQ(rows.Find("not flown")->end, RowEnd::kHung);
+  for (const char* id : {"stored", "flown before", "flown now"})
+    EXPECT_EQ(rows.Find(id)->process, ProcessEnd::kFlown) << id;
+  EXPECT_EQ(rows.Find("not flown")->process, ProcessEnd::kHung);
   EXPECT_FALSE(rows.Find("none"));
-  EXPECT_EQ(FolderRows(folder.path(), nullptr).Find("flown before")->end, RowEnd::kCrashed);
+  EXPECT_EQ(FolderRows(folder.path(), nullptr).Find("flown before")->process, ProcessEnd::kCrashed);
   EXPECT_FALSE(FolderRows(folder.path(), nullptr).Find("stored"));
 }
 

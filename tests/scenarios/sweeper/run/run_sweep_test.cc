@@ -18,7 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 using testing::UnorderedElementsAre;
 
-FlightRow FlownRow(const std::string& id) { return {.id = id, .end = RowEnd::kFlown, .verdict = "pass"}; }
+FlightRow FlownRow(const std::string& id) {
+  return {.id = id, .process = ProcessEnd::kFlown, .verdict = runner::Verdict::kPass};
+}
 
 class TakeInRowsTest : public testing::Test {
  protected:
@@ -43,19 +45,22 @@ class TakeInRowsTest : public testing::Test {
 TEST_F(TakeInRowsTest, TakesWholeRowsAndSetsDamagedOnesAside) {
   RowFolder(folder_.path()).Leave(FlownRow("whole"));
   folder_.Put("rows/empty.json", "");
-  folder_.Put("rows/half.json", RowJson(FlownRow("half")).substr(0, 40));
-  nlohmann::json other = nlohmann::json::parse(RowJson(FlownRow("end")));
-  other["end"] = "flow";
+  folder_.Put("rows/half.json", RowJson(Row("half")).substr(0, 40));
+  nlohmann::json other = nlohmann::json::parse(RowJson(Row("end")));
+  other["process"] = "flow";
   folder_.Put("rows/end.json", other.dump());
-  other["end"] = "flown";
+  other["process"] = "flown";
+  other["verdict"] = "maybe";
+  folder_.Put("rows/verdict.json", other.dump());
+  other["verdict"] = "pass";
   other["schema"] = "one";
   folder_.Put("rows/schema.json", other.dump());
   folder_.Put("rows/.new.json.partial-1", "being written");
   folder_.Put("rows/.old.json.partial-2", "left by a program that was ended");
   for (const char* name : {"rows/half.json", "rows/.old.json.partial-2"}) MakeOld(name);
   TakeIn();
-  EXPECT_THAT(RowFiles(), UnorderedElementsAre("empty.damaged", "half.damaged", "end.damaged", "schema.damaged",
-                                               ".new.json.partial-1"));
+  EXPECT_THAT(RowFiles(), UnorderedElementsAre("empty.damaged", "half.damaged", "end.damaged", "verdict.damaged",
+                                               "schema.damaged", ".new.json.partial-1"));
   const SweepStore store(folder_.path(), SweepStore::Access::kRead);
   EXPECT_TRUE(store.Find("whole"));
   EXPECT_FALSE(store.Find("half"));

@@ -1,4 +1,4 @@
-#include "scenarios/util/tool_run.h"
+#include "scenarios/util/process.h"
 
 #include <spawn.h>
 #include <sys/mman.h>
@@ -10,13 +10,13 @@
 namespace touchdown::util {
 namespace {
 
-/// Takes in what a program writes.
-class Catch {
+/// A file in memory that captures what a process writes.
+class CapturedOutput {
  public:
-  Catch() : fd_(memfd_create("tool", MFD_CLOEXEC)) {}
-  ~Catch() { close(fd_); }
-  Catch(const Catch&) = delete;
-  Catch& operator=(const Catch&) = delete;
+  CapturedOutput() : fd_(memfd_create("output", MFD_CLOEXEC)) {}
+  ~CapturedOutput() { close(fd_); }
+  CapturedOutput(const CapturedOutput&) = delete;
+  CapturedOutput& operator=(const CapturedOutput&) = delete;
 
   int fd() const { return fd_; }
   std::string Text() const {
@@ -31,11 +31,11 @@ class Catch {
 
 }  // namespace
 
-std::optional<ToolRun> RunTool(std::vector<std::string> arguments) {
+std::optional<ProcessResult> RunProcess(std::vector<std::string> arguments) {
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
-  const Catch out, err;
+  const CapturedOutput out, err;
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, out.fd(), STDOUT_FILENO);
@@ -47,7 +47,7 @@ std::optional<ToolRun> RunTool(std::vector<std::string> arguments) {
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  return ToolRun{WIFEXITED(status) && WEXITSTATUS(status) == 0, out.Text(), err.Text()};
+  return ProcessResult{WIFEXITED(status) && WEXITSTATUS(status) == 0, out.Text(), err.Text()};
 }
 
 }  // namespace touchdown::util

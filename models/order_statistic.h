@@ -1,0 +1,25 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <ranges>
+#include <vector>
+
+namespace touchdown::models {
+
+/// The value at place `rank`, from 0, of the sorted values. `rank` must be below their number.
+template <std::ranges::input_range Values>
+auto OrderStatistic(const Values& values, std::size_t rank) {
+  std::vector<std::ranges::range_value_t<Values>> sorted(std::ranges::begin(values), std::ranges::end(values));
+  const auto place = sorted.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(sorted.begin(), place, sorted.end());
+  return *place;
+}
+
+/// The median of at least one value; of an even number, the larger of the middle two.
+template <std::ranges::input_range Values>
+auto UpperMedian(const Values& values) {
+  return OrderStatistic(values, std::ranges::size(values) / 2);
+}
+
+}  // namespace touchdown::models

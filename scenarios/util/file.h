@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace touchdown::util {
+
+/// Content of a file, byte for byte. Throws InputError, "PATH: cannot be read: CAUSE", when it cannot be read.
+std::string ReadTextFile(const std::filesystem::path& file);
+
+/// The same; nullopt when there is no file of that name.
+std::optional<std::string> ReadTextFileIfPresent(const std::filesystem::path& file);
+
+}  // namespace touchdown::util

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace touchdown::util {
+
+/// What a process that ran to its end left.
+struct ProcessResult {
+  bool succeeded = false;  ///< It exited with status 0.
+  std::string out = {};    ///< What it wrote to stdout.
+  std::string err = {};    ///< What it wrote to stderr.
+};
+
+/// Runs a program, found on the PATH by the first of `arguments`, and waits for its end. nullopt when there is no such
+/// program.
+std::optional<ProcessResult> RunProcess(std::vector<std::string> arguments);
+
+}  // namespace touchdown::util
