@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "controller/validate.h"
-
 namespace touchdown::controller {
 namespace {
 
@@ -23,12 +21,18 @@ bool MotorsOff(Phase phase) { return phase == Phase::kStandby || phase == Phase:
 
 }  // namespace
 
-void FlightControllerConfig::Validate() const {
-  guidance.Validate();
-  position.Validate();
-  attitude.Validate();
-  RequirePositive(vision_fresh_s, "vision_fresh");
+void Describe(models::ConfigVisitor& v, FlightControllerConfig& c) {
+  v.Keys({"guidance", "Set-points (Sec. V): takeoff, landing, and the search for a pad that is not seen."}, c.guidance);
+  v.Keys({"position", "Outer loop: position error to thrust and tilt."}, c.position);
+  v.Keys({"attitude", "Inner loop: attitude error to torque."}, c.attitude);
+  v.Number(
+      {"vision_fresh_s",
+       "Largest age of the newest sighting at which the position loop uses vision. Beyond it the loop uses its own "
+       "prediction."},
+      c.vision_fresh_s, models::kSecond, models::kPositiveTime);
 }
+
+void FlightControllerConfig::Validate() const { models::ValidateConfig(*this); }
 
 FlightController::FlightController(const FlightControllerConfig& config, const models::Vehicle& vehicle,
                                    const models::TimeBase& time, int rate_hz, std::vector<Manoeuvre> script,

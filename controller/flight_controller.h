@@ -9,6 +9,7 @@
 #include "controller/motion_predictor.h"
 #include "controller/pad_watch.h"
 #include "controller/position_controller.h"
+#include "models/describe.h"
 #include "models/signals.h"
 #include "models/vehicle.h"
 
@@ -18,12 +19,13 @@ struct FlightControllerConfig {
   GuidanceConfig guidance;
   PositionControllerConfig position;
   AttitudeControllerConfig attitude;
-  /// How old the pad's newest sighting may be for the position loop to use vision: beyond, it uses its own prediction.
   double vision_fresh_s = 0.07;
 
-  /// Throws InputError.
+  /// Throws InputError for what one of its parts refuses, and for a value out of its range (see Describe).
   void Validate() const;
 };
+
+void Describe(models::ConfigVisitor& v, FlightControllerConfig& config);
 
 /// What the controller did on an IMU tick: the command, and what led to it, for the logs.
 struct ControlOutput {

@@ -1,6 +1,7 @@
 #include "estimator/make_estimator.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <utility>
 
@@ -9,6 +10,8 @@
 
 namespace touchdown::estimator {
 namespace {
+
+constexpr std::array<std::string_view, 2> kContourPointNames = {"integer", "subpixel"};
 
 using Maker = std::function<std::unique_ptr<Estimator>(const EstimatorConfig&, const EstimatorSetup&)>;
 
@@ -42,6 +45,13 @@ void EstimatorConfig::Validate() const {
   std::string known;
   for (const std::string& known_name : EstimatorNames()) known += (known.empty() ? "" : ", ") + known_name;
   throw InputError("unknown estimator '" + name + "', known: " + known);
+}
+
+void Describe(models::ConfigVisitor& v, EstimatorConfig& c) {
+  v.Text({"name", "Estimator that turns frames into poses."}, c.name);
+  v.Choice({"contour_points", "Edge points: the pixels of Canny's edges, or their subpixel positions."},
+           c.paper.contour_points, kContourPointNames);
+  v.Check("name", [&c] { c.Validate(); });
 }
 
 std::unique_ptr<Estimator> MakeEstimator(const EstimatorConfig& config, const EstimatorSetup& setup) {

@@ -6,6 +6,7 @@
 
 #include "estimator/estimator.h"
 #include "estimator/paper/paper_options.h"
+#include "models/describe.h"
 
 namespace touchdown::estimator {
 
@@ -18,6 +19,8 @@ struct EstimatorConfig {
   /// Throws InputError for a name that is not among EstimatorNames(); the message lists them.
   void Validate() const;
 };
+
+void Describe(models::ConfigVisitor& v, EstimatorConfig& config);
 
 /// The names that MakeEstimator knows.
 std::vector<std::string> EstimatorNames();

@@ -242,7 +242,7 @@ Json MarkJson(const models::PadMark& mark) {
   } else {
     json["length_m"] = mark.length_m;
     json["width_m"] = mark.width_m;
-    json["angle_deg"] = models::RadToDeg(mark.angle);
+    json["angle_deg"] = mark.angle_deg;
   }
   return json;
 }

@@ -98,7 +98,7 @@ class Drawing {
       cairo_arc(cairo(), 0.0, 0.0, 0.5 * Mm(mark.diameter_m), 0.0, 2.0 * models::kPi);
       cairo_close_path(cairo());
     } else {
-      cairo_rotate(cairo(), -mark.angle);
+      cairo_rotate(cairo(), -models::DegToRad(mark.angle_deg));
       const double length = Mm(mark.length_m), width = Mm(mark.width_m);
       cairo_rectangle(cairo(), -0.5 * width, -0.5 * length, width, length);
     }
