@@ -14,7 +14,7 @@ namespace {
 
 using models::RadToDeg;
 
-std::string IdOf(int seed) { return fmt::format("calibration_{}", seed); }
+std::string CalibrationId(int seed) { return fmt::format("calibration_{}", seed); }
 
 Json MountingJson(const models::Mounting& mounting) {
   const Eigen::Vector3d& p = mounting.position_m;
@@ -28,7 +28,7 @@ models::Mounting MountingFrom(const Json& json) {
   return {.position_m = {position[0], position[1], position[2]}, .misalignment_deg = {angles[0], angles[1], angles[2]}};
 }
 
-Json Measure(int seed, const util::StopRequested& stop_requested) {
+Json MeasureCalibrations(int seed, const util::StopRequested& stop_requested) {
   runner::Scenario scenario;
   scenario.seed = static_cast<std::uint64_t>(seed);
   scenario.vehicle = TrueVehicle();
@@ -56,7 +56,7 @@ Json Measure(int seed, const util::StopRequested& stop_requested) {
           {"imu_tilt_error_deg", RadToDeg(imu.tilt_error_rad)}};
 }
 
-PaperSection Report(const PaperPlan& plan, const Measured& measured) {
+PaperSection ReportCalibrations(const PaperPlan& plan, const Measured& measured) {
   struct Row {
     const char* label;
     const char* key;
@@ -82,7 +82,8 @@ PaperSection Report(const PaperPlan& plan, const Measured& measured) {
                             .head = {"of", "unit", "mean", "worst", "flown with"}};
   for (const Row& row : kRows) {
     std::vector<double> values;
-    for (int seed = 1; seed <= plan.seeds; ++seed) values.push_back(measured.at(IdOf(seed)).at(row.key).get<double>());
+    for (int seed = 1; seed <= plan.seeds; ++seed)
+      values.push_back(measured.at(CalibrationId(seed)).at(row.key).get<double>());
     table.rows.push_back({row.label, row.unit, util::Fixed(util::Mean(values), row.digits),
                           util::Fixed(*std::max_element(values.begin(), values.end()), row.digits),
                           util::Fixed(values.front(), row.digits)});
@@ -105,17 +106,18 @@ Experiment CalibrationsExperiment(const PaperPlan& plan) {
   constexpr double kCalibration_s = 6.0;
   Experiment experiment;
   for (int seed = 1; seed <= plan.seeds; ++seed) {
-    experiment.measurements.push_back(
-        {.id = IdOf(seed), .expected_s = kCalibration_s, .take = [seed](const util::StopRequested& stop_requested) {
-           return Measure(seed, stop_requested);
-         }});
+    experiment.measurements.push_back({.id = CalibrationId(seed),
+                                       .expected_s = kCalibration_s,
+                                       .take = [seed](const util::StopRequested& stop_requested) {
+                                         return MeasureCalibrations(seed, stop_requested);
+                                       }});
   }
-  experiment.report = [plan](const Measured& measured) { return Report(plan, measured); };
+  experiment.report = [plan](const Measured& measured) { return ReportCalibrations(plan, measured); };
   return experiment;
 }
 
 runner::Calibration CalibrationOf(const Measured& measured) {
-  const Json& found = measured.at(IdOf(1));
+  const Json& found = measured.at(CalibrationId(1));
   const Json& json = found.at("camera_model");
   models::CameraModel model;
   model.width_px = json.at("width_px").get<int>();

@@ -38,7 +38,7 @@ class AprilTagWatch final : public runner::FlightObserver {
   std::vector<double> april_tag_ms_, vision_ms_;
 };
 
-Json Measure(const runner::Scenario& scenario, const util::StopRequested& stop_requested) {
+Json MeasureComputationTime(const runner::Scenario& scenario, const util::StopRequested& stop_requested) {
   AprilTagWatch watch;
   runner::FlightObserver* const observers[] = {&watch};
   const runner::FlightLog log = runner::FlyClosedLoop(scenario, observers, stop_requested);
@@ -98,7 +98,7 @@ report::ReportTable ByHeight(const std::vector<FrameCost>& costs) {
   return table;
 }
 
-PaperSection Report(const Measured& measured) {
+PaperSection ReportComputationTime(const Measured& measured) {
   const Json& json = measured.at(kComputationTimeId);
   const std::vector<FrameCost> costs = CostsOf(json);
   const std::vector<double> total = Of(costs, [](const FrameCost& cost) { return std::optional(cost.total_ms()); });
@@ -158,9 +158,9 @@ Experiment ComputationTimeExperiment(const PaperPlan& /*plan*/, const PaperVehic
                             .alone = true,
                             .take =
                                 [scenario](const util::StopRequested& stop_requested) {
-                                  return Measure(scenario, stop_requested);
+                                  return MeasureComputationTime(scenario, stop_requested);
                                 }}},
-          .report = Report};
+          .report = ReportComputationTime};
 }
 
 }  // namespace touchdown::experiments

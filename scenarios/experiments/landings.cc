@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kPublishedX_mm = 24.0, kPublishedY_mm = 86.0, kPublishedYaw_deg = 6.0;
 
-std::string IdOf(int landing) { return fmt::format("landing_{}", landing); }
+std::string LandingId(int landing) { return fmt::format("landing_{}", landing); }
 
 /// From a place drawn about the hover at 1 m.
 runner::Scenario LandingFrom(const PaperVehicle& vehicle, int landing) {
@@ -88,9 +88,9 @@ std::string PlacesCsv(const Deviations& d) {
   return csv;
 }
 
-PaperSection Report(const PaperPlan& plan, const Measured& measured) {
+PaperSection ReportLandings(const PaperPlan& plan, const Measured& measured) {
   std::vector<std::string> ids;
-  for (int i = 1; i <= plan.landings; ++i) ids.push_back(IdOf(i));
+  for (int i = 1; i <= plan.landings; ++i) ids.push_back(LandingId(i));
   const FlightGroup row(measured, AutonomousFlightIds(plan)), many(measured, ids);
   const Deviations places = DeviationsOf(many);
   const auto landed = static_cast<int>(places.x_mm.size());
@@ -129,13 +129,13 @@ Experiment LandingsExperiment(const PaperPlan& plan, const PaperVehicle& vehicle
   Experiment experiment;
   for (int i = 1; i <= plan.landings; ++i) {
     experiment.measurements.push_back(
-        {.id = IdOf(i),
+        {.id = LandingId(i),
          .expected_s = kLanding_s,
          .take = [scenario = LandingFrom(vehicle, i)](const util::StopRequested& stop_requested) {
            return FlyAndSumUp(scenario, {}, stop_requested);
          }});
   }
-  experiment.report = [plan](const Measured& measured) { return Report(plan, measured); };
+  experiment.report = [plan](const Measured& measured) { return ReportLandings(plan, measured); };
   return experiment;
 }
 

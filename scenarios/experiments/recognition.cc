@@ -25,12 +25,14 @@ using estimator::FrameStatus;
 using estimator::FrameTrace;
 using models::RandomStream;
 
-constexpr std::array<double, 6> kDistances_m = {0.12, 0.3, 0.6, 1.0, 1.6, 2.5};
-constexpr std::array<double, 5> kTilts_deg = {0.0, 10.0, 20.0, 35.0, 50.0};
+constexpr std::array<double, 6> kRecallDistances_m = {0.12, 0.3, 0.6, 1.0, 1.6, 2.5};
+constexpr std::array<double, 5> kRecallTilts_deg = {0.0, 10.0, 20.0, 35.0, 50.0};
 
 /// Views as flights and hands have them, and worse: large perspective, blur, weak contrast.
 training::ViewConfig Views() {
-  return {.nearest_m = kDistances_m.front(), .farthest_m = kDistances_m.back(), .largest_tilt_deg = kTilts_deg.back()};
+  return {.nearest_m = kRecallDistances_m.front(),
+          .farthest_m = kRecallDistances_m.back(),
+          .largest_tilt_deg = kRecallTilts_deg.back()};
 }
 
 /// A frame of a room and all that is known of it.
@@ -137,7 +139,7 @@ std::size_t BinOf(double value, std::span<const double> edges) {
 /// Of a room's frames with a pad in view: how many found it, by distance and tilt.
 Json CountFound(const runner::Scenario& told, int number, int frames, const util::StopRequested& stop_requested) {
   Room room(told, number, true);
-  std::array<std::array<std::array<int, 2>, kTilts_deg.size() - 1>, kDistances_m.size() - 1> bins{};
+  std::array<std::array<std::array<int, 2>, kRecallTilts_deg.size() - 1>, kRecallDistances_m.size() - 1> bins{};
   int whole = 0, found = 0, false_pads = 0, all = 0;
   while (whole < frames) {
     if (stop_requested && stop_requested()) throw util::Interrupted();
@@ -148,7 +150,7 @@ Json CountFound(const runner::Scenario& told, int number, int frames, const util
     const bool right = seen.estimate.pose && !room.IsFalse(seen);
     const double distance_m = seen.view.X_WC.translation().norm();
     const double tilt_deg = models::RadToDeg(std::acos(std::clamp(-seen.view.X_WC.linear()(2, 2), -1.0, 1.0)));
-    auto& bin = bins[BinOf(distance_m, kDistances_m)][BinOf(tilt_deg, kTilts_deg)];
+    auto& bin = bins[BinOf(distance_m, kRecallDistances_m)][BinOf(tilt_deg, kRecallTilts_deg)];
     ++bin[0];
     bin[1] += right ? 1 : 0;
     ++whole;
@@ -224,7 +226,7 @@ void ReportFalse(const FalseCounts& sum, PaperSection& section) {
 }
 
 void ReportFound(const PaperPlan& plan, const Measured& measured, PaperSection& section) {
-  std::array<std::array<std::array<int, 2>, kTilts_deg.size() - 1>, kDistances_m.size() - 1> bins{};
+  std::array<std::array<std::array<int, 2>, kRecallTilts_deg.size() - 1>, kRecallDistances_m.size() - 1> bins{};
   int frames = 0, found = 0, false_pads = 0, all = 0;
   for (int room = 1; room <= plan.recognition_scenes; ++room) {
     const Json& json = measured.at(FoundId(room));
@@ -244,11 +246,11 @@ void ReportFound(const PaperPlan& plan, const Measured& measured, PaperSection& 
                              "rooms {} showed a pad where there was none.",
                              frames, Percent(util::ShareInterval(found, frames), 1), all, false_pads),
       .head = {"distance, m"}};
-  for (std::size_t k = 0; k + 1 < kTilts_deg.size(); ++k) {
-    table.head.push_back(fmt::format("tilt {:.0f} to {:.0f}°", kTilts_deg[k], kTilts_deg[k + 1]));
+  for (std::size_t k = 0; k + 1 < kRecallTilts_deg.size(); ++k) {
+    table.head.push_back(fmt::format("tilt {:.0f} to {:.0f}°", kRecallTilts_deg[k], kRecallTilts_deg[k + 1]));
   }
   for (std::size_t i = 0; i < bins.size(); ++i) {
-    std::vector<std::string> cells{fmt::format("{} to {}", kDistances_m[i], kDistances_m[i + 1])};
+    std::vector<std::string> cells{fmt::format("{} to {}", kRecallDistances_m[i], kRecallDistances_m[i + 1])};
     for (const auto& [count, right] : bins[i]) {
       cells.push_back(count == 0 ? "none" : fmt::format("{} % of {}", util::Fixed(100.0 * right / count, 0), count));
     }
@@ -257,13 +259,13 @@ void ReportFound(const PaperPlan& plan, const Measured& measured, PaperSection& 
   section.tables.push_back(std::move(table));
 }
 
-PaperSection Report(const PaperPlan& plan, const Measured& measured) {
+PaperSection ReportRecognition(const PaperPlan& plan, const Measured& measured) {
   PaperSection section{{.id = "recognition", .title = "Landing pad recognition (Secs. IV-A, VI-A, Figs. 2, 4, 5)"}};
-  section.paragraphs.push_back(
-      fmt::format("{} rooms with a floor, light, posters, objects and a dozen lone rings and lone letters of their "
-                  "own, seen from {} to {} m, up to {:.0f}° tilted, a third of the views as in a calm hover, others in "
-                  "motion, out of focus, in weak contrast and with noise of up to 7 of 255.",
-                  plan.recognition_scenes, kDistances_m.front(), kDistances_m.back(), kTilts_deg.back()));
+  section.paragraphs.push_back(fmt::format(
+      "{} rooms with a floor, light, posters, objects and a dozen lone rings and lone letters of their "
+      "own, seen from {} to {} m, up to {:.0f}° tilted, a third of the views as in a calm hover, others in "
+      "motion, out of focus, in weak contrast and with noise of up to 7 of 255.",
+      plan.recognition_scenes, kRecallDistances_m.front(), kRecallDistances_m.back(), kRecallTilts_deg.back()));
   ReportFalse(SumFalse(plan, measured), section);
   ReportFound(plan, measured, section);
   section.pictures = PicturesFromJson(measured.at(kPicturesId));
@@ -293,7 +295,7 @@ Experiment RecognitionExperiment(const PaperPlan& plan, const PaperVehicle& vehi
   experiment.measurements.push_back({.id = kPicturesId, .expected_s = 8.0, .take = [told](const util::StopRequested&) {
                                        return TakeRecognitionPictures(told);
                                      }});
-  experiment.report = [plan](const Measured& measured) { return Report(plan, measured); };
+  experiment.report = [plan](const Measured& measured) { return ReportRecognition(plan, measured); };
   return experiment;
 }
 

@@ -19,7 +19,7 @@ constexpr std::size_t kTiles = 12;
 constexpr int kWidestTile_px = 480;
 constexpr int kHighestTile_px = 720;
 
-std::string Caption(const runner::FrameRecord& record, double time_s) {
+std::string TileCaption(const runner::FrameRecord& record, double time_s) {
   return fmt::format("{:6.2f} s  {:.2f} m  {}  {}", time_s, record.X_WB.translation().z(), Name(record.phase),
                      Name(record.status));
 }
@@ -61,7 +61,7 @@ cv::Mat ContactSheet::Tile(const Kept& kept) const {
   cv::Mat3b picture =
       AnnotateFrame(kept.image.View(), camera_, {.trace = kept.trace, .pad_px = kept.record.pad_px, .X_WC = {}});
   DrawCaption(picture.rowRange(0, CaptionHeight(picture.size())),
-              Caption(kept.record, time_.ToSeconds(kept.record.mid_exposure)), CaptionColour(kept.record.status));
+              TileCaption(kept.record, time_.ToSeconds(kept.record.mid_exposure)), CaptionColour(kept.record.status));
   cv::Mat tile;
   cv::resize(picture, tile, tile_, 0.0, 0.0, cv::INTER_AREA);
   return tile;

@@ -48,7 +48,7 @@ const Colours& PageColours() {
   return colours;
 }
 
-std::string TextOf(const fs::path& file) {
+std::string FileText(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -74,7 +74,7 @@ void RunGnuplot(const fs::path& script, const fs::path& words) {
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error("gnuplot: " + TextOf(words));
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error("gnuplot: " + FileText(words));
 }
 
 /// Names of the page's colours for the gnuplot commands: `lc rgb ESTIMATE`.
@@ -161,9 +161,9 @@ DrawnFigure Draw(const Figure& figure) {
   std::ofstream(folder.path() / "data.csv") << figure.csv;
   std::ofstream(folder.path() / "figure.gp") << Script(figure, folder.path());
   RunGnuplot(folder.path() / "figure.gp", folder.path() / "words");
-  DrawnFigure drawn{.svg = TextOf(folder.path() / "figure.svg"),
+  DrawnFigure drawn{.svg = FileText(folder.path() / "figure.svg"),
                     .page_svg = {},
-                    .pdf = Undated(TextOf(folder.path() / "figure.pdf"))};
+                    .pdf = Undated(FileText(folder.path() / "figure.pdf"))};
   if (drawn.svg.empty() || drawn.pdf.empty()) throw std::runtime_error("gnuplot drew nothing of " + figure.name);
   drawn.page_svg = ForThePage(drawn.svg, figure.name);
   return drawn;

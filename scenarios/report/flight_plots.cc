@@ -14,7 +14,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kBuckets = 1100;
-constexpr double kMissingFrame = 1.5;  // Of the camera's period, between two frames.
 constexpr double kMillimetres = 1000.0;
 
 // From the first stage that can fail to a pose.
@@ -207,7 +206,7 @@ Json SpansJson(const std::vector<FlightSeries::Span>& spans) {
   return json;
 }
 
-std::string TextOf(const runner::Event& event) {
+std::string EventText(const runner::Event& event) {
   switch (event.kind) {
     case runner::Event::Kind::kPush:
       return event.force_n.isZero() ? fmt::format("push {:.3g} N m", event.torque_n_m.norm())
@@ -228,7 +227,7 @@ Json EventsJson(const std::vector<runner::Event>& events, double duration_s) {
   for (const runner::Event& event : events) {
     if (event.at_s > duration_s) continue;
     const double to_s = std::min(event.at_s + event.duration_s, duration_s);
-    json.push_back({{"name", TextOf(event)}, {"from_s", Time(event.at_s)}, {"to_s", Time(to_s)}});
+    json.push_back({{"name", EventText(event)}, {"from_s", Time(event.at_s)}, {"to_s", Time(to_s)}});
   }
   return json;
 }

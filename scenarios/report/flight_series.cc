@@ -14,8 +14,6 @@ namespace {
 
 using Span = FlightSeries::Span;
 
-constexpr double kMissingFrame = 1.5;  // Of the camera's period, between two frames.
-
 PoseSeries ReadPose(const util::CsvTable& table, const std::string& whose) {
   return {table.Numbers(whose + "x_m"),      table.Numbers(whose + "y_m"),       table.Numbers(whose + "z_m"),
           table.Numbers(whose + "roll_deg"), table.Numbers(whose + "pitch_deg"), table.Numbers(whose + "yaw_deg")};

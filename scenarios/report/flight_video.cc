@@ -30,7 +30,7 @@ cv::Size OnboardSize(const models::CameraModel& camera) {
 
 int Even(int px) { return px + px % 2; }
 
-std::string Caption(const runner::FrameRecord& record, double time_s) {
+std::string VideoCaption(const runner::FrameRecord& record, double time_s) {
   return fmt::format("{:6.2f} s   {}   {}   {:.2f} m high", time_s, Name(record.phase), Name(record.status),
                      record.X_WB.translation().z());
 }
@@ -79,7 +79,7 @@ void FlightVideo::OnFrame(const models::CameraFrame& frame, const estimator::Fra
   const cv::Mat3b& seen_from_outside = chase_->Render(record.X_WB, record.pad_is_covered);
   seen_from_outside.copyTo(
       picture_(cv::Rect(cv::Point(picture_.cols - seen_from_outside.cols, 0), seen_from_outside.size())));
-  DrawCaption(picture_.rowRange(kHeight_px, picture_.rows), Caption(record, time_.ToSeconds(frame.mid_exposure)),
+  DrawCaption(picture_.rowRange(kHeight_px, picture_.rows), VideoCaption(record, time_.ToSeconds(frame.mid_exposure)),
               CaptionColour(record.status));
   writer_->Write(picture_);
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "models/angles.h"
+#include "scenarios/report/cairo_bytes.h"
 
 namespace touchdown::report {
 namespace {
@@ -160,11 +161,6 @@ class Drawing {
   std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cairo_;
 };
 
-cairo_status_t Append(void* bytes, const unsigned char* data, unsigned length) {
-  static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
-  return CAIRO_STATUS_SUCCESS;
-}
-
 }  // namespace
 
 std::string PadSheet(const LandingPad& pad, SheetFormat format) {
@@ -174,7 +170,7 @@ std::string PadSheet(const LandingPad& pad, SheetFormat format) {
       format == SheetFormat::kPdf ? cairo_pdf_surface_create_for_stream : cairo_svg_surface_create_for_stream;
   std::string bytes;
   const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
-      create(Append, &bytes, kPointsPerMm * page.width_mm, kPointsPerMm * page.height_mm), cairo_surface_destroy);
+      create(AppendBytes, &bytes, kPointsPerMm * page.width_mm, kPointsPerMm * page.height_mm), cairo_surface_destroy);
   if (format == SheetFormat::kPdf) {
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, kPadSheetMark);
   }

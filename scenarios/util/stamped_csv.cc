@@ -18,7 +18,7 @@ std::string Trimmed(std::string_view text) {
   return std::string(text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1));
 }
 
-std::vector<std::string> Split(std::string_view line) {
+std::vector<std::string> TrimmedCells(std::string_view line) {
   std::vector<std::string> cells;
   for (std::size_t begin = 0; begin <= line.size();) {
     const std::size_t end = std::min(line.find(',', begin), line.size());
@@ -52,7 +52,7 @@ std::vector<StampedRow> ReadStampedCsv(const std::filesystem::path& file, std::s
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number) {
     if (Trimmed(line).empty() || line.starts_with('#')) continue;
-    StampedRow row{.time_ns = 0, .cells = Split(line), .place = fmt::format("{}:{}", file.string(), number)};
+    StampedRow row{.time_ns = 0, .cells = TrimmedCells(line), .place = fmt::format("{}:{}", file.string(), number)};
     if (row.cells.size() < least_cells + 1) {
       throw InputError(fmt::format("{}: has {} columns instead of {}", row.place, row.cells.size(), least_cells + 1));
     }

@@ -9,6 +9,7 @@
 
 #include "controller/mixer.h"
 #include "models/error.h"
+#include "tests/support/nominal.h"
 #include "tests/support/quadrotor_ode.h"
 
 namespace touchdown::controller {
@@ -17,9 +18,8 @@ namespace {
 using Eigen::Vector3d;
 using models::DegToRad;
 using models::TaitBryan;
-
-constexpr double kPeriod_s = 0.005;
-const models::Vehicle kVehicle;
+using tests::kPeriod_s;
+using tests::kVehicle;
 
 struct LoopConfig {
   models::Vehicle truth;

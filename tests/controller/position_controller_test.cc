@@ -9,6 +9,7 @@
 #include "controller/attitude_controller.h"
 #include "controller/mixer.h"
 #include "models/error.h"
+#include "tests/support/nominal.h"
 #include "tests/support/quadrotor_ode.h"
 
 namespace touchdown::controller {
@@ -19,10 +20,9 @@ using models::DegToRad;
 using models::TaitBryan;
 using Motion = models::VehicleEstimate::Motion;
 using Target = PositionController::Target;
-
-constexpr double kPeriod_s = 0.005;
-const models::Vehicle kVehicle;
-const double kWeight_n = kVehicle.mass_kg * models::kGravity_m_s2;
+using tests::kPeriod_s;
+using tests::kVehicle;
+using tests::kWeight_n;
 
 PositionController Fresh() { return {PositionControllerConfig{}, kVehicle, kPeriod_s}; }
 
@@ -112,7 +112,7 @@ TEST(PositionController, HoldsTheStanceInWhichItStood) {
   EXPECT_NEAR(demand.pitch, stance.pitch, 1e-4);
 }
 
-struct Flight {
+struct PositionFlight {
   models::Vehicle truth;
   Vector3d wind_m_s = Vector3d::Zero();
   TaitBryan level_error = {};
@@ -121,7 +121,8 @@ struct Flight {
 };
 
 /// Both loops around the rigid body, with true position and an attitude that is off by level_error.
-void FlyPosition(const Flight& flight, double duration_s, const std::function<void(double, const Vector3d&)>& observe) {
+void FlyPosition(const PositionFlight& flight, double duration_s,
+                 const std::function<void(double, const Vector3d&)>& observe) {
   tests::QuadrotorOde truth(flight.truth);
   truth.StartRotorsAtHover();
   truth.wind = flight.wind_m_s;

@@ -21,7 +21,7 @@ constexpr int kApplicationId =
     0x7464776e;  // "tdwn": what tells a sweep's database from any other (PRAGMA application_id).
 constexpr int kVersion = 1;
 
-constexpr const char* kSchema = R"(
+constexpr const char* kTables = R"(
 CREATE TABLE sweep (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 CREATE TABLE plan (
   position INTEGER PRIMARY KEY, id TEXT NOT NULL, seed INTEGER NOT NULL, variant TEXT NOT NULL, parameters TEXT NOT NULL);
@@ -97,7 +97,7 @@ struct SweepStore::Impl {
     SQLite::Transaction transaction(*db);
     db->exec(fmt::format("PRAGMA application_id = {}", kApplicationId));
     db->exec(fmt::format("PRAGMA user_version = {}", kVersion));
-    db->exec(kSchema);
+    db->exec(kTables);
     transaction.commit();
   }
 

@@ -8,14 +8,15 @@
 #include "models/error.h"
 #include "models/vehicle.h"
 #include "sim/sensors/imu.h"
+#include "tests/support/nominal.h"
 #include "tests/support/worlds.h"
 
 namespace touchdown::sim {
 namespace {
 
 using Eigen::Vector3d;
+using tests::kG;
 
-constexpr double kG = models::kGravity_m_s2;
 constexpr GroundTilt kSlope{.roll_deg = 2.9, .pitch_deg = -4.6};
 
 /// Written out, where the code multiplies matrices.

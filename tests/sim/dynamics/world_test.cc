@@ -10,6 +10,7 @@
 #include "models/angles.h"
 #include "models/error.h"
 #include "models/random_stream.h"
+#include "tests/support/nominal.h"
 #include "tests/support/worlds.h"
 
 namespace touchdown::sim {
@@ -18,15 +19,14 @@ namespace {
 using Eigen::Vector3d;
 using tests::EmptyRoom;
 using tests::HoverCommand;
+using tests::kG;
+using tests::kTime;
 using tests::LevelAt;
 using tests::QuietWorld;
 using tests::SameSpeed;
 using tests::StepFor;
 using tests::StillAndBalanced;
 using tests::VehicleWithoutDrag;
-
-constexpr models::TimeBase kTime;
-constexpr double kG = models::kGravity_m_s2;
 
 TEST(World, StartsAtTickZeroAtRestOnItsFeet) {
   const World world = QuietWorld({});

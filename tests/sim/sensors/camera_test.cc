@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "models/error.h"
+#include "tests/support/nominal.h"
 
 namespace touchdown::sim {
 namespace {
 
 using models::CameraFrame;
 using models::Tick;
-
-constexpr models::TimeBase kTime;
+using tests::kTime;
 
 CameraConfig SmallAndRigid() {
   CameraConfig config;

@@ -8,15 +8,15 @@
 #include "models/angles.h"
 #include "models/error.h"
 #include "sim/dynamics/world.h"
+#include "tests/support/nominal.h"
 #include "tests/support/worlds.h"
 
 namespace touchdown::sim {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr models::TimeBase kTime;
-constexpr double kG = models::kGravity_m_s2;
+using tests::kG;
+using tests::kTime;
 
 ImuConfig PerfectImu() {
   return {.gyro_noise_rad_s_sqrt_hz = 0.0,

@@ -8,13 +8,13 @@
 
 #include "models/angles.h"
 #include "models/error.h"
+#include "tests/support/nominal.h"
 
 namespace touchdown::sim {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr models::TimeBase kTime;
+using tests::kTime;
 
 TrueState Somewhere() {
   TrueState truth;
