@@ -1,6 +1,7 @@
 #include "estimator/make_estimator.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <utility>
 
@@ -44,6 +45,13 @@ void EstimatorConfig::Validate() const {
   std::string known;
   for (const std::string& known_name : EstimatorNames()) known += (known.empty() ? "" : ", ") + known_name;
   throw InputError("unknown estimator '" + name + "', known: " + known);
+}
+
+void Describe(models::ConfigVisitor& v, EstimatorConfig& c) {
+  v.Text({"name", "Estimator that turns IMU samples and frames into the state of the vehicle."}, c.name);
+  v.Keys({"paper", "Options of the estimator paper, the method of Yang et al."}, c.paper);
+  v.Renamed("contour_points", "paper.contour_points");
+  v.Check("name", [&c] { c.Validate(); });
 }
 
 std::unique_ptr<StateEstimator> MakeEstimator(const EstimatorConfig& config, const EstimatorSetup& setup) {

@@ -8,6 +8,7 @@
 #include "estimator/loosely_coupled.h"
 #include "estimator/paper/paper_options.h"
 #include "estimator/state_estimator.h"
+#include "models/describe.h"
 
 namespace touchdown::estimator {
 
@@ -20,6 +21,8 @@ struct EstimatorConfig {
   /// Throws InputError for a name that is not among EstimatorNames(); the message lists them.
   void Validate() const;
 };
+
+void Describe(models::ConfigVisitor& v, EstimatorConfig& config);
 
 /// The names that MakeEstimator knows.
 std::vector<std::string> EstimatorNames();

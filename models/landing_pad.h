@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "models/describe.h"
 #include "models/pad_mark.h"
 
 namespace touchdown::models {
@@ -19,25 +20,27 @@ enum class PadLetter { kH, kRectangle };
 struct LandingPad {
   double outer_radius_m = 0.090;
   double ring_width_m = 0.016;
-  double h_height_m = 0.100;  ///< Length of the long strokes, along X.
-  double h_width_m = 0.056;   ///< Over both long strokes, along Y.
+  double h_height_m = 0.100;
+  double h_width_m = 0.056;
   double h_stroke_m = 0.016;
-  double sheet_length_m = 0.297;  ///< Along X; A4.
-  double sheet_width_m = 0.210;   ///< Along Y.
-  std::vector<PadMark> marks;     ///< Within the ring; they may touch or overlap the H.
+  double sheet_length_m = 0.297;  // A4.
+  double sheet_width_m = 0.210;
+  std::vector<PadMark> marks;
 
   double inner_radius_m() const { return outer_radius_m - ring_width_m; }
 
   /// A rectangle when the strokes meet, to a nanometre.
   PadLetter letter() const;
 
-  /// Throws InputError, without a file name, when a size is not finite and positive, the H's strokes overlap or are as
-  /// wide as it is high, the H does not fit inside the ring with a white gap, the ring does not fit on the sheet, or a
-  /// mark is refused by PadMark::Validate for the ring's inner radius.
+  /// Throws InputError, without a file name, for a value out of its range (see Describe), or when the H's strokes
+  /// overlap or are as wide as it is high, the H does not fit inside the ring with a white gap, the ring does not fit
+  /// on the sheet, or a mark is refused by PadMark::Validate for the ring's inner radius.
   void Validate() const;
 
   friend bool operator==(const LandingPad&, const LandingPad&) = default;
 };
+
+void Describe(ConfigVisitor& v, LandingPad& pad);
 
 /// Whether `yaw` rotated by 180 degrees is nearer to `reference_yaw` than `yaw` is; both in rad.
 bool HalfTurnIsNearer(double yaw, double reference_yaw);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "estimator/pad/edges.h"
+#include "models/describe.h"
 
 namespace touchdown::estimator::paper {
 
@@ -15,5 +16,7 @@ struct PaperOptions {
   pad::ContourPoints contour_points = pad::ContourPoints::kSubpixel;
   Verify verify = Verify::kTemplate;
 };
+
+void Describe(models::ConfigVisitor& v, PaperOptions& options);
 
 }  // namespace touchdown::estimator::paper

@@ -12,21 +12,20 @@
 namespace touchdown::experiments {
 namespace {
 
-using models::DegToRad;
 using models::RadToDeg;
 
 std::string CalibrationId(int seed) { return fmt::format("calibration_{}", seed); }
 
 Json MountingJson(const models::Mounting& mounting) {
   const Eigen::Vector3d& p = mounting.position_m;
-  const models::TaitBryan& angles = mounting.misalignment;
-  return {{"position_m", {p.x(), p.y(), p.z()}}, {"misalignment_rad", {angles.roll, angles.pitch, angles.yaw}}};
+  const models::TaitBryanDeg& angles = mounting.misalignment_deg;
+  return {{"position_m", {p.x(), p.y(), p.z()}}, {"misalignment_deg", {angles.roll, angles.pitch, angles.yaw}}};
 }
 
 models::Mounting MountingFrom(const Json& json) {
   const auto position = json.at("position_m").get<std::array<double, 3>>();
-  const auto angles = json.at("misalignment_rad").get<std::array<double, 3>>();
-  return {.position_m = {position[0], position[1], position[2]}, .misalignment = {angles[0], angles[1], angles[2]}};
+  const auto angles = json.at("misalignment_deg").get<std::array<double, 3>>();
+  return {.position_m = {position[0], position[1], position[2]}, .misalignment_deg = {angles[0], angles[1], angles[2]}};
 }
 
 Json MeasureCalibrations(int seed, const util::StopRequested& stop_requested) {
@@ -98,8 +97,8 @@ PaperSection ReportCalibrations(const PaperPlan& plan, const Measured& measured)
 models::Vehicle TrueVehicle() {
   models::Vehicle vehicle;
   vehicle.camera = {.position_m = {0.004, -0.003, -0.052},
-                    .misalignment = {.roll = DegToRad(0.6), .pitch = DegToRad(2.0), .yaw = DegToRad(-0.8)}};
-  vehicle.imu = {.misalignment = {.roll = DegToRad(1.5), .pitch = DegToRad(-1.0), .yaw = DegToRad(2.0)}};
+                    .misalignment_deg = {.roll = 0.6, .pitch = 2.0, .yaw = -0.8}};
+  vehicle.imu = {.misalignment_deg = {.roll = 1.5, .pitch = -1.0, .yaw = 2.0}};
   return vehicle;
 }
 

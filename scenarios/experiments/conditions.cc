@@ -36,7 +36,7 @@ std::vector<Condition> Conditions() {
   }
   for (const double exposure_ms : {0.0, 8.0, 16.0}) {
     conditions.push_back({fmt::format("exposure_{:.0f}", exposure_ms), fmt::format("exposure {:.0f} ms", exposure_ms),
-                          [exposure_ms](runner::Scenario& s) { s.camera.exposure_s = 1e-3 * exposure_ms; }});
+                          [exposure_ms](runner::Scenario& s) { s.camera.exposure_ms = exposure_ms; }});
   }
   return conditions;
 }

@@ -23,9 +23,9 @@ runner::Scenario LandingFrom(const PaperVehicle& vehicle, int landing) {
   const auto seed = static_cast<std::uint64_t>(1000 + landing);
   models::RandomStream random(seed, "paper.landing.start");
   runner::Scenario scenario = ShippedFlight("landing", seed);
-  constexpr double kOff_m = 0.1, kYaw_rad = models::DegToRad(5.0);
+  constexpr double kOff_m = 0.1, kYaw_deg = 5.0;
   scenario.start.position_m = {kOff_m * random.Normal(), kOff_m * random.Normal(), 1.0};
-  scenario.start.yaw = kYaw_rad * random.Normal();
+  scenario.start.yaw_deg = kYaw_deg * random.Normal();
   vehicle.Equip(scenario);
   return scenario;
 }

@@ -18,12 +18,16 @@
 namespace touchdown::runner {
 namespace {
 
-Eigen::Matrix3d Upright(double yaw) { return models::RotationFromTaitBryan({.roll = 0.0, .pitch = 0.0, .yaw = yaw}); }
+Eigen::Matrix3d Upright(double yaw_deg) {
+  return models::RotationFromTaitBryan({.roll = 0.0, .pitch = 0.0, .yaw = models::DegToRad(yaw_deg)});
+}
 
 Eigen::Isometry3d StartPose(const Start& start, const sim::World& world) {
-  if (!start.airborne) return world.RestingPose(start.position_m.x(), start.position_m.y(), start.yaw);
+  if (!start.airborne) {
+    return world.RestingPose(start.position_m.x(), start.position_m.y(), models::DegToRad(start.yaw_deg));
+  }
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  X_WB.linear() = Upright(start.yaw);
+  X_WB.linear() = Upright(start.yaw_deg);
   X_WB.translation() = start.position_m;
   return X_WB;
 }
@@ -34,7 +38,7 @@ void StandBeforeFlight(const Start& start, const models::TimeBase& time, sim::Im
                        estimator::StateEstimator& estimator, FlightAudience& audience) {
   constexpr double kStanding_s = 2.0;
   sim::TrueState standing;
-  standing.X_WB.linear() = Upright(start.yaw);
+  standing.X_WB.linear() = Upright(start.yaw_deg);
   for (standing.tick = -time.FromSeconds(kStanding_s); standing.tick < 0; ++standing.tick) {
     const auto sample = imu.Sample(standing);
     if (!sample) continue;

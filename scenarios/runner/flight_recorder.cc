@@ -12,7 +12,7 @@ FlightRecorder::FlightRecorder(const Scenario& scenario)
     : camera_(scenario.camera.model),
       pad_(scenario.pad),
       has_pad_(scenario.scene.pad),
-      history_ticks_(scenario.time.FromSeconds(scenario.camera.latency_s + scenario.camera.exposure_s) + 2) {
+      history_ticks_(scenario.time.FromSeconds(scenario.camera.latency_s() + scenario.camera.exposure_s()) + 2) {
   log_.time = scenario.time;
 }
 

@@ -61,7 +61,7 @@ TEST(PositionController, KeepsItsTiltAndAccelerationLimits) {
     PositionController controller = Fresh();
     const auto demand = controller.Update({.p_m = {100.0, 100.0, z}, .v_m_s = {20.0, 20.0, z}}, Motion{}, {});
     const Eigen::Matrix3d R = models::RotationFromTaitBryan({.roll = demand.roll, .pitch = demand.pitch});
-    EXPECT_LE(std::acos(R(2, 2)), config.max_tilt_rad + 1e-9);
+    EXPECT_LE(std::acos(R(2, 2)), DegToRad(config.max_tilt_deg) + 1e-9);
     EXPECT_NEAR(
         demand.thrust_n,
         kVehicle.mass_kg * (9.81 + std::clamp(z, -config.max_z_acceleration_m_s2, config.max_z_acceleration_m_s2)),
@@ -181,7 +181,7 @@ TEST(PositionLoop, LearnsTheTrimAgainstALevelErrorAndAWrongMass) {
 TEST(PositionControllerConfig, RefusesNumbersThatMakeNoController) {
   EXPECT_NO_THROW(PositionControllerConfig{}.Validate());
   PositionControllerConfig upside_down;
-  upside_down.max_tilt_rad = DegToRad(90.0);
+  upside_down.max_tilt_deg = 90.0;
   EXPECT_THROW(upside_down.Validate(), InputError);
   PositionControllerConfig falling;
   falling.max_z_acceleration_m_s2 = 10.0;

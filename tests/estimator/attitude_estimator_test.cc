@@ -190,7 +190,7 @@ TEST(AttitudeEstimator, TakesASlopeForASlope) {
 
 TEST(AttitudeEstimator, TakesEveryGroundForASlopeWhenToldSo) {
   AttitudeEstimatorConfig config;
-  config.level_ground_tolerance_rad = 0.0;
+  config.level_ground_tolerance_deg = 0.0;
   AttitudeEstimator estimator(config, kTime, Matrix3d::Identity());
   Body body({.roll = DegToRad(2.0)});
   Feed(estimator, body, 1.0, true);
@@ -285,7 +285,7 @@ TEST(AttitudeEstimatorConfig, RefusesNumbersThatMakeNoFilter) {
   config.history_s = 0.0;
   EXPECT_THROW(config.Validate(), InputError);
   config = {};
-  config.level_ground_tolerance_rad = -0.1;
+  config.level_ground_tolerance_deg = -0.1;
   EXPECT_THROW(config.Validate(), InputError);
   config = {};
   config.gyro_bias_time_constant_s = config.accelerometer_time_constant_s;

@@ -21,7 +21,7 @@ constexpr double kRing_m = 0.074;
 PadMark Disc() { return {.shape = Shape::kDisc, .centre_m = {0.02, 0.05}, .diameter_m = 0.01}; }
 
 PadMark Bar() {
-  return {.shape = Shape::kBar, .centre_m = {-0.02, 0.05}, .length_m = 0.02, .width_m = 0.004, .angle = DegToRad(30.0)};
+  return {.shape = Shape::kBar, .centre_m = {-0.02, 0.05}, .length_m = 0.02, .width_m = 0.004, .angle_deg = 30.0};
 }
 
 TEST(PadMarkValidate, TakesWhatLiesWithinTheRing) {
@@ -31,7 +31,7 @@ TEST(PadMarkValidate, TakesWhatLiesWithinTheRing) {
   EXPECT_NO_THROW(disc.Validate(kRing_m));
   PadMark bar = Bar();
   bar.centre_m = {0.0, 0.0639};
-  bar.angle = kPi / 2.0;
+  bar.angle_deg = 90.0;
   EXPECT_NO_THROW(bar.Validate(kRing_m));
 }
 
@@ -49,7 +49,7 @@ TEST(PadMarkValidate, RefusesWhatCannotBePrintedWithinTheRing) {
       {Bar(), [](PadMark& m) { m.length_m = -0.01; }},
       {Bar(), [](PadMark& m) { m.width_m = 0.0; }},
       {Bar(), [&](PadMark& m) { m.length_m = infinity; }},
-      {Bar(), [](PadMark& m) { m.angle = std::nan(""); }},
+      {Bar(), [](PadMark& m) { m.angle_deg = std::nan(""); }},
       {Bar(),
        [](PadMark& m) {
          m.centre_m = {0.1, 0.0};

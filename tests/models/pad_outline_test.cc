@@ -27,7 +27,7 @@ LandingPad MarkedPad() {
                 .centre_m = {-0.02, 0.05},
                 .length_m = 0.02,
                 .width_m = 0.004,
-                .angle = DegToRad(30.0)}};
+                .angle_deg = 30.0}};
   pad.Validate();
   return pad;
 }

@@ -18,7 +18,8 @@ using Eigen::Isometry3d;
 Isometry3d RandomMounting(models::RandomStream& random) {
   models::Vehicle vehicle;
   vehicle.camera.position_m = 0.05 * random.NormalVector3();
-  vehicle.camera.misalignment = {random.Uniform(-0.2, 0.2), random.Uniform(-0.2, 0.2), random.Uniform(-3.0, 3.0)};
+  vehicle.camera.misalignment_deg = {random.Uniform(-12.0, 12.0), random.Uniform(-12.0, 12.0),
+                                     random.Uniform(-170.0, 170.0)};
   return vehicle.X_BC();
 }
 

@@ -56,8 +56,8 @@ TEST_F(EurocSensorTest, ReadsACameraAndItsMounting) {
 
 TEST_F(EurocSensorTest, ReadsBackWhatItWritesToTheLastBit) {
   models::Vehicle vehicle;
-  vehicle.camera.misalignment = {0.011, -0.02, 0.3};
-  vehicle.imu.misalignment = {0.1, 0.2, -0.03};
+  vehicle.camera.misalignment_deg = {0.6, -1.1, 17.0};
+  vehicle.imu.misalignment_deg = {6.0, 11.0, -1.7};
   models::CameraModel model;
   model.fx_px = 320.0 / 3.0;
   model.k1 = -0.1;

@@ -118,7 +118,7 @@ TEST(PadSheet, MeasuresWhatTheMarksAreInThePrint) {
                 .centre_m = {-0.02, 0.05},
                 .length_m = 0.02,
                 .width_m = 0.004,
-                .angle = models::DegToRad(30.0)},
+                .angle_deg = 30.0},
                {.shape = models::PadMark::Shape::kBar, .centre_m = {0.05, 0.02}, .length_m = 0.03, .width_m = 0.004}};
   const Raster raster(pad);
   const auto on_page = [](const Vector2d& p_W) { return Vector2d(105.0 - 1000.0 * p_W.y(), 148.5 - 1000.0 * p_W.x()); };

@@ -72,7 +72,7 @@ TEST_F(PageInABrowser, DoesWhatItsReaderAsksAndLooksAsInTheDocs) {
                        .centre_m = {-0.02, 0.05},
                        .length_m = 0.02,
                        .width_m = 0.004,
-                       .angle = models::DegToRad(30.0)}};
+                       .angle_deg = 30.0}};
   runner::FlightLog without_frames = tests::MadeFlight(scenario, 2.0);
   without_frames.frames.clear();
   runner::FlightLog nothing;

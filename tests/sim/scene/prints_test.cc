@@ -45,7 +45,7 @@ models::LandingPad MarkedPad() {
                 .centre_m = {-0.02, 0.05},
                 .length_m = 0.02,
                 .width_m = 0.004,
-                .angle = models::DegToRad(30.0)}};
+                .angle_deg = 30.0}};
   return pad;
 }
 

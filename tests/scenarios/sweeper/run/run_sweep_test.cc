@@ -45,8 +45,8 @@ class TakeInRowsTest : public testing::Test {
 TEST_F(TakeInRowsTest, TakesWholeRowsAndSetsDamagedOnesAside) {
   RowFolder(folder_.path()).Leave(FlownRow("whole"));
   folder_.Put("rows/empty.json", "");
-  folder_.Put("rows/half.json", RowJson(Row("half")).substr(0, 40));
-  nlohmann::json other = nlohmann::json::parse(RowJson(Row("end")));
+  folder_.Put("rows/half.json", RowJson(FlownRow("half")).substr(0, 40));
+  nlohmann::json other = nlohmann::json::parse(RowJson(FlownRow("end")));
   other["process"] = "flow";
   folder_.Put("rows/end.json", other.dump());
   other["process"] = "flown";
