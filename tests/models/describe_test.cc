@@ -72,8 +72,9 @@ TEST(ValidateConfig, NamesTheKeyTheRangeAndTheValue) {
       {[](Cart& c) { c.wheel.radius_m = 0.0; }, "wheel.radius_m: must be above 0, is 0"},
       {[](Cart& c) { c.spares[1].radius_m = 0.0; }, "spares.1.radius_m: must be above 0, is 0"},
   };
-  for (const auto& [change, message] : cases) {
-    EXPECT_THAT([&, &make = change] { ValidateConfig(With(make)); }, ThrowsMessage<InputError>(StrEq(message)));
+  for (const auto& wrong : cases) {
+    const Cart cart = With(wrong.change);
+    EXPECT_THAT([&cart] { ValidateConfig(cart); }, ThrowsMessage<InputError>(StrEq(wrong.message)));
   }
 }
 
