@@ -1,38 +1,55 @@
-# A thin face over the CMake presets: see CMakePresets.json. Every target installs what is missing first.
+# A thin face over the CMake presets: see CMakePresets.json. A target installs the Debian packages that it needs first.
 PRESET ?= $(if $(CI),ci,release)
 BUILD := build/$(if $(filter ci,$(PRESET)),release,$(PRESET))
 JOBS ?= $(shell nproc)
-SEEDS ?= $(shell seq 1 20)
-PACKAGES := $(shell sed 's/\#.*//' packages.txt)
 SUDO := $(if $(filter 0,$(shell id -u)),,sudo)
 
-.PHONY: fly test build deps bench acceptance lint clean
-
-fly: build  ## Take off, hover and land; the flight's folder is left in out/takeoff_hover_land
-	$(BUILD)/touchdown fly scenarios/flights/takeoff_hover_land.yaml
-
-test: build  ## Every test
-	ctest --preset $(PRESET) -j $(JOBS)
-
-build: deps
-	cmake --preset $(PRESET)
-	cmake --build --preset $(PRESET) -j $(JOBS)
-
-deps:  ## Install the packages of packages.txt that neither are installed nor come with another
-	@there=$$(dpkg-query -W -f '$${db:Status-Status} $${Package} $${Provides}\n' | sed -n 's/^installed //p' | tr ' ,' '\n\n'); \
-	missing=$$(for p in $(PACKAGES); do printf '%s\n' $$there | grep -qx -- $$p || echo $$p; done); \
+# $(call install,LISTS): installs the packages of packages/LIST.txt that neither are installed nor come with another.
+install = @there=$$(dpkg-query -W -f '$${db:Status-Status} $${Package} $${Provides}\n' | sed -n 's/^installed //p' | tr ' ,' '\n\n'); \
+	missing=$$(for p in $(shell sed 's/\#.*//' $(1:%=packages/%.txt)); do printf '%s\n' $$there | grep -qx -- $$p || echo $$p; done); \
 	if [ -n "$$missing" ]; then \
 	  $(SUDO) apt-get update -q && $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $$missing; \
 	fi
 
-bench: build  ## Cost of vision beside AprilTag 3, of rendering and of the loop, on the same frames
+.DEFAULT_GOAL := help
+.PHONY: help fly build test test-long bench lint docs deps program-deps all clean
+
+help:  ## Print this list
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-10s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+
+fly: build  ## Take off, hover and land; the flight directory is out/takeoff_hover_land
+	$(BUILD)/touchdown fly scenarios/flights/takeoff_hover_land.yaml
+
+build: program-deps  ## Build the program, build/release/touchdown, and no test
+	cmake --preset $(PRESET) $(if $(wildcard $(BUILD)/CMakeCache.txt),,-D TOUCHDOWN_TESTS=OFF)
+	cmake --build --preset $(PRESET) -j $(JOBS) --target touchdown
+
+test: all  ## Build everything and run every test but the long ones
+	ctest --preset $(PRESET) -j $(JOBS) -LE long
+
+test-long: all  ## Run the tests that take longer: every experiment of the paper, in brief
+	ctest --preset $(PRESET) -j $(JOBS) -L long
+
+bench: all  ## Measure the cost of vision beside AprilTag 3, of rendering and of the loop, on the same frames
 	$(BUILD)/tests/benchmarks
 
-acceptance: build  ## Every flight for each of SEEDS, and their table beside the paper's
-	tests/acceptance.sh $(BUILD)/touchdown out/acceptance $(JOBS) $(SEEDS)
+lint: deps  ## Run clang-tidy; a warning is an error
+	cmake --preset lint
+	run-clang-tidy -quiet -j $(JOBS) -p build/lint '^$(CURDIR)/(models|sim|estimator|controller|scenarios|tests)/.*\.cc$$'
 
-lint: build  ## clang-tidy's naming and bug rules
-	run-clang-tidy -quiet -p $(BUILD) '\.cc$$'
+docs: deps  ## Make the API pages from the headers, build/docs/html; a broken reference is an error
+	mkdir -p build/docs
+	doxygen docs/Doxyfile
 
-clean:
+deps:  ## Install every package of packages/
+	$(call install,build run test)
+
+program-deps:
+	$(call install,build run)
+
+all: deps
+	cmake --preset $(PRESET) -D TOUCHDOWN_TESTS=ON
+	cmake --build --preset $(PRESET) -j $(JOBS)
+
+clean:  ## Remove build/
 	rm -rf build

@@ -3,24 +3,50 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controller/validate.h"
-
 namespace touchdown::controller {
 
-void AttitudeControllerConfig::Validate() const {
-  RequireNotNegative(roll_pitch_angle_gain_1_s, "roll_pitch_angle_gain");
-  RequireNotNegative(roll_pitch_rate_gain_1_s, "roll_pitch_rate_gain");
-  RequireNotNegative(roll_pitch_rate_integral_gain_1_s2, "roll_pitch_rate_integral_gain");
-  RequireNotNegative(roll_pitch_rate_derivative_gain, "roll_pitch_rate_derivative_gain");
-  RequireNotNegative(yaw_angle_gain_1_s, "yaw_angle_gain");
-  RequireNotNegative(yaw_rate_gain_1_s, "yaw_rate_gain");
-  RequireNotNegative(yaw_rate_integral_gain_1_s2, "yaw_rate_integral_gain");
-  RequirePositive(derivative_cutoff_hz, "derivative_cutoff");
-  RequirePositive(max_roll_pitch_rate_rad_s, "max_roll_pitch_rate");
-  RequirePositive(max_roll_pitch_integral_rad_s2, "max_roll_pitch_integral");
-  RequirePositive(max_yaw_rate_rad_s, "max_yaw_rate");
-  RequirePositive(max_yaw_integral_rad_s2, "max_yaw_integral");
+void Describe(models::ConfigVisitor& v, AttitudeControllerConfig& c) {
+  using namespace models;
+  v.Number({"roll_pitch_angle_gain_1_s",
+            "Commanded rate per angle error of roll and pitch. Higher is stiffer and less damped."},
+           c.roll_pitch_angle_gain_1_s, kPerSecond, kNotNegative);
+  v.Number(
+      {"roll_pitch_rate_gain_1_s",
+       "Commanded angular acceleration per rate error of roll and pitch. Higher damps more and passes more noise."},
+      c.roll_pitch_rate_gain_1_s, kPerSecond, kNotNegative);
+  v.Number({"roll_pitch_rate_integral_gain_1_s2",
+            "Integral gain on the rate error of roll and pitch, against a constant torque as of an off-center load. "
+            "Higher adapts faster and overshoots more."},
+           c.roll_pitch_rate_integral_gain_1_s2, kPerSecond2, kNotNegative);
+  v.Number(
+      {"roll_pitch_rate_derivative_gain",
+       "Gain against the angular acceleration of roll and pitch, which compensates for the rotor lag. Higher damps "
+       "more and passes more noise."},
+      c.roll_pitch_rate_derivative_gain, kNoUnit, kNotNegative);
+  v.Number({"derivative_cutoff_hz", "Cutoff of the low-pass filter before the derivative. Lower is quieter and later."},
+           c.derivative_cutoff_hz, kHertz, kPositive);
+  v.Number({"max_roll_pitch_rate_deg_s", "Limit of the commanded roll and pitch rates."}, c.max_roll_pitch_rate_deg_s,
+           kDegreePerSecond, kPositive);
+  v.Number({"max_roll_pitch_integral_rad_s2",
+            "Limit of the integral part of roll and pitch. Larger holds against larger constant torques."},
+           c.max_roll_pitch_integral_rad_s2, kRadianPerSecond2, kPositive);
+  v.Number({"yaw_angle_gain_1_s", "Commanded rate per angle error of yaw. Higher is stiffer and less damped."},
+           c.yaw_angle_gain_1_s, kPerSecond, kNotNegative);
+  v.Number({"yaw_rate_gain_1_s",
+            "Commanded angular acceleration per rate error of yaw. Higher damps more and passes more noise."},
+           c.yaw_rate_gain_1_s, kPerSecond, kNotNegative);
+  v.Number(
+      {"yaw_rate_integral_gain_1_s2",
+       "Integral gain on the rate error of yaw, against a constant torque. Higher adapts faster and overshoots more."},
+      c.yaw_rate_integral_gain_1_s2, kPerSecond2, kNotNegative);
+  v.Number({"max_yaw_rate_deg_s", "Limit of the commanded yaw rate."}, c.max_yaw_rate_deg_s, kDegreePerSecond,
+           kPositive);
+  v.Number(
+      {"max_yaw_integral_rad_s2", "Limit of the integral part of yaw. Larger holds against larger constant torques."},
+      c.max_yaw_integral_rad_s2, kRadianPerSecond2, kPositive);
 }
+
+void AttitudeControllerConfig::Validate() const { models::ValidateConfig(*this); }
 
 AttitudeController::AttitudeController(const AttitudeControllerConfig& config, const models::Vehicle& vehicle,
                                        double period_s)
@@ -37,13 +63,14 @@ AttitudeController::AttitudeController(const AttitudeControllerConfig& config, c
 
 Eigen::Vector3d AttitudeController::RateSetPoint(const models::TaitBryan& set_point,
                                                  const models::TaitBryan& attitude) const {
-  const double tilt_limit = config_.max_roll_pitch_rate_rad_s;
+  const double tilt_limit = models::DegToRad(config_.max_roll_pitch_rate_deg_s);
+  const double yaw_limit = models::DegToRad(config_.max_yaw_rate_deg_s);
   const double roll_rate = std::clamp(
       config_.roll_pitch_angle_gain_1_s * models::WrapToPi(set_point.roll - attitude.roll), -tilt_limit, tilt_limit);
   const double pitch_rate =
       std::clamp(config_.roll_pitch_angle_gain_1_s * (set_point.pitch - attitude.pitch), -tilt_limit, tilt_limit);
-  const double yaw_rate = std::clamp(config_.yaw_angle_gain_1_s * models::WrapToPi(set_point.yaw - attitude.yaw),
-                                     -config_.max_yaw_rate_rad_s, config_.max_yaw_rate_rad_s);
+  const double yaw_rate =
+      std::clamp(config_.yaw_angle_gain_1_s * models::WrapToPi(set_point.yaw - attitude.yaw), -yaw_limit, yaw_limit);
   const double sin_roll = std::sin(attitude.roll), cos_roll = std::cos(attitude.roll);
   const double sin_pitch = std::sin(attitude.pitch), cos_pitch = std::cos(attitude.pitch);
   return {roll_rate - sin_pitch * yaw_rate, cos_roll * pitch_rate + sin_roll * cos_pitch * yaw_rate,

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "models/angles.h"
+#include "models/describe.h"
 #include "models/vehicle.h"
 
 namespace touchdown::controller {
@@ -10,23 +11,25 @@ namespace touchdown::controller {
 /// Gains in terms of angular acceleration, so that they hold for a vehicle of any inertia. They are tuned for a rotor
 /// lag of 40 ms: a quicker rotor bears higher ones.
 struct AttitudeControllerConfig {
-  double roll_pitch_angle_gain_1_s = 8.0;  ///< Rate asked for per angle error. Higher is stiffer, less damped.
-  double roll_pitch_rate_gain_1_s = 22.0;  ///< Angular acceleration asked for per rate error.
-  double roll_pitch_rate_integral_gain_1_s2 = 20.0;  ///< Takes out a constant torque, as of an off-centre load.
-  double roll_pitch_rate_derivative_gain = 0.4;      ///< Against the angular acceleration: makes up for the rotor lag.
-  double derivative_cutoff_hz = 30.0;  ///< Of the low-pass before the derivative. Lower is quieter, later.
-  double max_roll_pitch_rate_rad_s = 4.0;
+  double roll_pitch_angle_gain_1_s = 8.0;
+  double roll_pitch_rate_gain_1_s = 22.0;
+  double roll_pitch_rate_integral_gain_1_s2 = 20.0;
+  double roll_pitch_rate_derivative_gain = 0.4;
+  double derivative_cutoff_hz = 30.0;
+  double max_roll_pitch_rate_deg_s = 229.1831180523293;
   double max_roll_pitch_integral_rad_s2 = 10.0;
 
   double yaw_angle_gain_1_s = 2.0;
   double yaw_rate_gain_1_s = 5.0;
   double yaw_rate_integral_gain_1_s2 = 3.0;
-  double max_yaw_rate_rad_s = 1.0;
+  double max_yaw_rate_deg_s = 57.29577951308232;
   double max_yaw_integral_rad_s2 = 2.0;
 
-  /// Throws InputError when a number is not finite, a gain is negative, or a limit or the cutoff is not positive.
+  /// Throws InputError for a value out of its range (see Describe).
   void Validate() const;
 };
+
+void Describe(models::ConfigVisitor& v, AttitudeControllerConfig& config);
 
 /// The inner loop (Sec. V): angle P to rate PID for roll and pitch, angle P to rate PI for yaw.
 class AttitudeController {

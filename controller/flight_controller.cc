@@ -1,8 +1,7 @@
 #include "controller/flight_controller.h"
 
+#include <algorithm>
 #include <utility>
-
-#include "controller/validate.h"
 
 namespace touchdown::controller {
 namespace {
@@ -23,12 +22,30 @@ bool MotorsOff(Phase phase) { return phase == Phase::kStandby || phase == Phase:
 
 }  // namespace
 
-void FlightControllerConfig::Validate() const {
-  guidance.Validate();
-  position.Validate();
-  attitude.Validate();
-  RequirePositive(vision_fresh_s, "vision_fresh");
+std::vector<std::string> ControllerNames() { return {"paper"}; }
+
+void RequireControllerName(const std::string& name) {
+  const std::vector<std::string> names = ControllerNames();
+  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  std::string known;
+  for (const std::string& each : names) known += (known.empty() ? "" : ", ") + each;
+  throw InputError("unknown controller '" + name + "', known: " + known);
 }
+
+void Describe(models::ConfigVisitor& v, FlightControllerConfig& c) {
+  v.Text({"name", "Controller that flies the vehicle."}, c.name);
+  v.Check("name", [&c] { RequireControllerName(c.name); });
+  v.Keys({"guidance", "Set-points (Sec. V): takeoff, landing, and the search for a pad that is not seen."}, c.guidance);
+  v.Keys({"position", "Outer loop: position error to thrust and tilt."}, c.position);
+  v.Keys({"attitude", "Inner loop: attitude error to torque."}, c.attitude);
+  v.Number(
+      {"vision_fresh_s",
+       "Largest age of the newest sighting at which the position loop uses vision. Beyond it the loop uses its own "
+       "prediction."},
+      c.vision_fresh_s, models::kSecond, models::kPositiveTime);
+}
+
+void FlightControllerConfig::Validate() const { models::ValidateConfig(*this); }
 
 FlightController::FlightController(const FlightControllerConfig& config, const models::Vehicle& vehicle,
                                    const models::TimeBase& time, int rate_hz, std::vector<Manoeuvre> script,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "controller/attitude_controller.h"
@@ -9,21 +10,31 @@
 #include "controller/motion_predictor.h"
 #include "controller/pad_watch.h"
 #include "controller/position_controller.h"
+#include "models/describe.h"
 #include "models/signals.h"
 #include "models/vehicle.h"
 
 namespace touchdown::controller {
 
+/// The controller by its name, and its options.
 struct FlightControllerConfig {
+  std::string name = "paper";  ///< One of ControllerNames().
   GuidanceConfig guidance;
   PositionControllerConfig position;
   AttitudeControllerConfig attitude;
-  /// How old the pad's newest sighting may be for the position loop to use vision: beyond, it uses its own prediction.
   double vision_fresh_s = 0.07;
 
-  /// Throws InputError.
+  /// Throws InputError for what one of its parts refuses, and for a value out of its range (see Describe).
   void Validate() const;
 };
+
+/// The names that FlightControllerConfig::name may have.
+std::vector<std::string> ControllerNames();
+
+/// Throws InputError for a name that is not among ControllerNames(); the message lists them.
+void RequireControllerName(const std::string& name);
+
+void Describe(models::ConfigVisitor& v, FlightControllerConfig& config);
 
 /// What the controller did on an IMU tick: the command, and what led to it, for the logs.
 struct ControlOutput {

@@ -1,14 +1,20 @@
 #include "controller/guidance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
-#include "controller/validate.h"
+#include "models/angles.h"
 #include "models/error.h"
 
 namespace touchdown::controller {
 namespace {
+
+using models::kMeter, models::kMeterPerSecond, models::kNoUnit, models::kPositive, models::kPositiveTime,
+    models::kSecond, models::kTime;
+
+constexpr std::array<std::string_view, 3> kManoeuvreNames = {"takeoff", "hover", "land"};
 
 PhaseLimits LimitsOf(const GuidanceConfig& config, const models::TimeBase& time) {
   const double blind_path_m = config.blind_clearance_m + config.h_err_m - config.h_land_clearance_m;
@@ -43,48 +49,127 @@ void RequireFlyable(const std::vector<Manoeuvre>& script, bool starts_airborne, 
     if (!manoeuvre.position_m.allFinite() || manoeuvre.position_m.z() < blind_height_m) {
       throw InputError(which + "the set-point must be finite and above the blind height");
     }
-    RequireNotNegative(manoeuvre.duration_s, "the duration of a hover");
+    if (!std::isfinite(manoeuvre.duration_s) || manoeuvre.duration_s < 0.0) {
+      throw InputError(which + "the duration of a hover must be finite and not negative");
+    }
   }
+}
+
+void RequireConsistent(const GuidanceConfig& c) {
+  if (c.h_land_clearance_m >= c.blind_clearance_m) {
+    throw InputError("h_land_clearance must be finite and below blind_clearance");
+  }
+  if (c.vision_floor_clearance_m > c.blind_clearance_m) {
+    throw InputError("vision_floor_clearance must be finite and not above blind_clearance");
+  }
+  if (c.max_thrust_ratio < c.start_thrust_ratio) {
+    throw InputError("max_thrust_ratio must not be below start_thrust_ratio");
+  }
+}
+
+void DescribeTakeoff(models::ConfigVisitor& v, GuidanceConfig& c) {
+  v.Number({"standby_s", "Time on the ground before takeoff, in which the IMU settles."}, c.standby_s, kSecond, kTime);
+  v.Number({"start_thrust_ratio", "Thrust over weight at the start of the blind climb."}, c.start_thrust_ratio, kNoUnit,
+           models::kNotNegative);
+  v.Number({"thrust_ratio_rate_1_s",
+            "Rate at which thrust over weight grows in the blind climb. Larger takes off sooner and faster."},
+           c.thrust_ratio_rate_1_s, models::kPerSecond, kPositive);
+  v.Number(
+      {"max_thrust_ratio",
+       "Largest thrust over weight in the blind climb. What it has over 1 is the largest payload that takes off, as "
+       "a fraction of the mass."},
+      c.max_thrust_ratio, kNoUnit, kPositive);
+  v.Number({"blind_climb_limit_s", "Longest climb without a view of the pad."}, c.blind_climb_limit_s, kSecond,
+           kPositiveTime);
+  v.Number({"blind_climb_limit_m", "Highest predicted climb without a view of the pad."}, c.blind_climb_limit_m, kMeter,
+           kPositive);
+  v.Number({"climb_rate_m_s", "Rate at which the set-point rises to the height of the takeoff."}, c.climb_rate_m_s,
+           kMeterPerSecond, kPositive);
+  v.Number({"arrival_error_m", "Height error below which the takeoff is complete."}, c.arrival_error_m, kMeter,
+           kPositive);
+  v.Number({"ramp_limit_s", "Longest climb to the height of the takeoff."}, c.ramp_limit_s, kSecond, kPositiveTime);
+}
+
+void DescribeLanding(models::ConfigVisitor& v, GuidanceConfig& c) {
+  v.Number({"cone_radius_m",
+            "Radius of the cone Q' at its bottom, the blind height. Wider lands sooner and less accurately."},
+           c.cone_radius_m, kMeter, kPositive);
+  v.Number({"cone_half_angle_deg", "Half-angle of the cone Q'. Wider accepts larger offsets high above the pad."},
+           c.cone_half_angle_deg, models::kDegree, models::Between(0.0, 80.0));
+  v.Number({"h_err_m", "Height error below which a step of the landing counts as reached."}, c.h_err_m, kMeter,
+           kPositive);
+  v.Number(
+      {"t_0_s",
+       "Time that the vehicle stays in Q' and within h_err_m before the next step. Longer lands later and calmer."},
+      c.t_0_s, kSecond, kTime);
+  v.Number({"h_step_m", "Height of a landing step."}, c.h_step_m, kMeter, kPositive);
+  v.Number({"step_rate_m_s", "Rate at which the set-point descends through a step."}, c.step_rate_m_s, kMeterPerSecond,
+           kPositive);
+  v.Number({"braking_m_s2", "Deceleration of the set-point towards the blind height. Larger brakes later and harder."},
+           c.braking_m_s2, models::kMeterPerSecond2, kPositive);
+  v.Number({"landing_limit_s", "Longest landing, from its start to the blind descent."}, c.landing_limit_s, kSecond,
+           kPositiveTime);
+  v.Number({"blind_clearance_m",
+            "Clearance of the landing gear at which the blind descent begins. Below it the ring may be larger than the "
+            "image."},
+           c.blind_clearance_m, kMeter, kPositive);
+  v.Number({"vision_floor_clearance_m",
+            "Clearance of the landing gear below which the blind climb and descent do not use vision."},
+           c.vision_floor_clearance_m, kMeter, models::kNotNegative);
+  v.Number({"blind_entry_speed_m_s",
+            "Largest speed, in any direction, at which the blind descent may begin. Lower waits for a calmer hover."},
+           c.blind_entry_speed_m_s, kMeterPerSecond, kPositive);
+  v.Number({"blind_descent_rate_m_s", "Rate of the blind descent."}, c.blind_descent_rate_m_s, kMeterPerSecond,
+           kPositive);
+  v.Number(
+      {"h_land_clearance_m",
+       "Predicted clearance of the landing gear at which the motors stop. Below 0, a prediction that is too low by "
+       "this much still does not drop the vehicle."},
+      c.h_land_clearance_m, kMeter, models::Between(-1.0, 1.0));
+}
+
+void DescribeSearch(models::ConfigVisitor& v, GuidanceConfig& c) {
+  v.Number({"pad_lost_s", "Time without a sighting after which the pad counts as lost."}, c.pad_lost_s, kSecond,
+           kPositiveTime);
+  v.Number({"pad_found_s", "Time of unbroken sightings after which the pad counts as found."}, c.pad_found_s, kSecond,
+           kTime);
+  v.Number({"hold_limit_s", "Time that the vehicle holds its position after the pad is lost, before it climbs."},
+           c.hold_limit_s, kSecond, kPositiveTime);
+  v.Number({"search_climb_rate_m_s", "Rate at which the vehicle then climbs to see more of the ground."},
+           c.search_climb_rate_m_s, kMeterPerSecond, kPositive);
+  v.Number({"search_climb_limit_s", "Longest search climb before the vehicle gives up."}, c.search_climb_limit_s,
+           kSecond, kPositiveTime);
+  v.Number({"search_climb_m", "Highest predicted search climb before the vehicle gives up."}, c.search_climb_m, kMeter,
+           kPositive);
 }
 
 }  // namespace
 
-void GuidanceConfig::Validate() const {
-  RequireNotNegative(standby_s, "standby");
-  RequireNotNegative(start_thrust_ratio, "start_thrust_ratio");
-  RequirePositive(thrust_ratio_rate_1_s, "thrust_ratio_rate");
-  RequirePositive(max_thrust_ratio, "max_thrust_ratio");
-  RequirePositive(blind_climb_limit_s, "blind_climb_limit");
-  RequirePositive(blind_climb_limit_m, "blind_climb_limit (height)");
-  RequirePositive(climb_rate_m_s, "climb_rate");
-  RequirePositive(arrival_error_m, "arrival_error");
-  RequirePositive(ramp_limit_s, "ramp_limit");
-  RequirePositive(cone_radius_m, "cone_radius");
-  RequireNotNegative(cone_half_angle_rad, "cone_half_angle");
-  RequirePositive(h_err_m, "h_err");
-  RequireNotNegative(t_0_s, "t_0");
-  RequirePositive(h_step_m, "h_step");
-  RequirePositive(step_rate_m_s, "step_rate");
-  RequirePositive(braking_m_s2, "braking");
-  RequirePositive(landing_limit_s, "landing_limit");
-  RequirePositive(blind_clearance_m, "blind_clearance");
-  RequirePositive(blind_entry_speed_m_s, "blind_entry_speed");
-  RequirePositive(blind_descent_rate_m_s, "blind_descent_rate");
-  RequirePositive(pad_lost_s, "pad_lost");
-  RequireNotNegative(pad_found_s, "pad_found");
-  RequirePositive(hold_limit_s, "hold_limit");
-  RequirePositive(search_climb_rate_m_s, "search_climb_rate");
-  RequirePositive(search_climb_limit_s, "search_climb_limit");
-  RequirePositive(search_climb_m, "search_climb");
-  if (!std::isfinite(h_land_clearance_m) || h_land_clearance_m >= blind_clearance_m) {
-    throw InputError("h_land_clearance must be finite and below blind_clearance");
+void Describe(models::ConfigVisitor& v, Manoeuvre& m) {
+  v.Choice({"do", "Maneuver to fly.", true}, m.kind, kManoeuvreNames);
+  switch (m.kind) {
+    case ManoeuvreKind::kTakeoff:
+      v.Number({"height_m", "Height of the body's origin above the pad at the end of the takeoff (takeoff only)."},
+               m.position_m.z(), kMeter, models::PositiveUpTo(20.0));
+      break;
+    case ManoeuvreKind::kHover:
+      v.Vector3({"position_m", "Set-point of the body's origin in W (hover only)."}, m.position_m, kMeter,
+                models::Between(-15.0, 15.0));
+      v.Number({"duration_s", "Duration of the hover (hover only).", true}, m.duration_s, kSecond, kTime);
+      break;
+    case ManoeuvreKind::kLand:
+      break;
   }
-  if (!std::isfinite(vision_floor_clearance_m) || vision_floor_clearance_m > blind_clearance_m) {
-    throw InputError("vision_floor_clearance must be finite and not above blind_clearance");
-  }
-  if (max_thrust_ratio < start_thrust_ratio) throw InputError("max_thrust_ratio must not be below start_thrust_ratio");
-  if (cone_half_angle_rad >= models::kPi / 2.0) throw InputError("cone_half_angle must be below 90 degrees");
 }
+
+void Describe(models::ConfigVisitor& v, GuidanceConfig& c) {
+  DescribeTakeoff(v, c);
+  DescribeLanding(v, c);
+  DescribeSearch(v, c);
+  v.Check("", [&c] { RequireConsistent(c); });
+}
+
+void GuidanceConfig::Validate() const { models::ValidateConfig(*this); }
 
 Guidance::Guidance(const GuidanceConfig& config, const models::TimeBase& time, double period_s,
                    double standing_height_m, std::vector<Manoeuvre> script, bool starts_airborne)
@@ -131,7 +216,8 @@ std::optional<ManoeuvreKind> Guidance::Task() const {
 }
 
 double Guidance::ConeRadiusAt(double height_m) const {
-  return config_.cone_radius_m + std::max(0.0, height_m - BlindHeight()) * std::tan(config_.cone_half_angle_rad);
+  return config_.cone_radius_m +
+         std::max(0.0, height_m - BlindHeight()) * std::tan(models::DegToRad(config_.cone_half_angle_deg));
 }
 
 Conditions Guidance::Judge(const Input& input) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "controller/transition_table.h"
+#include "models/describe.h"
 #include "models/signals.h"
 #include "models/time.h"
 
@@ -15,55 +16,58 @@ namespace touchdown::controller {
 struct Manoeuvre {
   using Kind = ManoeuvreKind;
   Kind kind = Kind::kHover;
-  Eigen::Vector3d position_m{0.0, 0.0, 1.0};  ///< Takeoff (its height) and hover: the set-point in W.
-  double duration_s = 0.0;                    ///< Hover only.
+  Eigen::Vector3d position_m{0.0, 0.0, 1.0};  ///< In W; of a takeoff, its height alone counts.
+  double duration_s = 0.0;
 };
 
-/// Heights are of the body's origin in W, clearances those of the gear's soles over the pad.
-struct GuidanceConfig {
-  double standby_s = 1.0;  ///< On the ground before takeoff, in which the IMU settles.
+void Describe(models::ConfigVisitor& v, Manoeuvre& manoeuvre);
 
-  // The blind climb: thrust as a share of the nominal weight.
+/// Heights are those of the body's origin in W, clearances those of the landing gear contact points over the pad.
+struct GuidanceConfig {
+  double standby_s = 1.0;
+
+  // The blind climb.
   double start_thrust_ratio = 0.8;
   double thrust_ratio_rate_1_s = 0.2;
-  double max_thrust_ratio = 1.12;  ///< The heaviest payload that takes off, less one.
+  double max_thrust_ratio = 1.12;
   double blind_climb_limit_s = 4.0;
-  double blind_climb_limit_m = 0.8;  ///< By prediction, over where it stood.
+  double blind_climb_limit_m = 0.8;
 
-  double climb_rate_m_s = 0.30;   ///< Of the ramp.
-  double arrival_error_m = 0.08;  ///< Height error at the end of the ramp at which the takeoff is done.
+  // The ramp to the height of the takeoff.
+  double climb_rate_m_s = 0.30;
+  double arrival_error_m = 0.08;
   double ramp_limit_s = 20.0;
 
   // Landing (Sec. V, Fig. 3): the truncated cone Q' and the steps.
-  double cone_radius_m = 0.03;         ///< Of Q' at its bottom, the blind height. Wider lands sooner, further off.
-  double cone_half_angle_rad = 0.175;  ///< 10 deg.
-  double h_err_m = 0.06;               ///< Height error at which a step counts as reached.
-  double t_0_s = 0.10;                 ///< For how long the vehicle must have been in Q' with less than h_err.
+  double cone_radius_m = 0.03;
+  double cone_half_angle_deg = 10.026761414789405;
+  double h_err_m = 0.06;
+  double t_0_s = 0.10;
   double h_step_m = 0.10;
-  double step_rate_m_s = 0.40;  ///< The set-point moves through a step at this rate, and slows down towards
-  double braking_m_s2 = 0.25;   ///< the blind height by this much.
+  double step_rate_m_s = 0.40;
+  double braking_m_s2 = 0.25;
   double landing_limit_s = 60.0;
 
-  // Blind descent.
-  double blind_clearance_m = 0.11;         ///< Below it the ring may be larger than the image.
-  double vision_floor_clearance_m = 0.05;  ///< Below it no sighting is used, on the way down as on the way up.
-  double blind_entry_speed_m_s = 0.10;     ///< No faster, in any direction, when the blind descent begins.
+  // The blind descent.
+  double blind_clearance_m = 0.11;
+  double vision_floor_clearance_m = 0.05;
+  double blind_entry_speed_m_s = 0.10;
   double blind_descent_rate_m_s = 0.20;
-  double h_land_clearance_m = -0.025;  ///< Motors off, by prediction: h_land less the gear's height. Below 0, so that a
-                                       ///< prediction that is off by this much still does not let the vehicle fall.
+  double h_land_clearance_m = -0.025;
 
   // The pad is not seen.
-  double pad_lost_s = 0.30;   ///< After which it counts as lost.
-  double pad_found_s = 0.10;  ///< For which it must have been seen to be relied on (again).
+  double pad_lost_s = 0.30;
+  double pad_found_s = 0.10;
   double hold_limit_s = 0.6;
   double search_climb_rate_m_s = 0.40;
   double search_climb_limit_s = 5.0;
-  double search_climb_m = 1.0;  ///< By prediction: how far it climbs at most.
+  double search_climb_m = 1.0;
 
-  /// Throws InputError when a number is not finite, a time, rate or length that must be positive is not, or the numbers
-  /// contradict each other.
+  /// Throws InputError for a value out of its range (see Describe), or when the numbers contradict each other.
   void Validate() const;
 };
+
+void Describe(models::ConfigVisitor& v, GuidanceConfig& config);
 
 /// Guidance by set-points (Sec. V): where the flight stands, and what the position loop is to follow.
 class Guidance {

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controller/validate.h"
-#include "models/error.h"
-
 namespace touchdown::controller {
 namespace {
 
@@ -18,23 +15,50 @@ Eigen::Vector3d WithHorizontalLimit(Eigen::Vector3d v, double length) {
 
 }  // namespace
 
-void PositionControllerConfig::Validate() const {
-  RequireNotNegative(xy_position_gain_1_s, "xy_position_gain");
-  RequireNotNegative(xy_velocity_gain_1_s, "xy_velocity_gain");
-  RequireNotNegative(xy_integral_gain_1_s2, "xy_integral_gain");
-  RequireNotNegative(z_position_gain_1_s, "z_position_gain");
-  RequireNotNegative(z_velocity_gain_1_s, "z_velocity_gain");
-  RequireNotNegative(z_integral_gain_1_s2, "z_integral_gain");
-  RequirePositive(max_xy_speed_m_s, "max_xy_speed");
-  RequirePositive(max_z_speed_m_s, "max_z_speed");
-  RequirePositive(max_tilt_rad, "max_tilt");
-  RequirePositive(max_z_acceleration_m_s2, "max_z_acceleration");
-  RequirePositive(max_xy_integral_m_s2, "max_xy_integral");
-  RequirePositive(max_z_integral_m_s2, "max_z_integral");
-  RequirePositive(max_integrated_error_m_s, "max_integrated_error");
-  if (max_tilt_rad >= models::kPi / 3.0) throw InputError("max_tilt must be below 60 degrees");
-  if (max_z_acceleration_m_s2 >= models::kGravity_m_s2) throw InputError("max_z_acceleration must be below gravity");
+void Describe(models::ConfigVisitor& v, PositionControllerConfig& c) {
+  using namespace models;
+  constexpr double kSteepest_deg = 59.0;
+  constexpr double kBelowGravity_m_s2 = 9.8;
+  v.Number(
+      {"xy_position_gain_1_s", "Commanded horizontal speed per position error. Higher is stiffer and less damped."},
+      c.xy_position_gain_1_s, kPerSecond, kNotNegative);
+  v.Number({"xy_velocity_gain_1_s",
+            "Commanded horizontal acceleration per velocity error. Higher damps more and passes more noise."},
+           c.xy_velocity_gain_1_s, kPerSecond, kNotNegative);
+  v.Number({"xy_integral_gain_1_s2",
+            "Integral gain on the horizontal velocity error, against wind and a level error of the IMU. Higher adapts "
+            "faster and overshoots more."},
+           c.xy_integral_gain_1_s2, kPerSecond2, kNotNegative);
+  v.Number({"z_position_gain_1_s", "Commanded vertical speed per height error. Higher is stiffer and less damped."},
+           c.z_position_gain_1_s, kPerSecond, kNotNegative);
+  v.Number({"z_velocity_gain_1_s",
+            "Commanded vertical acceleration per velocity error. Higher damps more and passes more noise."},
+           c.z_velocity_gain_1_s, kPerSecond, kNotNegative);
+  v.Number(
+      {"z_integral_gain_1_s2",
+       "Integral gain on the vertical velocity error, against an error of mass or thrust. Higher adapts faster and "
+       "overshoots more."},
+      c.z_integral_gain_1_s2, kPerSecond2, kNotNegative);
+  v.Number({"max_xy_speed_m_s", "Limit of the commanded horizontal speed. The set-point's own speed is added to it."},
+           c.max_xy_speed_m_s, kMeterPerSecond, kPositive);
+  v.Number({"max_z_speed_m_s", "Limit of the commanded vertical speed. The set-point's own speed is added to it."},
+           c.max_z_speed_m_s, kMeterPerSecond, kPositive);
+  v.Number({"max_tilt_deg", "Limit of the commanded tilt."}, c.max_tilt_deg, kDegree, PositiveUpTo(kSteepest_deg));
+  v.Number({"max_z_acceleration_m_s2", "Limit of the commanded vertical acceleration; below gravity."},
+           c.max_z_acceleration_m_s2, kMeterPerSecond2, PositiveUpTo(kBelowGravity_m_s2));
+  v.Number({"max_xy_integral_m_s2", "Limit of the horizontal integral part. Larger holds against stronger wind."},
+           c.max_xy_integral_m_s2, kMeterPerSecond2, kPositive);
+  v.Number({"max_z_integral_m_s2",
+            "Limit of the vertical integral part. Larger holds against larger errors of mass or "
+            "thrust."},
+           c.max_z_integral_m_s2, kMeterPerSecond2, kPositive);
+  v.Number({"max_integrated_error_m_s",
+            "Limit of the velocity error that is integrated, so that a push is not mistaken for wind. Larger adapts "
+            "faster."},
+           c.max_integrated_error_m_s, kMeterPerSecond, kPositive);
 }
+
+void PositionControllerConfig::Validate() const { models::ValidateConfig(*this); }
 
 PositionController::PositionController(const PositionControllerConfig& config, const models::Vehicle& vehicle,
                                        double period_s)
@@ -70,7 +94,8 @@ PositionController::Demand PositionController::Trimmed(const models::TaitBryan& 
 
 Eigen::Vector3d PositionController::Limited(Eigen::Vector3d acceleration) const {
   acceleration.z() = std::clamp(acceleration.z(), -config_.max_z_acceleration_m_s2, config_.max_z_acceleration_m_s2);
-  return WithHorizontalLimit(acceleration, std::tan(config_.max_tilt_rad) * (models::kGravity_m_s2 + acceleration.z()));
+  return WithHorizontalLimit(
+      acceleration, std::tan(models::DegToRad(config_.max_tilt_deg)) * (models::kGravity_m_s2 + acceleration.z()));
 }
 
 PositionController::Demand PositionController::DemandFor(Eigen::Vector3d acceleration,

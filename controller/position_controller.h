@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "models/angles.h"
+#include "models/describe.h"
 #include "models/signals.h"
 #include "models/vehicle.h"
 
@@ -14,23 +15,24 @@ namespace touchdown::controller {
 struct PositionControllerConfig {
   double xy_position_gain_1_s = 1.1;
   double xy_velocity_gain_1_s = 2.4;
-  double xy_integral_gain_1_s2 = 1.2;  ///< Learns the trim against wind and a level error of the IMU.
+  double xy_integral_gain_1_s2 = 1.2;
   double z_position_gain_1_s = 2.0;
   double z_velocity_gain_1_s = 4.5;
-  double z_integral_gain_1_s2 = 1.5;  ///< Learns the trim against an error of mass or thrust.
+  double z_integral_gain_1_s2 = 1.5;
 
-  double max_xy_speed_m_s = 0.7;  ///< Of the speed asked for; what a set-point moves at comes on top.
+  double max_xy_speed_m_s = 0.7;
   double max_z_speed_m_s = 0.5;
-  double max_tilt_rad = 0.349;  ///< 20 deg.
+  double max_tilt_deg = 19.99622705006573;
   double max_z_acceleration_m_s2 = 3.0;
-  double max_xy_integral_m_s2 = 1.5;  ///< 8.7 deg of trim: 4.8 m/s of wind.
+  double max_xy_integral_m_s2 = 1.5;  // 8.7 deg of trim: 4.8 m/s of wind.
   double max_z_integral_m_s2 = 2.0;
-  double max_integrated_error_m_s = 0.6;  ///< Errors beyond it integrate as if they were this large: a push is no wind.
+  double max_integrated_error_m_s = 0.6;
 
-  /// Throws InputError when a number is not finite, a gain is negative, a limit is not positive, or the tilt is not
-  /// below 60 degrees.
+  /// Throws InputError for a value out of its range (see Describe).
   void Validate() const;
 };
+
+void Describe(models::ConfigVisitor& v, PositionControllerConfig& config);
 
 /// The outer loop (Sec. V, in the manner of Michael et al. and Mellinger et al.): position and velocity in, collective
 /// thrust, roll and pitch out.

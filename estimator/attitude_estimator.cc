@@ -24,27 +24,54 @@ constexpr double kLeastForce_m_s2 = 0.1 * kGravity_m_s2;
 
 }  // namespace
 
-void AttitudeEstimatorConfig::Validate() const {
-  for (const double value :
-       {accelerometer_time_constant_s, gyro_bias_time_constant_s, initial_tilt_sigma_rad, initial_gyro_bias_sigma_rad_s,
-        acceleration_tolerance, yaw_time_constant_s, yaw_bias_time_constant_s, history_s}) {
-    if (!std::isfinite(value) || value <= 0.0) {
-      throw InputError("the attitude estimator's settings must be positive and finite");
+void Describe(models::ConfigVisitor& v, AttitudeEstimatorConfig& c) {
+  using namespace models;
+  v.Number(
+      {"accelerometer_time_constant_s",
+       "Time constant with which the tilt follows the accelerometer. Longer relies on the gyro for longer; shorter "
+       "follows the vehicle's own acceleration more."},
+      c.accelerometer_time_constant_s, kSecond, kPositiveTime);
+  v.Number(
+      {"gyro_bias_time_constant_s",
+       "Time constant of the gyro bias, at least twice accelerometer_time_constant_s. Longer is smoother and slower."},
+      c.gyro_bias_time_constant_s, kSecond, kPositiveTime);
+  v.Number({"initial_tilt_sigma_deg",
+            "Standard deviation of roll and pitch as the first 0.1 s of samples give them. Larger lets later samples "
+            "correct them faster."},
+           c.initial_tilt_sigma_deg, kDegree, kPositive);
+  v.Number({"initial_gyro_bias_sigma_deg_s",
+            "Standard deviation of the gyro bias at the start. Larger lets the first samples change the bias faster."},
+           c.initial_gyro_bias_sigma_deg_s, kDegreePerSecond, kPositive);
+  v.Number({"level_ground_tolerance_deg",
+            "Largest tilt of the accelerometer at rest for which the ground is assumed level (the second assumption of "
+            "Sec. IV-C.2) and the tilt is attributed to its bias. 0 never assumes it: for takeoffs from slopes."},
+           c.level_ground_tolerance_deg, kDegree, Between(0.0, 90.0));
+  v.Number({"acceleration_tolerance",
+            "Relative deviation of the specific force from gravity above which it does not correct the tilt."},
+           c.acceleration_tolerance, kNoUnit, kPositive);
+  v.Number({"yaw_time_constant_s", "Time constant with which yaw follows vision. Longer is smoother and slower."},
+           c.yaw_time_constant_s, kSecond, kPositiveTime);
+  v.Number(
+      {"yaw_bias_time_constant_s",
+       "Time constant with which vision's yaw corrects the bias of the gyro's Z axis. Longer is smoother and slower."},
+      c.yaw_bias_time_constant_s, kSecond, kPositiveTime);
+  v.Number({"history_s", "Length of the attitude history. A frame that arrives later than this is not used."},
+           c.history_s, kSecond, PositiveUpTo(10.0));
+  v.Check("", [&c] {
+    if (c.gyro_bias_time_constant_s < 2.0 * c.accelerometer_time_constant_s) {
+      throw InputError("gyro_bias_time_constant must be at least twice accelerometer_time_constant");
     }
-  }
-  if (!std::isfinite(level_ground_tolerance_rad) || level_ground_tolerance_rad < 0.0) {
-    throw InputError("level_ground_tolerance must be finite and not negative");
-  }
-  if (gyro_bias_time_constant_s < 2.0 * accelerometer_time_constant_s) {
-    throw InputError("gyro_bias_time_constant must be at least twice accelerometer_time_constant");
-  }
+  });
 }
+
+void AttitudeEstimatorConfig::Validate() const { models::ValidateConfig(*this); }
 
 AttitudeEstimator::AttitudeEstimator(const AttitudeEstimatorConfig& config, const models::TimeBase& time,
                                      const Eigen::Matrix3d& R_BU)
     : config_(config), time_(time), R_BU_(R_BU) {
   config.Validate();
-  const double tilt = config.initial_tilt_sigma_rad, bias = config.initial_gyro_bias_sigma_rad_s;
+  const double tilt = models::DegToRad(config.initial_tilt_sigma_deg);
+  const double bias = models::DegToRad(config.initial_gyro_bias_sigma_deg_s);
   covariance_ = Eigen::Vector2d(tilt * tilt, bias * bias).asDiagonal();
 }
 
@@ -85,7 +112,7 @@ void AttitudeEstimator::AverageAtRest(const Eigen::Vector3d& f_B, const Eigen::V
   rest_force_B_ += dt_s / rest_s_ * (f_B - rest_force_B_);
   const Eigen::Vector3d up_B = Eigen::Vector3d::UnitZ();
   const double tilt = std::atan2(rest_force_B_.cross(up_B).norm(), rest_force_B_.dot(up_B));
-  const bool level = tilt < config_.level_ground_tolerance_rad;
+  const bool level = tilt < models::DegToRad(config_.level_ground_tolerance_deg);
   accelerometer_bias_B_ = level ? Eigen::Vector3d(rest_force_B_ - kGravity_m_s2 * up_B) : Eigen::Vector3d::Zero();
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "models/angles.h"
+#include "models/describe.h"
 #include "models/signals.h"
 
 namespace touchdown::estimator {
@@ -12,21 +13,21 @@ namespace touchdown::estimator {
 /// The two time constants hold once the filter has settled. Until then its gains are those of a Kalman filter that
 /// starts from the two sigmas.
 struct AttitudeEstimatorConfig {
-  double accelerometer_time_constant_s = 10.0;  ///< Longer trusts the gyro longer; shorter follows the thrust's tilt.
-  double gyro_bias_time_constant_s = 40.0;      ///< How fast the gyro's bias is learned; at least twice the other one.
-  double initial_tilt_sigma_rad = 0.02;         ///< Of roll and pitch as the first 0.1 s shows them.
-  double initial_gyro_bias_sigma_rad_s = 0.0087;
-  /// The ground is taken to be level (the second assumption of Sec. IV-C.2) where the accelerometer at rest shows no
-  /// more tilt than this; what it shows is then its bias. 0 never does: for a vehicle that takes off from slopes.
-  double level_ground_tolerance_rad = 0.07;
-  double acceleration_tolerance = 0.25;    ///< Of g: a specific force whose size is this far off is not used.
-  double yaw_time_constant_s = 0.5;        ///< How fast yaw follows vision.
-  double yaw_bias_time_constant_s = 20.0;  ///< How fast vision's yaw teaches the bias of the gyro's Z.
-  double history_s = 0.5;                  ///< How late a camera frame may come.
+  double accelerometer_time_constant_s = 10.0;
+  double gyro_bias_time_constant_s = 40.0;
+  double initial_tilt_sigma_deg = 1.1459155902616465;
+  double initial_gyro_bias_sigma_deg_s = 0.49847328176381617;
+  double level_ground_tolerance_deg = 4.010704565915763;
+  double acceleration_tolerance = 0.25;
+  double yaw_time_constant_s = 0.5;
+  double yaw_bias_time_constant_s = 20.0;
+  double history_s = 0.5;
 
-  /// Throws InputError when a number is not finite and positive, or the bias is learned too fast to be stable.
+  /// Throws InputError for a value out of its range (see Describe), or when the bias is learned too fast to be stable.
   void Validate() const;
 };
+
+void Describe(models::ConfigVisitor& v, AttitudeEstimatorConfig& config);
 
 /// Roll and pitch from the IMU alone (a complementary filter on the rotation group, Mahony et al. 2008), and yaw from
 /// vision, carried on by the gyro between frames (Sec. V). Keeps a short history, since frames arrive late.
@@ -50,6 +51,11 @@ class AttitudeEstimator {
   const Eigen::Vector3d& w_WB_B() const { return w_WB_B_; }
   /// Estimated bias of the gyro, in B, rad/s.
   const Eigen::Vector3d& gyro_bias_B() const { return gyro_bias_B_; }
+
+  /// Estimated bias of the accelerometer, in B, m/s^2.
+  const Eigen::Vector3d& accelerometer_bias_B() const { return accelerometer_bias_B_; }
+  /// Variance of the tilt about each horizontal axis that the filter claims, rad^2.
+  double tilt_variance() const { return covariance_(0, 0); }
 
   /// Unit vector pointing down, in B at `tick`: the newest sample's not after it, or the oldest one kept. Before the
   /// first sample: of a level body.

@@ -1,6 +1,7 @@
 #include "estimator/make_estimator.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <utility>
 
@@ -10,12 +11,14 @@
 namespace touchdown::estimator {
 namespace {
 
-using Maker = std::function<std::unique_ptr<Estimator>(const EstimatorConfig&, const EstimatorSetup&)>;
+using Maker = std::function<std::unique_ptr<StateEstimator>(const EstimatorConfig&, const EstimatorSetup&)>;
 
-std::unique_ptr<Estimator> MakePaperEstimator(const EstimatorConfig& config, const EstimatorSetup& setup) {
+std::unique_ptr<StateEstimator> MakePaperEstimator(const EstimatorConfig& config, const EstimatorSetup& setup) {
   paper::PaperEstimatorConfig paper;
   paper.search.edges.contour_points = config.paper.contour_points;
-  return std::make_unique<paper::PaperEstimator>(setup, paper);
+  paper.search.verify = config.paper.verify;
+  return std::make_unique<LooselyCoupled>(std::make_unique<paper::PaperEstimator>(setup, paper), config.filters,
+                                          setup.time, setup.R_BU);
 }
 
 const std::vector<std::pair<std::string, Maker>>& Makers() {
@@ -44,7 +47,14 @@ void EstimatorConfig::Validate() const {
   throw InputError("unknown estimator '" + name + "', known: " + known);
 }
 
-std::unique_ptr<Estimator> MakeEstimator(const EstimatorConfig& config, const EstimatorSetup& setup) {
+void Describe(models::ConfigVisitor& v, EstimatorConfig& c) {
+  v.Text({"name", "Estimator that turns IMU samples and frames into the state of the vehicle."}, c.name);
+  v.Keys({"paper", "Options of the estimator paper, the method of Yang et al."}, c.paper);
+  v.Renamed("contour_points", "paper.contour_points");
+  v.Check("name", [&c] { c.Validate(); });
+}
+
+std::unique_ptr<StateEstimator> MakeEstimator(const EstimatorConfig& config, const EstimatorSetup& setup) {
   config.Validate();
   return (*FindMaker(config.name))(config, setup);
 }

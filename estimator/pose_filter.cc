@@ -3,18 +3,33 @@
 #include <algorithm>
 #include <cmath>
 
-#include "models/error.h"
-
 namespace touchdown::estimator {
 
-void PoseFilterConfig::Validate() const {
-  for (const double value : {xy_acceleration_noise_m_s2_sqrt_hz, z_acceleration_noise_m_s2_sqrt_hz, xy_noise_per_height,
-                             min_xy_noise_m, z_noise_per_height, min_z_noise_m, initial_speed_m_s}) {
-    if (!std::isfinite(value) || value <= 0.0) {
-      throw InputError("the pose filter's settings must be positive and finite");
-    }
-  }
+void Describe(models::ConfigVisitor& v, PoseFilterConfig& c) {
+  using namespace models;
+  v.Number({"xy_acceleration_noise_m_s2_sqrt_hz",
+            "Density of the horizontal acceleration noise in the motion model. Larger follows vision sooner, with more "
+            "noise."},
+           c.xy_acceleration_noise_m_s2_sqrt_hz, kMeterPerSecond2RootHertz, kPositive);
+  v.Number({"z_acceleration_noise_m_s2_sqrt_hz",
+            "Density of the vertical acceleration noise in the motion model. Larger follows vision sooner, with more "
+            "noise."},
+           c.z_acceleration_noise_m_s2_sqrt_hz, kMeterPerSecond2RootHertz, kPositive);
+  v.Number({"xy_noise_per_height",
+            "Standard deviation of vision's horizontal position per meter of height, from tilt errors. Larger follows "
+            "vision later."},
+           c.xy_noise_per_height, kNoUnit, kPositive);
+  v.Number({"min_xy_noise_m", "Smallest standard deviation of vision's horizontal position."}, c.min_xy_noise_m, kMeter,
+           kPositive);
+  v.Number(
+      {"z_noise_per_height", "Standard deviation of vision's height per meter of height. Larger follows vision later."},
+      c.z_noise_per_height, kNoUnit, kPositive);
+  v.Number({"min_z_noise_m", "Smallest standard deviation of vision's height."}, c.min_z_noise_m, kMeter, kPositive);
+  v.Number({"initial_speed_m_s", "Standard deviation of each velocity component at the first position."},
+           c.initial_speed_m_s, kMeterPerSecond, kPositive);
 }
+
+void PoseFilterConfig::Validate() const { models::ValidateConfig(*this); }
 
 PoseFilter::PoseFilter(const PoseFilterConfig& config, const models::TimeBase& time) : config_(config), time_(time) {
   config.Validate();
@@ -23,8 +38,7 @@ PoseFilter::PoseFilter(const PoseFilterConfig& config, const models::TimeBase& t
 void PoseFilter::Update(models::Tick mid_exposure, const Eigen::Vector3d& p_WB) {
   if (newest_.has_value() && mid_exposure <= *newest_) return;
   const Eigen::Vector3d noise = Noise(p_WB.z());
-  const Eigen::Vector3d density(config_.xy_acceleration_noise_m_s2_sqrt_hz, config_.xy_acceleration_noise_m_s2_sqrt_hz,
-                                config_.z_acceleration_noise_m_s2_sqrt_hz);
+  const Eigen::Vector3d density = AccelerationDensity();
   for (int i = 0; i < 3; ++i) {
     Axis& axis = axes_[static_cast<std::size_t>(i)];
     if (newest_.has_value()) {
@@ -47,6 +61,25 @@ std::optional<models::VehicleEstimate::Motion> PoseFilter::At(models::Tick tick)
     motion.v_WB[i] = state[1];
   }
   return motion;
+}
+
+std::optional<Eigen::Matrix<double, 6, 6>> PoseFilter::CovarianceAt(models::Tick tick) const {
+  if (!newest_.has_value()) return std::nullopt;
+  const Eigen::Vector3d density = AccelerationDensity();
+  Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
+  for (int i = 0; i < 3; ++i) {
+    Axis axis = axes_[static_cast<std::size_t>(i)];
+    axis.Predict(time_.ToSeconds(tick - *newest_), density[i]);
+    covariance(i, i) = axis.covariance(0, 0);
+    covariance(i, i + 3) = covariance(i + 3, i) = axis.covariance(0, 1);
+    covariance(i + 3, i + 3) = axis.covariance(1, 1);
+  }
+  return covariance;
+}
+
+Eigen::Vector3d PoseFilter::AccelerationDensity() const {
+  const double xy = config_.xy_acceleration_noise_m_s2_sqrt_hz;
+  return {xy, xy, config_.z_acceleration_noise_m_s2_sqrt_hz};
 }
 
 Eigen::Vector3d PoseFilter::Noise(double height_m) const {

@@ -4,23 +4,26 @@
 #include <array>
 #include <optional>
 
+#include "models/describe.h"
 #include "models/signals.h"
 
 namespace touchdown::estimator {
 
-/// Accelerations are densities of the white noise that stands for them; larger follows sooner, with more noise.
+/// Accelerations are densities of the white noise that stands for them.
 struct PoseFilterConfig {
   double xy_acceleration_noise_m_s2_sqrt_hz = 0.40;
   double z_acceleration_noise_m_s2_sqrt_hz = 0.30;
-  double xy_noise_per_height = 0.020;  ///< 1-sigma of a vision position, horizontally, per metre of height: tilt error.
-  double min_xy_noise_m = 0.003;       ///< What it is at least.
-  double z_noise_per_height = 0.005;   ///< The same vertically.
+  double xy_noise_per_height = 0.020;
+  double min_xy_noise_m = 0.003;
+  double z_noise_per_height = 0.005;
   double min_z_noise_m = 0.002;
-  double initial_speed_m_s = 0.5;  ///< 1-sigma of each component of the velocity at the first position.
+  double initial_speed_m_s = 0.5;
 
-  /// Throws InputError when a number is not finite and positive.
+  /// Throws InputError for a value out of its range (see Describe).
   void Validate() const;
 };
+
+void Describe(models::ConfigVisitor& v, PoseFilterConfig& config);
 
 /// The "basic Kalman filter without taking the IMU information into account" of Sec. V: constant velocity on each axis
 /// of the vision position.
@@ -34,6 +37,9 @@ class PoseFilter {
 
   /// Position and velocity predicted to `tick`; nullopt before the first update.
   std::optional<models::VehicleEstimate::Motion> At(models::Tick tick) const;
+
+  /// Covariance of (p_WB in m, v_WB in m/s) predicted to `tick`; nullopt before the first update.
+  std::optional<Eigen::Matrix<double, 6, 6>> CovarianceAt(models::Tick tick) const;
 
   /// Mid-exposure of the newest update; nullopt before the first.
   std::optional<models::Tick> newest() const { return newest_; }
@@ -49,6 +55,7 @@ class PoseFilter {
   };
 
   Eigen::Vector3d Noise(double height_m) const;
+  Eigen::Vector3d AccelerationDensity() const;
 
   PoseFilterConfig config_;
   models::TimeBase time_;

@@ -1,46 +1,35 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <memory>
+#include <optional>
 
-#include "estimator/attitude_estimator.h"
-#include "estimator/estimator.h"
-#include "estimator/pose_filter.h"
+#include "estimator/frame_result.h"
 #include "models/signals.h"
 #include "models/time.h"
 
 namespace touchdown::estimator {
 
-/// All that a vehicle knows of its own state (Sec. V): roll, pitch and rates from the IMU, position, velocity and yaw
-/// from vision.
+/// A strategy that estimates the vehicle's state: IMU samples, camera frames and commanded thrust in, state out.
 class StateEstimator {
  public:
-  struct Config {
-    AttitudeEstimatorConfig attitude;
-    PoseFilterConfig filter;
-  };
+  virtual ~StateEstimator() = default;
 
-  /// `vision` must not be null; `R_BU` is the calibrated mounting of the IMU. Throws InputError for a config that is
-  /// not valid.
-  StateEstimator(std::unique_ptr<Estimator> vision, const Config& config, const models::TimeBase& time,
-                 const Eigen::Matrix3d& R_BU);
+  /// Adds the next IMU sample, a mean since the one before. `at_rest`: the vehicle stands on the ground, motors off.
+  virtual void AddImu(const models::ImuSample& sample, bool at_rest) = 0;
 
-  /// Takes the next sample of the IMU. `at_rest`: the vehicle knows that it stands on the ground, motors off.
-  void TakeImu(const models::ImuSample& imu, bool at_rest);
+  /// Adds the collective thrust commanded from `tick` on, over the vehicle's assumed mass, m/s^2: the specific force
+  /// along body Z that the rotors alone would cause. Optional input: without it no disturbance is reported.
+  virtual void AddCommand(models::Tick tick, double specific_thrust_m_s2) = 0;
 
-  /// Takes the next frame, in the order of their exposure, and returns what vision made of it. A frame comes late: it
-  /// is judged by gravity as it was at mid-exposure. Of the two poses from which the pad looks the same
-  /// (models::NearerTwin), the one nearer to the present yaw is used; a frame whose status is not ok changes nothing.
-  FrameEstimate TakeFrame(const models::ImageView& image, models::Tick mid_exposure);
+  /// Adds the next camera frame, in the order of exposure, and returns what was found in it. A frame arrives late: IMU
+  /// samples after its mid-exposure may have been added before. `image` has the camera's size and a stride of at least
+  /// its width (throws std::invalid_argument otherwise).
+  virtual FrameResult AddFrame(const models::ImageView& image, models::Tick mid_exposure) = 0;
 
-  /// The state at `tick`, which must not lie before the newest sample's: attitude and rates of that sample, motion as
-  /// predicted from the newest frame used; nullopt before the first one.
-  models::VehicleEstimate At(models::Tick tick) const;
+  /// The state at `tick`, which must not lie before the newest IMU sample; nullopt before the first sample.
+  virtual std::optional<models::VehicleEstimate> StateAt(models::Tick tick) const = 0;
 
- private:
-  std::unique_ptr<Estimator> vision_;
-  AttitudeEstimator attitude_;
-  PoseFilter filter_;
+  /// Forgets all samples, commands and frames: the state is as after construction.
+  virtual void Reset() = 0;
 };
 
 }  // namespace touchdown::estimator

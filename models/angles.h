@@ -18,6 +18,19 @@ struct TaitBryan {
   double yaw = 0.0;    ///< (-pi, pi], about Z up; positive turns left.
 };
 
+/// The same angles in degrees, for configurations, which hold numbers in the unit of their key.
+struct TaitBryanDeg {
+  double roll = 0.0;
+  double pitch = 0.0;
+  double yaw = 0.0;
+};
+constexpr TaitBryan ToRadians(const TaitBryanDeg& angles) {
+  return {.roll = DegToRad(angles.roll), .pitch = DegToRad(angles.pitch), .yaw = DegToRad(angles.yaw)};
+}
+constexpr TaitBryanDeg ToDegrees(const TaitBryan& angles) {
+  return {.roll = RadToDeg(angles.roll), .pitch = RadToDeg(angles.pitch), .yaw = RadToDeg(angles.yaw)};
+}
+
 /// R_WB of the given angles.
 Eigen::Matrix3d RotationFromTaitBryan(const TaitBryan& angles);
 

@@ -12,8 +12,6 @@
 namespace touchdown::models {
 namespace {
 
-constexpr int kLargestImage_px = 16384;
-
 /// Of 1 + a s + b s^2 + c s^3 with c != 0; infinity when there is none: the smallest positive eigenvalue of the
 /// companion matrix that is real.
 double SmallestPositiveRoot(double a, double b, double c) {
@@ -28,22 +26,34 @@ double SmallestPositiveRoot(double a, double b, double c) {
   return smallest;
 }
 
-}  // namespace
-
-void CameraModel::Validate() const {
-  if (width_px <= 0 || height_px <= 0 || width_px > kLargestImage_px || height_px > kLargestImage_px) {
-    throw InputError("the camera's image must be 1 to 16384 px wide and high");
-  }
-  for (const double value : {fx_px, fy_px, cx_px, cy_px, k1, k2, p1, p2, k3}) {
-    if (!std::isfinite(value)) throw InputError("the camera has a number that is not finite");
-  }
-  if (fx_px <= 0.0 || fy_px <= 0.0) throw InputError("the camera's focal lengths must be positive");
-  for (const double u : {-0.5, width_px - 0.5}) {
-    for (const double v : {-0.5, height_px - 0.5}) {
-      if (!Ray({u, v})) throw InputError("the camera's distortion folds within the image");
+void RequireUndistortable(const CameraModel& camera) {
+  for (const double u : {-0.5, camera.width_px - 0.5}) {
+    for (const double v : {-0.5, camera.height_px - 0.5}) {
+      if (!camera.Ray({u, v})) throw InputError("the camera's distortion folds within the image");
     }
   }
 }
+
+}  // namespace
+
+void Describe(ConfigVisitor& v, CameraModel& c) {
+  v.Integer({"width_px", "Width of the image."}, c.width_px, kImageSize_px);
+  v.Integer({"height_px", "Height of the image."}, c.height_px, kImageSize_px);
+  v.Number({"fx_px", "Horizontal focal length. A longer one narrows the field of view."}, c.fx_px, kPixel, kPositive);
+  v.Number({"fy_px", "Vertical focal length; equal to fx_px for square pixels."}, c.fy_px, kPixel, kPositive);
+  v.Number({"cx_px", "Horizontal coordinate of the principal point. Pixel centers lie on integers."}, c.cx_px, kPixel,
+           kAny);
+  v.Number({"cy_px", "Vertical coordinate of the principal point."}, c.cy_px, kPixel, kAny);
+  v.Number({"k1", "First radial distortion coefficient (plumb_bob). Negative values give barrel distortion."}, c.k1,
+           kNoUnit, kAny);
+  v.Number({"k2", "Second radial distortion coefficient."}, c.k2, kNoUnit, kAny);
+  v.Number({"p1", "First tangential distortion coefficient."}, c.p1, kNoUnit, kAny);
+  v.Number({"p2", "Second tangential distortion coefficient."}, c.p2, kNoUnit, kAny);
+  v.Number({"k3", "Third radial distortion coefficient."}, c.k3, kNoUnit, kAny);
+  v.Check("", [&c] { RequireUndistortable(c); });
+}
+
+void CameraModel::Validate() const { ValidateConfig(*this); }
 
 Eigen::Vector2d CameraModel::Distort(const Eigen::Vector2d& ideal) const {
   const double r2 = ideal.squaredNorm();

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "models/describe.h"
+
 namespace touchdown::models {
 
 /// A pinhole camera with radial and tangential distortion (ROS `plumb_bob`; Brown 1966), of which the paper has the
@@ -13,7 +15,7 @@ namespace touchdown::models {
 struct CameraModel {
   int width_px = 640;
   int height_px = 480;
-  double fx_px = 320.0;  ///< 320 px over 640 px: 90 degrees wide.
+  double fx_px = 320.0;  // 90 degrees over a width of 640 px.
   double fy_px = 320.0;
   double cx_px = 319.5;
   double cy_px = 239.5;
@@ -23,8 +25,8 @@ struct CameraModel {
   double p2 = 0.0;
   double k3 = 0.0;
 
-  /// Throws InputError, without a file name, when the image is empty or over 16384 px, a focal length is not
-  /// positive, a number is not finite, or the distortion folds within the image (it could not be undone).
+  /// Throws InputError, without a file name, for a value out of its range (see Describe), or when the distortion folds
+  /// within the image (it could not be undone).
   void Validate() const;
 
   /// Ideal normalized point -> distorted normalized point: x (1 + k1 r^2 + k2 r^4 + k3 r^6), and the tangential terms
@@ -58,5 +60,11 @@ struct CameraModel {
   Eigen::Matrix2d DistortJacobian(const Eigen::Vector2d& ideal) const;
   std::optional<Eigen::Vector2d> UndistortRadial(const Eigen::Vector2d& distorted) const;
 };
+
+inline constexpr Range kImageSize_px = Between(1, 16384);
+/// A camera model's keys may stand in a file, also in ROS's `camera_info` format.
+inline constexpr SectionFile kCameraModelFile{.allowed = true, .format = "camera_info"};
+
+void Describe(ConfigVisitor& v, CameraModel& camera);
 
 }  // namespace touchdown::models

@@ -12,46 +12,50 @@ namespace {
 /// Half a width from a file or a calculation may be off by a rounding, which is no gap between strokes.
 constexpr double kNoGap_m = 1e-9;
 
+void RequirePrintable(const LandingPad& pad) {
+  if (pad.ring_width_m >= pad.outer_radius_m) throw InputError("the pad's ring must be narrower than its radius");
+  if (pad.h_width_m - 2.0 * pad.h_stroke_m < -kNoGap_m || pad.h_stroke_m >= pad.h_height_m) {
+    throw InputError("the pad's H must be at least as wide as its two strokes, and higher than one");
+  }
+  if (std::hypot(pad.h_height_m, pad.h_width_m) / 2.0 >= pad.inner_radius_m()) {
+    throw InputError("the pad's H must fit inside its ring with a white gap");
+  }
+  if (2.0 * pad.outer_radius_m > std::min(pad.sheet_length_m, pad.sheet_width_m)) {
+    throw InputError("the pad's ring must fit on its sheet");
+  }
+}
+
 }  // namespace
 
 PadLetter LandingPad::letter() const {
   return h_width_m - 2.0 * h_stroke_m <= kNoGap_m ? PadLetter::kRectangle : PadLetter::kH;
 }
 
-void LandingPad::Validate() const {
-  for (const double size :
-       {outer_radius_m, ring_width_m, h_height_m, h_width_m, h_stroke_m, sheet_length_m, sheet_width_m}) {
-    if (!std::isfinite(size) || size <= 0.0) throw InputError("the pad's sizes must be positive and finite");
-  }
-  if (ring_width_m >= outer_radius_m) throw InputError("the pad's ring must be narrower than its radius");
-  if (h_width_m - 2.0 * h_stroke_m < -kNoGap_m || h_stroke_m >= h_height_m) {
-    throw InputError("the pad's H must be at least as wide as its two strokes, and higher than one");
-  }
-  if (std::hypot(h_height_m, h_width_m) / 2.0 >= inner_radius_m()) {
-    throw InputError("the pad's H must fit inside its ring with a white gap");
-  }
-  if (2.0 * outer_radius_m > std::min(sheet_length_m, sheet_width_m)) {
-    throw InputError("the pad's ring must fit on its sheet");
-  }
-  for (const PadMark& mark : marks) mark.Validate(inner_radius_m());
+void LandingPad::Validate() const { ValidateConfig(*this); }
+
+void Describe(ConfigVisitor& v, LandingPad& c) {
+  v.Number({"outer_radius_m", "Outer radius of the ring."}, c.outer_radius_m, kMeter, kPositive);
+  v.Number({"ring_width_m", "Width of the ring's black line."}, c.ring_width_m, kMeter, kPositive);
+  v.Number({"h_height_m", "Length of the H's long strokes, along X."}, c.h_height_m, kMeter, kPositive);
+  v.Number({"h_width_m", "Width of the H over both long strokes, along Y."}, c.h_width_m, kMeter, kPositive);
+  v.Number({"h_stroke_m", "Width of the H's strokes. Half of h_width_m makes the H a solid rectangle."}, c.h_stroke_m,
+           kMeter, kPositive);
+  v.Number({"sheet_length_m", "Length of the white sheet, along X."}, c.sheet_length_m, kMeter, kPositive);
+  v.Number({"sheet_width_m", "Width of the white sheet, along Y."}, c.sheet_width_m, kMeter, kPositive);
+  v.List(
+      {"marks", "Further black markings within the ring. They may touch or overlap the H."}, c.marks.size(),
+      [&c](std::size_t count) { c.marks.assign(count, {}); },
+      [&c](ConfigVisitor& item, std::size_t index) {
+        Describe(item, c.marks[index]);
+        item.Check("", [&c, index] { c.marks[index].Validate(c.inner_radius_m()); });
+      });
+  v.Check("", [&c] { RequirePrintable(c); });
 }
 
-bool LandingPad::IsBlack(const Eigen::Vector2d& p_W) const {
-  const double radius = p_W.norm();
-  if (radius >= inner_radius_m() && radius <= outer_radius_m) return true;
-  return IsLetter(p_W) || std::any_of(marks.begin(), marks.end(), [&](const PadMark& mark) { return mark.Holds(p_W); });
-}
+bool HalfTurnIsNearer(double yaw, double reference_yaw) { return std::abs(WrapToPi(yaw - reference_yaw)) > kPi / 2.0; }
 
-bool LandingPad::IsLetter(const Eigen::Vector2d& p_W) const {
-  const double x = std::abs(p_W.x()), y = std::abs(p_W.y());
-  if (x > h_height_m / 2.0 || y > h_width_m / 2.0) return false;
-  const bool on_stroke = y >= h_width_m / 2.0 - h_stroke_m, on_bar = x <= h_stroke_m / 2.0;
-  return on_stroke || on_bar || letter() == PadLetter::kRectangle;
-}
-
-Eigen::Isometry3d NearerTwin(const Eigen::Isometry3d& X_WB, double yaw) {
-  const double difference = WrapToPi(TaitBryanFromRotation(X_WB.linear()).yaw - yaw);
-  if (std::abs(difference) <= kPi / 2.0) return X_WB;
+Eigen::Isometry3d ResolveYawAmbiguity(const Eigen::Isometry3d& X_WB, double reference_yaw) {
+  if (!HalfTurnIsNearer(TaitBryanFromRotation(X_WB.linear()).yaw, reference_yaw)) return X_WB;
   const Eigen::Isometry3d half_turn(Eigen::Matrix3d(Eigen::Vector3d(-1.0, -1.0, 1.0).asDiagonal()));
   return half_turn * X_WB;
 }

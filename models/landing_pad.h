@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "models/describe.h"
 #include "models/pad_mark.h"
 
 namespace touchdown::models {
@@ -15,38 +16,37 @@ enum class PadLetter { kH, kRectangle };
 ///
 /// Frame W lies at the pad's centre, Z up. The H's long strokes run along X, its cross-bar along Y, and the
 /// sheet's long side along X. An H whose two strokes meet, 2 h_stroke_m = h_width_m, is a solid rectangle of h_height_m
-/// by h_width_m. A pad may bear marks beside its H; the built-in one has none.
+/// by h_width_m. A pad may bear marks beside its H; the built-in one has none. PadOutline gives its shapes.
 struct LandingPad {
   double outer_radius_m = 0.090;
   double ring_width_m = 0.016;
-  double h_height_m = 0.100;  ///< Length of the long strokes, along X.
-  double h_width_m = 0.056;   ///< Over both long strokes, along Y.
+  double h_height_m = 0.100;
+  double h_width_m = 0.056;
   double h_stroke_m = 0.016;
-  double sheet_length_m = 0.297;  ///< Along X; A4.
-  double sheet_width_m = 0.210;   ///< Along Y.
-  std::vector<PadMark> marks;     ///< Within the ring; they may touch or overlap the H.
+  double sheet_length_m = 0.297;  // A4.
+  double sheet_width_m = 0.210;
+  std::vector<PadMark> marks;
 
   double inner_radius_m() const { return outer_radius_m - ring_width_m; }
 
   /// A rectangle when the strokes meet, to a nanometre.
   PadLetter letter() const;
 
-  /// Throws InputError, without a file name, when a size is not finite and positive, the H's strokes overlap or are as
-  /// wide as it is high, the H does not fit inside the ring with a white gap, the ring does not fit on the sheet, or a
-  /// mark is refused by PadMark::Validate for the ring's inner radius.
+  /// Throws InputError, without a file name, for a value out of its range (see Describe), or when the H's strokes
+  /// overlap or are as wide as it is high, the H does not fit inside the ring with a white gap, the ring does not fit
+  /// on the sheet, or a mark is refused by PadMark::Validate for the ring's inner radius.
   void Validate() const;
-
-  /// Whether the point of the sheet's plane, in W, lies on black: on the ring, on the H or on a mark.
-  bool IsBlack(const Eigen::Vector2d& p_W) const;
-
-  /// Whether the point of the sheet's plane, in W, lies on the H.
-  bool IsLetter(const Eigen::Vector2d& p_W) const;
 
   friend bool operator==(const LandingPad&, const LandingPad&) = default;
 };
 
-/// A body's pose in W, or its twin: ring and H look the same from a pose turned by 180 degrees about W's Z axis
-/// (Sec. IV-C.3), whatever marks the pad bears. The one whose yaw is nearer to `yaw`, rad, is returned.
-Eigen::Isometry3d NearerTwin(const Eigen::Isometry3d& X_WB, double yaw);
+void Describe(ConfigVisitor& v, LandingPad& pad);
+
+/// Whether `yaw` rotated by 180 degrees is nearer to `reference_yaw` than `yaw` is; both in rad.
+bool HalfTurnIsNearer(double yaw, double reference_yaw);
+
+/// Resolves the 180-degree yaw ambiguity: ring and H look the same from X_WB and from X_WB rotated by 180 degrees about
+/// W's Z axis (Sec. IV-C.3), whatever marks the pad bears. Returns the one whose yaw is nearer to `reference_yaw`, rad.
+Eigen::Isometry3d ResolveYawAmbiguity(const Eigen::Isometry3d& X_WB, double reference_yaw);
 
 }  // namespace touchdown::models

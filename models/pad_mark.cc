@@ -3,42 +3,40 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "models/error.h"
+#include "models/angles.h"
 
 namespace touchdown::models {
 namespace {
 
-/// Coordinates along the bar's length and width of a point or direction of W.
-Eigen::Vector2d AlongBar(const PadMark& bar, const Eigen::Vector2d& v_W) {
-  return Eigen::Rotation2Dd(-bar.angle) * v_W;
-}
-
-Eigen::Vector2d HalfSize(const PadMark& bar) { return 0.5 * Eigen::Vector2d(bar.length_m, bar.width_m); }
-
 /// From W's origin to the mark's farthest point.
 double Reach(const PadMark& mark) {
   if (mark.shape == PadMark::Shape::kDisc) return mark.centre_m.norm() + 0.5 * mark.diameter_m;
-  return (AlongBar(mark, mark.centre_m).cwiseAbs() + HalfSize(mark)).norm();
-}
-
-bool HasSize(const PadMark& mark) {
-  const auto is_size = [](double value) { return std::isfinite(value) && value > 0.0; };
-  if (mark.shape == PadMark::Shape::kDisc) return is_size(mark.diameter_m);
-  return is_size(mark.length_m) && is_size(mark.width_m);
+  const Eigen::Vector2d along_bar = Eigen::Rotation2Dd(-DegToRad(mark.angle_deg)) * mark.centre_m;
+  return (along_bar.cwiseAbs() + 0.5 * Eigen::Vector2d(mark.length_m, mark.width_m)).norm();
 }
 
 }  // namespace
 
 void PadMark::Validate(double radius_m) const {
-  if (!HasSize(*this)) throw InputError("the sizes of a pad's mark must be positive and finite");
-  if (!centre_m.allFinite() || !std::isfinite(angle)) throw InputError("a pad's mark must lie at a finite place");
+  ValidateConfig(*this);
   if (Reach(*this) >= radius_m) throw InputError("a pad's mark must lie wholly within its ring, with a white gap");
 }
 
-bool PadMark::Holds(const Eigen::Vector2d& p_W) const {
-  const Eigen::Vector2d from_centre = p_W - centre_m;
-  if (shape == Shape::kDisc) return from_centre.norm() <= 0.5 * diameter_m;
-  return (AlongBar(*this, from_centre).cwiseAbs() - HalfSize(*this)).maxCoeff() <= 0.0;
+void Describe(ConfigVisitor& v, PadMark& m) {
+  v.Choice({"shape", "Shape of the marking: a disc, or a bar (a rectangle).", true}, m.shape, PadMark::kShapeNames);
+  v.Number({"x_m", "X of the marking's center in W.", true}, m.centre_m.x(), kMeter, kAny);
+  v.Number({"y_m", "Y of the marking's center in W.", true}, m.centre_m.y(), kMeter, kAny);
+  switch (m.shape) {
+    case PadMark::Shape::kDisc:
+      v.Number({"diameter_m", "Diameter of the disc (disc only).", true}, m.diameter_m, kMeter, kPositive);
+      break;
+    case PadMark::Shape::kBar:
+      v.Number({"length_m", "Length of the bar, along angle_deg (bar only).", true}, m.length_m, kMeter, kPositive);
+      v.Number({"width_m", "Width of the bar, across its length (bar only).", true}, m.width_m, kMeter, kPositive);
+      v.Number({"angle_deg", "Direction of the bar's length, from W's X towards Y (bar only)."}, m.angle_deg, kDegree,
+               Between(-180.0, 180.0));
+      break;
+  }
 }
 
 }  // namespace touchdown::models

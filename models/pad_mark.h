@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "models/describe.h"
+
 namespace touchdown::models {
 
 /// A black mark printed on a landing pad within its ring, beside the H or over it: a disc or a bar. In the pad's frame
@@ -17,19 +19,18 @@ struct PadMark {
 
   Shape shape = Shape::kDisc;
   Eigen::Vector2d centre_m = Eigen::Vector2d::Zero();
-  double diameter_m = 0.0;  ///< Disc only.
-  double length_m = 0.0;    ///< Bar only.
-  double width_m = 0.0;     ///< Bar only.
-  double angle = 0.0;       ///< Bar only: of its length, from X towards Y.
+  double diameter_m = 0.0;
+  double length_m = 0.0;
+  double width_m = 0.0;
+  double angle_deg = 0.0;
 
-  /// Throws InputError, without a file name, when a number is not finite, a size is not positive, or the
-  /// mark does not lie wholly within the circle of `radius_m` around W's origin.
+  /// Throws InputError, without a file name, for a value out of its range (see Describe), or when the mark does not lie
+  /// wholly within the circle of `radius_m` around W's origin.
   void Validate(double radius_m) const;
-
-  /// Whether the point of the sheet's plane, in W, lies on the mark.
-  bool Holds(const Eigen::Vector2d& p_W) const;
 
   friend bool operator==(const PadMark&, const PadMark&) = default;
 };
+
+void Describe(ConfigVisitor& v, PadMark& mark);
 
 }  // namespace touchdown::models

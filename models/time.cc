@@ -40,4 +40,11 @@ Tick TimeBase::PeriodOf(int rate_hz) const {
   return ticks_per_s / rate_hz;
 }
 
+void Describe(ConfigVisitor& v, TimeBase& time) {
+  v.Integer({"ticks_per_s",
+             "Physics steps per second. More are more accurate and slower; every sensor's rate must "
+             "divide them."},
+            time.ticks_per_s, Between(100, 100000));
+}
+
 }  // namespace touchdown::models

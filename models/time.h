@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "models/describe.h"
+
 namespace touchdown::models {
 
 /// Simulated time as a count of physics ticks since the start of the flight. There is no other clock
@@ -26,5 +28,10 @@ struct TimeBase {
   /// positive or does not divide `ticks_per_s`.
   Tick PeriodOf(int rate_hz) const;
 };
+
+/// The range of a periodic source's rate, beside TimeBase::PeriodOf.
+inline constexpr Range kRate_hz = Between(1, 100000);
+
+void Describe(ConfigVisitor& v, TimeBase& time);
 
 }  // namespace touchdown::models

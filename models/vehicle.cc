@@ -1,7 +1,6 @@
 #include "models/vehicle.h"
 
 #include <cmath>
-#include <initializer_list>
 #include <numbers>
 
 #include "models/error.h"
@@ -11,7 +10,7 @@ namespace {
 
 Eigen::Isometry3d Pose(const Mounting& mounting, const Eigen::Matrix3d& R_nominal) {
   Eigen::Isometry3d X_BS = Eigen::Isometry3d::Identity();
-  X_BS.linear() = RotationFromTaitBryan(mounting.misalignment) * R_nominal;
+  X_BS.linear() = RotationFromTaitBryan(ToRadians(mounting.misalignment_deg)) * R_nominal;
   X_BS.translation() = mounting.position_m;
   return X_BS;
 }
@@ -25,9 +24,20 @@ Eigen::Matrix3d R_LookingDown() {
   return R;
 }
 
-bool IsFinite(const Mounting& mounting) {
-  const auto& [roll, pitch, yaw] = mounting.misalignment;
-  return mounting.position_m.allFinite() && std::isfinite(roll) && std::isfinite(pitch) && std::isfinite(yaw);
+void RequireAirworthy(const Vehicle& vehicle) {
+  const Rotor& rotor = vehicle.rotor;
+  if (2.0 * vehicle.inertia_kg_m2.maxCoeff() > vehicle.inertia_kg_m2.sum()) {
+    throw InputError("the vehicle's moments of inertia break the triangle inequality");
+  }
+  if (rotor.min_speed_rad_s >= rotor.max_speed_rad_s) {
+    throw InputError("the rotor's idle speed must lie between 0 and its highest speed");
+  }
+  if (rotor.ThrustAt(rotor.max_speed_rad_s) <= vehicle.HoverThrustPerRotor()) {
+    throw InputError("the vehicle's rotors cannot lift its mass");
+  }
+  if (vehicle.camera.position_m.z() <= -vehicle.gear.height_m) {
+    throw InputError("the vehicle's camera must sit above its feet");
+  }
 }
 
 }  // namespace
@@ -36,33 +46,56 @@ double Rotor::SpeedFor(double thrust_n) const {
   return thrust_n > 0.0 ? std::sqrt(thrust_n / thrust_coefficient_n_s2) : 0.0;
 }
 
-void Vehicle::Validate() const {
-  for (const double value :
-       {mass_kg, inertia_kg_m2.x(), inertia_kg_m2.y(), inertia_kg_m2.z(), arm_m, rotor.thrust_coefficient_n_s2,
-        rotor.torque_ratio_m, rotor.time_constant_s, rotor.max_speed_rad_s, rotor.propeller_diameter_m,
-        gear.half_spacing_m, gear.height_m, gear.foot_radius_m}) {
-    if (!std::isfinite(value) || value <= 0.0) {
-      throw InputError("the vehicle's masses, lengths and coefficients must be positive and finite");
-    }
-  }
-  if (!IsFinite(camera) || !IsFinite(imu) || !std::isfinite(rotor_height_m) || !linear_drag_n_s_m.allFinite() ||
-      !quadratic_drag_n_s2_m2.allFinite() || !std::isfinite(rotor.min_speed_rad_s)) {
-    throw InputError("the vehicle has a number that is not finite");
-  }
-  if (linear_drag_n_s_m.minCoeff() < 0.0 || quadratic_drag_n_s2_m2.minCoeff() < 0.0) {
-    throw InputError("the vehicle's drag must not be negative");
-  }
-  if (2.0 * inertia_kg_m2.maxCoeff() > inertia_kg_m2.sum()) {
-    throw InputError("the vehicle's moments of inertia break the triangle inequality");
-  }
-  if (rotor.min_speed_rad_s < 0.0 || rotor.min_speed_rad_s >= rotor.max_speed_rad_s) {
-    throw InputError("the rotor's idle speed must lie between 0 and its highest speed");
-  }
-  if (rotor.ThrustAt(rotor.max_speed_rad_s) <= HoverThrustPerRotor()) {
-    throw InputError("the vehicle's rotors cannot lift its mass");
-  }
-  if (camera.position_m.z() <= -gear.height_m) throw InputError("the vehicle's camera must sit above its feet");
+void Describe(ConfigVisitor& v, Rotor& r) {
+  v.Number({"thrust_coefficient_n_s2", "Thrust over the squared rotor speed in rad/s."}, r.thrust_coefficient_n_s2,
+           {"N s^2"}, kPositive);
+  v.Number({"torque_ratio_m", "Drag torque per thrust."}, r.torque_ratio_m, kMeter, kPositive);
+  v.Number(
+      {"time_constant_s", "Time constant of the lag from commanded to actual speed. Longer delays every correction."},
+      r.time_constant_s, kSecond, kPositiveTime);
+  v.Number({"max_speed_rad_s", "Highest rotor speed. It limits the thrust, and with it the payload."},
+           r.max_speed_rad_s, kRadianPerSecond, kPositive);
+  v.Number({"min_speed_rad_s", "Idle speed of a running motor. A command of 0 stops it."}, r.min_speed_rad_s,
+           kRadianPerSecond, kNotNegative);
+  v.Number({"propeller_diameter_m", "Diameter of the propeller."}, r.propeller_diameter_m, kMeter, kPositive);
 }
+
+void Describe(ConfigVisitor& v, Mounting& m) {
+  v.Vector3({"position_m", "Position of the sensor in the body frame."}, m.position_m, kMeter, Between(-2.0, 2.0));
+  v.Numbers({"misalignment_deg",
+             "Roll, pitch and yaw that rotate the sensor from its nominal orientation, in the body frame."},
+            {&m.misalignment_deg.roll, &m.misalignment_deg.pitch, &m.misalignment_deg.yaw}, kDegree,
+            Between(-180.0, 180.0));
+}
+
+void Describe(ConfigVisitor& v, LandingGear& g) {
+  v.Number({"half_spacing_m", "Half of the distance between two feet, along X and Y."}, g.half_spacing_m, kMeter,
+           kPositive);
+  v.Number({"height_m", "Height of the body's origin above the landing gear contact points."}, g.height_m, kMeter,
+           kPositive);
+  v.Number({"foot_radius_m", "Radius of each foot."}, g.foot_radius_m, kMeter, kPositive);
+}
+
+void Describe(ConfigVisitor& v, Vehicle& c) {
+  v.Number({"mass_kg", "Mass with battery and payload."}, c.mass_kg, kKilogram, kPositive);
+  v.Vector3({"inertia_kg_m2", "Principal moments of inertia along the body's axes."}, c.inertia_kg_m2, {"kg m^2"},
+            kPositive);
+  v.Number({"arm_m", "Horizontal distance from the body's origin to each rotor."}, c.arm_m, kMeter, kPositive);
+  v.Number({"rotor_height_m", "Height of the rotor plane above the body's origin."}, c.rotor_height_m, kMeter,
+           Between(-2.0, 2.0));
+  v.Keys({"rotor", "Motor and propeller; all four are equal."}, c.rotor);
+  v.Vector3({"linear_drag_n_s_m", "Drag force per airspeed along the body's axes (rotor drag)."}, c.linear_drag_n_s_m,
+            {"N s/m"}, kNotNegative);
+  v.Vector3({"quadratic_drag_n_s2_m2", "Drag force per squared airspeed along the body's axes (fuselage)."},
+            c.quadratic_drag_n_s2_m2, {"N s^2/m^2"}, kNotNegative);
+  v.Keys({"gear", "Landing gear with four feet."}, c.gear);
+  v.Keys({"camera", "Mounting of the camera. Nominally it looks down, with the image's up towards body forward."},
+         c.camera);
+  v.Keys({"imu", "Mounting of the IMU. Nominally its axes are the body's."}, c.imu);
+  v.Check("", [&c] { RequireAirworthy(c); });
+}
+
+void Vehicle::Validate() const { ValidateConfig(*this); }
 
 Eigen::Vector3d Vehicle::RotorPosition(int index) const {
   const double offset = arm_m / std::numbers::sqrt2;
@@ -77,11 +110,11 @@ Eigen::Isometry3d Vehicle::X_BU() const { return Pose(imu, Eigen::Matrix3d::Iden
 
 Mounting CameraMountingOf(const Eigen::Isometry3d& X_BC) {
   return {.position_m = X_BC.translation(),
-          .misalignment = TaitBryanFromRotation(X_BC.linear() * R_LookingDown().transpose())};
+          .misalignment_deg = ToDegrees(TaitBryanFromRotation(X_BC.linear() * R_LookingDown().transpose()))};
 }
 
 Mounting ImuMountingOf(const Eigen::Isometry3d& X_BU) {
-  return {.position_m = X_BU.translation(), .misalignment = TaitBryanFromRotation(X_BU.linear())};
+  return {.position_m = X_BU.translation(), .misalignment_deg = ToDegrees(TaitBryanFromRotation(X_BU.linear()))};
 }
 
 }  // namespace touchdown::models

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "models/angles.h"
+#include "models/describe.h"
 
 namespace touchdown::models {
 
@@ -14,11 +15,11 @@ inline constexpr double kGravity_m_s2 = 9.81;
 /// One of four equal rotors. Thrust is thrust_coefficient * speed^2 along +Z_B, drag torque is torque_ratio times the
 /// thrust about Z_B, against the spin; the speed follows its command as a first-order lag.
 struct Rotor {
-  double thrust_coefficient_n_s2 = 1.29e-5;  ///< N per (rad/s)^2: 2.94 N at 477 rad/s, a 10 inch propeller.
-  double torque_ratio_m = 0.0165;            ///< Nm of drag torque per N of thrust.
+  double thrust_coefficient_n_s2 = 1.29e-5;  // 2.94 N at 477 rad/s, a 10 inch propeller.
+  double torque_ratio_m = 0.0165;
   double time_constant_s = 0.04;
-  double max_speed_rad_s = 660.0;  ///< 5.6 N: 400 g of payload with a margin for control.
-  double min_speed_rad_s = 100.0;  ///< Idle of a running motor. A command of 0 stops it.
+  double max_speed_rad_s = 660.0;  // 5.6 N: 400 g of payload with a margin for control.
+  double min_speed_rad_s = 100.0;
   double propeller_diameter_m = 0.254;
 
   double ThrustAt(double speed_rad_s) const { return thrust_coefficient_n_s2 * speed_rad_s * speed_rad_s; }
@@ -26,17 +27,17 @@ struct Rotor {
   double SpeedFor(double thrust_n) const;
 };
 
-/// How a sensor sits on the body. The rotation is told as Tait-Bryan angles in B that turn the sensor from its nominal
+/// Pose of a sensor on the body: its position p_BS, and Tait-Bryan angles in B that rotate it from its nominal
 /// orientation.
 struct Mounting {
-  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< p_BS.
-  TaitBryan misalignment;                                ///< Of the sensor against its nominal orientation.
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
+  TaitBryanDeg misalignment_deg;
 };
 
 /// Four feet at (+-half_spacing, +-half_spacing, -height) in B.
 struct LandingGear {
   double half_spacing_m = 0.13;
-  double height_m = 0.14;  ///< From the body's origin down to the feet's soles.
+  double height_m = 0.14;
   double foot_radius_m = 0.012;
 };
 
@@ -46,19 +47,19 @@ struct LandingGear {
 /// -Z_B), so that their drag turns the body left (+Z_B); 1 and 3 spin the other way.
 struct Vehicle {
   double mass_kg = 1.2;
-  Eigen::Vector3d inertia_kg_m2{0.0125, 0.0125, 0.0220};  ///< Principal moments along B's axes.
-  double arm_m = 0.20;                                    ///< From the origin to each rotor.
-  double rotor_height_m = 0.03;                           ///< Of the rotor plane above the origin.
+  Eigen::Vector3d inertia_kg_m2{0.0125, 0.0125, 0.0220};
+  double arm_m = 0.20;
+  double rotor_height_m = 0.03;
   Rotor rotor;
-  Eigen::Vector3d linear_drag_n_s_m{0.25, 0.25, 0.35};       ///< N per m/s of airspeed along B's axes (rotor drag).
-  Eigen::Vector3d quadratic_drag_n_s2_m2{0.02, 0.02, 0.04};  ///< N per (m/s)^2 (fuselage).
+  Eigen::Vector3d linear_drag_n_s_m{0.25, 0.25, 0.35};
+  Eigen::Vector3d quadratic_drag_n_s2_m2{0.02, 0.02, 0.04};
   LandingGear gear;
-  Mounting camera{.position_m = {0.0, 0.0, -0.05}, .misalignment = {}};
+  Mounting camera{.position_m = {0.0, 0.0, -0.05}, .misalignment_deg = {}};
   Mounting imu;
 
-  /// Throws InputError, without a file name, when a number is not finite, a mass, moment, length, coefficient or time
-  /// constant is not positive, the moments break the triangle inequality, the rotors cannot lift the vehicle, or the
-  /// camera sits below the feet.
+  /// Throws InputError, without a file name, for a value out of its range (see Describe), or when the moments break the
+  /// triangle inequality, the idle speed is not below the highest, the rotors cannot lift the vehicle, or the camera
+  /// sits below the feet.
   void Validate() const;
 
   /// Position of a rotor's hub in B.
@@ -73,6 +74,11 @@ struct Vehicle {
   /// Pose of the IMU frame U in B. Nominally its axes are B's.
   Eigen::Isometry3d X_BU() const;
 };
+
+void Describe(ConfigVisitor& v, Rotor& rotor);
+void Describe(ConfigVisitor& v, Mounting& mounting);
+void Describe(ConfigVisitor& v, LandingGear& gear);
+void Describe(ConfigVisitor& v, Vehicle& vehicle);
 
 /// The mounting whose Vehicle::X_BC is `X_BC`.
 Mounting CameraMountingOf(const Eigen::Isometry3d& X_BC);

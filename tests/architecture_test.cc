@@ -36,7 +36,7 @@ const std::vector<LibraryRule>& LibraryRules() {
       {std::regex("estimator/.*\\.cc"), std::regex("opencv2/.*")},
       {std::regex("sim/.*"), std::regex("(mujoco|GL|EGL|opencv2|spdlog|fmt)/.*")},
       {std::regex("scenarios/.*"), std::regex("(opencv2|yaml-cpp|CLI|nlohmann|openssl|spdlog|fmt)/.*|pugixml\\.hpp")},
-      {std::regex("scenarios/report/.*\\.cc"), std::regex("(cairo|kainjow)/.*")},
+      {std::regex("scenarios/report/.*"), std::regex("(cairo|kainjow)/.*")},
       {std::regex("scenarios/(experiments/paper|sweeper/page/sweep)_report\\.cc"), std::regex("kainjow/.*")},
       {std::regex("scenarios/experiments/april_tag\\.cc"), std::regex("apriltag/.*")},
       {std::regex("scenarios/sweeper/plan/sweep_store\\.cc"), std::regex("(SQLiteCpp/.*|sqlite3\\.h)")},

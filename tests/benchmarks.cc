@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "estimator/make_estimator.h"
+#include "estimator/paper/paper_estimator.h"
 #include "models/angles.h"
 #include "models/random_stream.h"
 #include "scenarios/experiments/april_tag.h"
@@ -67,7 +67,7 @@ void Vision(benchmark::State& state, bool with_pad, estimator::FrameOrder frame_
   setup.frame_order = frame_order;
   setup.X_BC = models::Vehicle().X_BC();
   const auto& views = Views(with_pad);
-  const auto estimator = estimator::MakeEstimator({}, setup);
+  estimator::paper::PaperEstimator estimator(setup);
   models::Tick tick = 0;
   int ok = 0, frames = 0;
   std::vector<double> shortest_ms(kFrames, 1e9);
@@ -76,7 +76,7 @@ void Vision(benchmark::State& state, bool with_pad, estimator::FrameOrder frame_
     const View& view = views[i];
     const auto start = std::chrono::steady_clock::now();
     // Views are unrelated, so a second apart: the outlier rule has nothing to compare.
-    ok += estimator->Estimate(view.image.View(), tick += 1200, view.gravity_B).pose.has_value();
+    ok += estimator.Estimate(view.image.View(), tick += 1200, view.gravity_B).pose.has_value();
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
     shortest_ms[i] = std::min(shortest_ms[i], took.count());
   }

@@ -6,9 +6,9 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
-#include "estimator/pad/letter_outline.h"
 #include "models/bilinear.h"
 #include "models/error.h"
+#include "models/pad_outline.h"
 
 namespace touchdown::estimator::pad {
 namespace {
@@ -45,19 +45,6 @@ struct Patch {
   double GreyAt(const Vector2d& p) const { return models::BilinearGrey<double>(view(), p); }
   bool Holds(const Vector2d& p) const { return models::IsBetweenPixels(view(), p); }
 };
-
-/// The narrowest black or white stripe next to an edge of the pad, m: the ring, the H's strokes and bar, the white
-/// between ring and H, between the H's strokes, beside its bar, and around the ring.
-double NarrowestStripe(const models::LandingPad& pad) {
-  const double gap = pad.inner_radius_m() - 0.5 * std::hypot(pad.h_height_m, pad.h_width_m);
-  const double margin = 0.5 * std::min(pad.sheet_length_m, pad.sheet_width_m) - pad.outer_radius_m;
-  if (pad.letter() == models::PadLetter::kRectangle) {
-    return std::min({pad.ring_width_m, pad.h_height_m, pad.h_width_m, gap, margin});
-  }
-  const double between_strokes = pad.h_width_m - 2.0 * pad.h_stroke_m;
-  const double beside_bar = 0.5 * (pad.h_height_m - pad.h_stroke_m);
-  return std::min({pad.ring_width_m, pad.h_stroke_m, gap, between_strokes, beside_bar, margin});
-}
 
 /// Of a picture of two grey values, about as much of each.
 double Contrast(const cv::Mat& grey) {
@@ -112,7 +99,7 @@ std::optional<Vector2d> SubpixelPlace(const Patch& patch, const Vector2d& pixel,
 /// Half the window across an edge: so far from it no other edge of the pad is met.
 double Reach(const PixelBox& ring_box, const models::LandingPad& pad) {
   const double px_per_m = std::min(ring_box.width, ring_box.height) / (2.0 * pad.outer_radius_m);
-  return std::clamp(0.5 * NarrowestStripe(pad) * px_per_m, kShortestReach_px, kLongestReach_px);
+  return std::clamp(0.5 * models::PadOutline(pad).narrowest_m() * px_per_m, kShortestReach_px, kLongestReach_px);
 }
 
 /// The patch's edge points by contour, raw px.
@@ -156,13 +143,14 @@ PadContours FindContours(const models::ImageView& image, const PixelBox& ring_bo
   constexpr double kNear = 0.4, kCurl = 0.06;  // Of the narrower stroke; of the radius.
   const double near_m = kNear * std::min(pad.h_stroke_m, pad.ring_width_m);
   const double near_ring_m = std::max(near_m, kCurl * pad.outer_radius_m);
+  const models::PadOutline outline(pad);
   const ContourOf nearest = [&](const Vector2d& pixel, const Vector2d& to_bright) {
     const Vector2d p = plane.PointAt(pixel);
     const Vector2d outwards = (plane.PointAt(pixel + to_bright) - p).normalized();
     const double radius = p.norm(), cos_outwards = outwards.dot(p) / radius;
     if (cos_outwards > kAligned && std::abs(radius - pad.outer_radius_m) < near_ring_m) return Contour::kRingOuter;
     if (cos_outwards < -kAligned && std::abs(radius - pad.inner_radius_m()) < near_m) return Contour::kRingInner;
-    return DistanceFromLetter(pad, place.OnPrint(p)) < near_m ? Contour::kLetter : Contour::kNone;
+    return outline.DistanceFromLetter(place.OnPrint(p)) < near_m ? Contour::kLetter : Contour::kNone;
   };
   return FindContours(image, ring_box, nearest, pad, config);
 }

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "estimator/estimator.h"
+#include "estimator/overlay.h"
 #include "estimator/pad/print_match.h"
 #include "estimator/pad/seen_plane.h"
 #include "models/landing_pad.h"

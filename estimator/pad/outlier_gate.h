@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <optional>
 
-#include "estimator/estimator.h"
+#include "estimator/estimator_setup.h"
 #include "models/time.h"
 
 namespace touchdown::estimator::pad {

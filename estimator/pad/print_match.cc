@@ -35,7 +35,7 @@ std::optional<float> GreyAt(const models::ImageView& image, const Vector2d& pixe
 }
 
 /// What is printed within the ring.
-Cells DrawPrint(const models::LandingPad& pad) {
+Cells DrawPrint(const models::LandingPad& pad, const models::PadOutline& outline) {
   constexpr int kSamples = 3;
   Cells print(kTexels, kTexels);
   const double step = 2.0 * pad.inner_radius_m() / (kTexels * kSamples);
@@ -45,7 +45,7 @@ Cells DrawPrint(const models::LandingPad& pad) {
       for (int sample = 0; sample < kSamples * kSamples; ++sample) {
         const Vector2d p_W(step * (kSamples * column + sample % kSamples + 0.5) - pad.inner_radius_m(),
                            step * (kSamples * row + sample / kSamples + 0.5) - pad.inner_radius_m());
-        black += p_W.norm() < pad.inner_radius_m() && pad.IsBlack(p_W);
+        black += p_W.norm() < pad.inner_radius_m() && outline.IsBlack(p_W);
       }
       print(row, column) = static_cast<float>(black) / (kSamples * kSamples);
     }
@@ -64,11 +64,11 @@ Cells Smoothed(const Cells& print, double sigma) {
 double LetterReach(const models::LandingPad& pad) { return 0.5 * std::hypot(pad.h_height_m, pad.h_width_m); }
 
 /// Whether nothing is printed on a circle around W's origin.
-bool IsWhite(const models::LandingPad& pad, double radius_m) {
+bool IsWhite(const models::PadOutline& outline, double radius_m) {
   constexpr int kDirections = 360;
   for (int i = 0; i < kDirections; ++i) {
     const double angle = 2.0 * models::kPi * i / kDirections;
-    if (pad.IsBlack(radius_m * Vector2d(std::cos(angle), std::sin(angle)))) return false;
+    if (outline.IsBlack(radius_m * Vector2d(std::cos(angle), std::sin(angle)))) return false;
   }
   return true;
 }
@@ -80,12 +80,8 @@ double Sharpness(const models::LandingPad& pad) {
 }
 
 /// How far from the edges of an H its parts are looked at, m.
-double EdgeMargin(const models::LandingPad& pad, double cell_m) {
-  double narrowest_m = pad.h_stroke_m;
-  if (pad.letter() == models::PadLetter::kH) {
-    const double between_strokes_m = pad.h_width_m - 2.0 * pad.h_stroke_m;
-    narrowest_m = std::min({narrowest_m, between_strokes_m, 0.5 * (pad.h_height_m - pad.h_stroke_m)});
-  }
+double EdgeMargin(const models::LandingPad& pad, const models::PadOutline& outline, double cell_m) {
+  const double narrowest_m = std::min(pad.h_stroke_m, models::NarrowestPart(outline.letter()));
   return std::min(0.25 * narrowest_m, 0.1 * pad.h_stroke_m + 0.5 * cell_m);
 }
 
@@ -93,23 +89,22 @@ double EdgeMargin(const models::LandingPad& pad, double cell_m) {
 /// ends, and the rest for the bar.
 enum Part { kBar, kFirstStroke, kFirstBetween = kFirstStroke + 4, kBeside = kFirstBetween + 2, kParts };
 
-std::optional<int> PartAt(const models::LandingPad& pad, double margin_m, const Vector2d& p_W) {
-  const double x = std::abs(p_W.x()), y = std::abs(p_W.y());
-  const double half_height = pad.h_height_m / 2.0, half_width = pad.h_width_m / 2.0, stroke = pad.h_stroke_m;
-  const double between = half_width - stroke, half_bar = stroke / 2.0;
+/// The part on which a point lies at least `margin_m` away from the edges of the letter; nullopt nearer to them, and
+/// where bar and strokes meet.
+std::optional<int> PartAt(const models::LandingPad& pad, const models::PadOutline& outline, double margin_m,
+                          const Vector2d& p_W) {
+  const Vector2d p = p_W.cwiseAbs(), half_size = 0.5 * Vector2d(pad.h_height_m, pad.h_width_m);
+  const auto is_in_box = [&](double grown_by_m) { return (p.array() < half_size.array() + grown_by_m).all(); };
+  if (!is_in_box(margin_m)) return is_in_box(pad.h_stroke_m) ? std::optional<int>(kBeside) : std::nullopt;
+  if (!is_in_box(0.0) || outline.DistanceFromLetter(p_W) <= margin_m) return std::nullopt;
+  if (!outline.IsLetter(p_W)) return kFirstBetween + (p_W.x() > 0.0 ? 1 : 0);
   const int stroke_end = kFirstStroke + (p_W.x() > 0.0 ? 1 : 0) + (p_W.y() > 0.0 ? 2 : 0);
-  const bool inside = x < half_height - margin_m && y < half_width - margin_m;
   if (pad.letter() == models::PadLetter::kRectangle) {
     constexpr double kCorner = 0.7;  // Of the way from the middle. An ellipse of the same area lacks half of it.
-    if (inside) return x > kCorner * half_height && y > kCorner * half_width ? stroke_end : kBar;
-  } else if (x < half_bar - margin_m && y < between) {
-    return kBar;
+    return (p - kCorner * half_size).minCoeff() > 0.0 ? stroke_end : kBar;
   }
-  if (inside && x > half_bar && y > between + margin_m) return stroke_end;
-  if (x > half_bar + margin_m && x < half_height && y < between - margin_m) return kFirstBetween + (p_W.x() > 0.0);
-  const bool on_box = x < half_height + margin_m && y < half_width + margin_m;
-  if (!on_box && x < half_height + stroke && y < half_width + stroke) return kBeside;
-  return std::nullopt;
+  if (p.y() < half_size.y() - pad.h_stroke_m) return kBar;
+  return p.x() > 0.5 * pad.h_stroke_m ? std::optional(stroke_end) : std::nullopt;
 }
 
 }  // namespace
@@ -131,18 +126,22 @@ void PrintMatchConfig::Validate() const {
 
 PrintMatch::PrintMatch(const models::LandingPad& pad, const PrintMatchConfig& config)
     : pad_(pad),
+      outline_(pad),
       config_(config),
       reach_m_(std::min(0.98 * pad.inner_radius_m(), 1.15 * LetterReach(pad) + kFarthestOffset * pad.inner_radius_m())),
       white_m_(std::max(0.5 * (LetterReach(pad) + pad.inner_radius_m()), 0.85 * pad.inner_radius_m())),
-      is_white_within_(IsWhite(pad, white_m_)) {
-  const Cells print = DrawPrint(pad);
+      is_white_within_(IsWhite(outline_, white_m_)) {
+  const Cells print = DrawPrint(pad, outline_);
   print_ = Smoothed(print, Sharpness(pad));
   blurred_ = Smoothed(print, kBlurred);
 }
 
-bool PrintMatch::IsAt(const models::ImageView& image, const SeenPlane& plane, const PrintPlace& place) const {
+bool PrintMatch::IsAt(const models::ImageView& image, const SeenPlane& plane,
+                      std::span<const PrintPlace> places) const {
   const auto within = Within(image, plane);
-  return within && Passes(At(within->disc, place), within->ring_contrast);
+  return within && std::any_of(places.begin(), places.end(), [&](const PrintPlace& place) {
+           return Passes(At(within->disc, place), within->ring_contrast);
+         });
 }
 
 std::optional<PrintMatch::Found> PrintMatch::Find(const models::ImageView& image, const SeenPlane& plane) const {
@@ -171,7 +170,7 @@ std::optional<PrintMatch::WithinRing> PrintMatch::Within(const models::ImageView
 }
 
 PrintMatch::Seen PrintMatch::At(const RectifiedDisc& disc, const PrintPlace& place) const {
-  const double margin_m = EdgeMargin(pad_, disc.cell_m());
+  const double margin_m = EdgeMargin(pad_, outline_, disc.cell_m());
   constexpr float kSurelyWhite = 0.1F, kSurelyBlack = 0.9F;
   Cells black(kCells, kCells), white(kCells, kCells), expected(kCells, kCells);
   Eigen::ArrayXXi parts = Eigen::ArrayXXi::Constant(kCells, kCells, -1);
@@ -183,7 +182,7 @@ PrintMatch::Seen PrintMatch::At(const RectifiedDisc& disc, const PrintPlace& pla
       black(row, column) = inside && expected(row, column) > kSurelyBlack;
       white(row, column) = inside && expected(row, column) < kSurelyWhite;
       const bool is_sure = black(row, column) + white(row, column) > 0.0F;
-      if (is_sure) parts(row, column) = PartAt(pad_, margin_m, p_W).value_or(-1);
+      if (is_sure) parts(row, column) = PartAt(pad_, outline_, margin_m, p_W).value_or(-1);
     }
   }
   const Cells paper = RectifiedDisc::LocalMean(disc.grey(), white);

@@ -2,11 +2,13 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "estimator/pad/rectified_disc.h"
 #include "estimator/pad/seen_plane.h"
 #include "models/landing_pad.h"
+#include "models/pad_outline.h"
 #include "models/signals.h"
 
 namespace touchdown::estimator::pad {
@@ -48,8 +50,9 @@ class PrintMatch {
   /// `pad` and `config` must be valid.
   explicit PrintMatch(const models::LandingPad& pad, const PrintMatchConfig& config = {});
 
-  /// Whether the print is at this place of a ring's plane.
-  bool IsAt(const models::ImageView& image, const SeenPlane& plane, const PrintPlace& place) const;
+  /// Whether the print is at one of `places` on a ring's plane. The disc within the ring is rectified once for all.
+  bool IsAt(const models::ImageView& image, const SeenPlane& plane, std::span<const PrintPlace> places) const;
+
 
   struct Found {
     PrintPlace place;
@@ -85,6 +88,7 @@ class PrintMatch {
   float BlackAt(const Cells& print, const Eigen::Vector2d& p_W) const;
 
   models::LandingPad pad_;
+  models::PadOutline outline_;
   PrintMatchConfig config_;
   double reach_m_;         // Of the disc that is looked at.
   double white_m_;         // Of a circle of white within the ring.

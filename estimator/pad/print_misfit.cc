@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "estimator/pad/letter_outline.h"
 #include "models/angles.h"
+#include "models/pad_outline.h"
 
 namespace touchdown::estimator::pad {
 namespace {
@@ -27,23 +27,23 @@ std::vector<Vector2d> OnPlane(std::span<const Vector2d> points, const CirclePose
 }
 
 /// Sum of squares of the H's points from its outline when its X axis lies at `angle` in the plane.
-double LetterSquares(const std::vector<Vector2d>& points, double angle, const models::LandingPad& pad,
+double LetterSquares(const std::vector<Vector2d>& points, double angle, const models::PadOutline& outline,
                      double farthest_m) {
   const Eigen::Rotation2Dd to_pad(-angle);
   double sum = 0.0;
   for (const Vector2d& point : points) {
-    const double distance = std::min(farthest_m, DistanceFromLetter(pad, to_pad * point));
+    const double distance = std::min(farthest_m, outline.DistanceFromLetter(to_pad * point));
     sum += distance * distance;
   }
   return sum;
 }
 
 /// The smallest LetterSquares over all angles: a coarse look around the half circle, then ever finer about the best.
-double BestLetterSquares(const std::vector<Vector2d>& points, const models::LandingPad& pad, double farthest_m) {
+double BestLetterSquares(const std::vector<Vector2d>& points, const models::PadOutline& outline, double farthest_m) {
   constexpr int kCoarseAngles = 36;
-  double best_angle = 0.0, best = LetterSquares(points, 0.0, pad, farthest_m);
+  double best_angle = 0.0, best = LetterSquares(points, 0.0, outline, farthest_m);
   const auto look_at = [&](double angle) {
-    const double squares = LetterSquares(points, angle, pad, farthest_m);
+    const double squares = LetterSquares(points, angle, outline, farthest_m);
     if (squares >= best) return;
     best = squares;
     best_angle = angle;
@@ -64,7 +64,7 @@ double BestLetterSquares(const std::vector<Vector2d>& points, const models::Land
 PrintMisfit MisfitOfPrint(std::span<const Vector2d> ring_inner, std::span<const Vector2d> letter,
                           const models::LandingPad& pad, const CirclePose& pose) {
   const double farthest_m = 0.5 * pad.h_stroke_m;
-  double squares = BestLetterSquares(OnPlane(letter, pose), pad, farthest_m);
+  double squares = BestLetterSquares(OnPlane(letter, pose), models::PadOutline(pad), farthest_m);
   for (const Vector2d& point : OnPlane(ring_inner, pose)) {
     const double distance = std::min(std::abs(point.norm() - pad.inner_radius_m()), farthest_m);
     squares += distance * distance;

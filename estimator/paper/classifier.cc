@@ -1,6 +1,7 @@
 #include "estimator/paper/classifier.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "estimator/paper/classifier_weights.h"
 #include "estimator/paper/components.h"
@@ -22,6 +23,18 @@ void AddSpan(float begin, float end, float weight, float* cells) {
 }
 
 }  // namespace
+
+std::string_view Name(ComponentClass label) {
+  switch (label) {
+    case ComponentClass::kCircle:
+      return "circle";
+    case ComponentClass::kH:
+      return "h";
+    case ComponentClass::kOther:
+      return "other";
+  }
+  throw std::logic_error("a component's class without a name");
+}
 
 Pattern PatternOf(const ComponentSet& set, const Component& component) {
   Pattern pattern{};
@@ -48,7 +61,7 @@ Classification Classify(const Pattern& pattern, models::PadLetter letter) {
   Classification result;
   std::copy(posterior.begin(), posterior.end(), result.posterior.begin());
   const auto best = std::max_element(posterior.begin(), posterior.end()) - posterior.begin();
-  result.label = static_cast<FrameTrace::Label>(best);
+  result.label = static_cast<ComponentClass>(best);
   return result;
 }
 

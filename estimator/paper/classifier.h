@@ -1,8 +1,8 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
-#include "estimator/estimator.h"
 #include "models/landing_pad.h"
 
 namespace touchdown::estimator::paper {
@@ -17,9 +17,15 @@ inline constexpr int kPatternSize = kPatternSide * kPatternSide;
 /// the cell that the component covers, in [0, 1].
 using Pattern = std::array<float, kPatternSize>;
 
+/// The classes of components (Sec. IV-A.3).
+enum class ComponentClass { kCircle, kH, kOther };
+
+/// "circle", "h" or "other".
+std::string_view Name(ComponentClass label);
+
 /// What the network says of a component (Sec. IV-A.3).
 struct Classification {
-  FrameTrace::Label label = FrameTrace::Label::kOther;  ///< The class of the largest posterior.
+  ComponentClass label = ComponentClass::kOther;  ///< The class of the largest posterior.
   std::array<double, 3> posterior{};  ///< Of kCircle, kH (the pad's letter) and kOther, in this order; sums to 1.
 };
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimator/pad/letter_outline.h"
 #include "models/angles.h"
 #include "models/error.h"
+#include "models/pad_outline.h"
 
 namespace touchdown::estimator::paper {
 namespace {
@@ -14,7 +14,8 @@ namespace {
 pad::Ellipse FittedTo(const models::LandingPad& pad) {
   pad.Validate();
   constexpr double kSpacing_m = 0.001;
-  const auto ellipse = pad::FitEllipse(pad::LetterOutline(pad, std::min(kSpacing_m, 0.1 * pad.h_stroke_m)));
+  const auto ellipse =
+      pad::FitEllipse(models::PadOutline(pad).PointsAlongLetter(std::min(kSpacing_m, 0.1 * pad.h_stroke_m)));
   if (!ellipse) throw InputError("the pad's H is too thin to be seen as an ellipse");
   return *ellipse;
 }

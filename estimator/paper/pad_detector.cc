@@ -14,7 +14,7 @@ struct Candidate {
   double posterior;
 };
 
-double PosteriorOf(const Classification& classification, FrameTrace::Label label) {
+double PosteriorOf(const Classification& classification, ComponentClass label) {
   return classification.posterior[static_cast<std::size_t>(label)];
 }
 
@@ -66,25 +66,25 @@ bool PadDetector::MayBePad(const Component& ring, const Component& letter) const
 }
 
 PadDetector::Result PadDetector::Detect(const ComponentSet& components) const {
-  Result result{FrameStatus::kNoComponent, {}};
+  Result result{Reason::kNoComponent, {}};
   if (components.components.empty()) return result;
 
   std::vector<Candidate> circles, letters;
   for (const Component& component : components.components) {
     const Classification seen = classify_(components, component);
     const double posterior = PosteriorOf(seen, seen.label);
-    result.labelled.push_back({component.u, component.v, component.width, component.height, seen.label, posterior});
-    if (seen.label == FrameTrace::Label::kCircle && !components.IsCutByBorder(component)) {
+    result.labelled.push_back({{component.u, component.v, component.width, component.height}, seen.label, posterior});
+    if (seen.label == ComponentClass::kCircle && !components.IsCutByBorder(component)) {
       circles.push_back({&component, posterior});
     }
-    if (seen.label == FrameTrace::Label::kH) {
+    if (seen.label == ComponentClass::kH) {
       letters.push_back({&component, posterior});
     }
   }
-  result.outcome = circles.empty() ? FrameStatus::kNoCircle : FrameStatus::kNoH;
+  result.outcome = circles.empty() ? Reason::kNoCircle : Reason::kNoH;
   if (circles.empty() || letters.empty()) return result;
 
-  result.outcome = FrameStatus::kNoPair;
+  result.outcome = Reason::kNoPair;
   std::vector<std::pair<std::pair<double, double>, DetectedPad>> pairs;
   for (const Candidate& ring : circles) {
     for (const Candidate& letter : letters) {

@@ -5,9 +5,10 @@
 #include <variant>
 #include <vector>
 
-#include "estimator/estimator.h"
+#include "estimator/overlay.h"
 #include "estimator/paper/classifier.h"
 #include "estimator/paper/components.h"
+#include "estimator/paper/reason.h"
 #include "models/landing_pad.h"
 
 namespace touchdown::estimator::paper {
@@ -29,6 +30,13 @@ struct PadDetectorConfig {
   void Validate() const;
 };
 
+/// A component's bounding box, and what it was classified as.
+struct LabelledComponent {
+  PixelBox box;
+  ComponentClass label = ComponentClass::kOther;
+  double probability = 0.0;  ///< Posterior of `label`.
+};
+
 /// The two parts of a landing pad in an image.
 struct DetectedPad {
   Component ring;
@@ -42,8 +50,8 @@ class PadDetector {
 
   struct Result {
     /// What may be the pad, the likeliest first, or which stage failed: kNoComponent, kNoCircle, kNoH or kNoPair.
-    std::variant<std::vector<DetectedPad>, FrameStatus> outcome;
-    std::vector<FrameTrace::Component> labelled;  ///< Every component, in the set's order.
+    std::variant<std::vector<DetectedPad>, Reason> outcome;
+    std::vector<LabelledComponent> labelled;  ///< Every component, in the set's order.
   };
 
   /// A circle counts when it lies in the image whole: below the blind height "the circle is not fully visible"

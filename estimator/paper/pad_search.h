@@ -5,18 +5,16 @@
 #include <optional>
 #include <vector>
 
-#include "estimator/estimator.h"
-#include "estimator/pad/edges.h"
+#include "estimator/estimator_setup.h"
 #include "estimator/pad/ellipse_fit.h"
-#include "estimator/pad/print_match.h"
-#include "estimator/pad/ring_search.h"
-#include "estimator/pad/seen_plane.h"
+#include "estimator/pad/template_search.h"
 #include "estimator/pad/undistort_table.h"
 #include "estimator/paper/binarize.h"
 #include "estimator/paper/components.h"
 #include "estimator/paper/letter_ellipse.h"
 #include "estimator/paper/pad_contours.h"
 #include "estimator/paper/pad_detector.h"
+#include "estimator/paper/paper_options.h"
 #include "models/camera_model.h"
 
 namespace touchdown::estimator::paper {
@@ -28,6 +26,7 @@ struct PadSearchConfig {
   PadDetectorConfig pad_detector;
   pad::EdgeConfig edges;
   pad::RingFitConfig ring_fit;
+  Verify verify = Verify::kTemplate;
   pad::PrintMatchConfig print_match;
   pad::RingSearchConfig ring_search;
 
@@ -35,57 +34,39 @@ struct PadSearchConfig {
   void Validate() const;
 };
 
-/// The pad's contours and their ellipses, undistorted px. Where the letter is no component of its own, its ellipse is
-/// that of the described outline where the print was found.
-struct FoundPad {
-  pad::Ellipse ring_outer;
-  std::optional<pad::Ellipse> ring_inner;
-  pad::Ellipse letter;
-  double stroke_angle;  ///< In the normalized image.
-  pad::PadContours contours;
-  PixelBox ring_box;  ///< Raw px.
-};
-
-/// Finds the pad in an image. First as the paper does: binarization, components, classification and geometric
-/// constraint (Sec. IV-A), then edges and ellipses (Sec. IV-B). Where components show no pad, because glare, blur or
-/// shadows break or join what the classifier would know, the ring is sought among the edges of the image. In both ways
-/// a ring is the pad's only if the print within it is the described one.
+/// Finds the pad in an image as the paper does: binarization, components, classification and geometric constraint (Sec.
+/// IV-A), then edges and ellipses (Sec. IV-B).
+///
+/// With Verify::kTemplate a pair of components is the pad only where its artwork matches the template. Where the ring
+/// matches but the letter's component does not, the template gives the contours; and where components show no pad at
+/// all, the edges of the image are searched for a ring, except in flight.
 class PadSearch {
  public:
-  /// `camera`, `pad` and `config` must be valid. `on_stage` is EstimatorSetup's.
+  /// `camera`, `pad` and `config` must be valid. `on_stage` is EstimatorSetup's. Throws InputError for Verify::kNone
+  /// with an H as wide as high, whose ellipse has no direction.
   PadSearch(const models::CameraModel& camera, const models::LandingPad& pad, ComponentClassifier classify,
             FrameOrder frame_order, const PadSearchConfig& config, std::function<void(FrameStage)> on_stage = nullptr);
 
   struct Result {
-    std::optional<FoundPad> pad;
-    /// The stage at which the components' way failed; without meaning with a pad.
-    FrameStatus failed = FrameStatus::kNoComponent;
-    std::vector<FrameTrace::Component> labelled;  ///< Without those of the pad where its edges showed it.
+    std::optional<pad::FoundPad> pad;
+    /// The step at which the search by components failed; without meaning with a pad.
+    Reason failed = Reason::kNoComponent;
+    std::vector<LabelledComponent> labelled;  ///< Without those of the pad where its edges showed it.
   };
 
   Result Find(const models::ImageView& image) const;
 
  private:
-  /// An image in which one pixel is a square of so many pixels of the camera.
-  struct Reduced {
-    models::ImageView image;
-    pad::ReducedView view;
-  };
-
   void Enter(FrameStage stage) const {
     if (on_stage_) on_stage_(stage);
   }
-  Result ByComponents(const Reduced& seen) const;
-  std::optional<FoundPad> Fit(const Reduced& seen, const ComponentSet& components, const DetectedPad& detected) const;
-  std::optional<FoundPad> ByEdges(const Reduced& searched, const Reduced& measured) const;
-  std::optional<FoundPad> ByPrint(const Reduced& searched, const Reduced& measured, const PixelBox& ring_box,
-                                  const std::array<pad::CirclePose, 2>& ring_poses) const;
-  std::optional<FoundPad> Measure(const Reduced& seen, const PixelBox& ring_box, const pad::SeenPlane& plane,
-                                  const pad::PrintPlace& place) const;
-  bool IsPrintUnder(const pad::Ellipse& normalized_letter, const Reduced& seen, const pad::CirclePose& ring_pose) const;
-  void Undistort(const pad::ReducedView& view, pad::PadContours& contours) const;
-  pad::Ellipse Undistorted(const pad::Ellipse& raw, const pad::ReducedView& view) const;
-  double StrokeAngle(const pad::SeenPlane& plane, const pad::PrintPlace& place, const pad::Ellipse& letter) const;
+  Result ByComponents(const pad::ReducedImage& seen) const;
+  std::optional<pad::FoundPad> Fit(const pad::ReducedImage& seen, const ComponentSet& components,
+                                   const DetectedPad& detected) const;
+  std::optional<pad::FoundPad> ByEdges(const pad::ReducedImage& usual) const;
+  bool IsTemplateUnder(const pad::Ellipse& normalized_letter, const pad::ReducedImage& seen,
+                       const pad::CirclePose& ring_pose) const;
+  std::optional<pad::FoundPad> WithLetterDirection(std::optional<pad::FoundPad> pad) const;
 
   models::CameraModel camera_;
   models::LandingPad pad_;
@@ -93,7 +74,7 @@ class PadSearch {
   pad::UndistortTable undistort_;
   LetterEllipse letter_;
   PadDetector detector_;
-  pad::PrintMatch print_;
+  std::optional<pad::TemplateSearch> template_;  // With Verify::kTemplate.
   bool searches_edges_;
   std::function<void(FrameStage)> on_stage_;
   int reduction_;  // Of large images.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "estimator/pad/print_misfit.h"
@@ -32,7 +33,16 @@ std::vector<Vector2d> Normalized(std::span<const Vector2d> pixels, const models:
   return normalized;
 }
 
-FrameTrace::Ellipse Traced(const pad::Ellipse& ellipse) { return {ellipse.center, ellipse.semi_axes, ellipse.angle}; }
+Overlay::Box Drawn(const LabelledComponent& component) {
+  const auto role = component.label == ComponentClass::kCircle ? Overlay::Role::kOutline
+                    : component.label == ComponentClass::kH    ? Overlay::Role::kMarking
+                                                               : Overlay::Role::kOther;
+  return {component.box, role, std::string(Name(component.label)), component.probability};
+}
+
+Overlay::Ellipse Drawn(const pad::Ellipse& ellipse, const char* name) {
+  return {ellipse.center, ellipse.semi_axes, ellipse.angle, Overlay::Role::kFit, name};
+}
 
 }  // namespace
 
@@ -56,42 +66,49 @@ PaperEstimator::PaperEstimator(const EstimatorSetup& setup, const PaperEstimator
       letter_(setup.pad),
       gate_(config.outlier_gate, setup.time, setup.frame_order) {}
 
-FrameEstimate PaperEstimator::Estimate(const models::ImageView& image, models::Tick mid_exposure,
-                                       const std::optional<Eigen::Vector3d>& gravity_B) {
+FrameResult PaperEstimator::Estimate(const models::ImageView& image, models::Tick mid_exposure,
+                                     const std::optional<Eigen::Vector3d>& gravity_B) {
   if (image.data == nullptr || image.width != setup_.camera.width_px || image.height != setup_.camera.height_px) {
     throw std::invalid_argument("the image has another size than the camera");
   }
   if (image.stride < image.width)
     throw std::invalid_argument("the image's rows overlap: its stride is below its width");
-  FrameEstimate estimate;
-  estimate.mid_exposure = mid_exposure;
+  FrameResult result;
+  result.mid_exposure = mid_exposure;
 
-  PadSearch::Result found = search_.Find(image);
-  estimate.trace.components = std::move(found.labelled);
+  const PadSearch::Result found = search_.Find(image);
+  for (const LabelledComponent& component : found.labelled) result.overlay.boxes.push_back(Drawn(component));
   if (!found.pad) {
-    estimate.status = found.failed;
-    return estimate;
+    result.reason = Name(found.failed);
+    return result;
   }
-  const FoundPad& pad = *found.pad;
-  estimate.status = FrameStatus::kNoEllipse;
-  estimate.trace.ring_outer = Traced(pad.ring_outer);
-  if (pad.ring_inner) estimate.trace.ring_inner = Traced(*pad.ring_inner);
-  estimate.trace.letter = Traced(pad.letter);
+  const pad::FoundPad& pad = *found.pad;
+  result.overlay.ellipses.push_back(Drawn(pad.ring_outer, "ring_outer"));
+  if (pad.ring_inner) result.overlay.ellipses.push_back(Drawn(*pad.ring_inner, "ring_inner"));
+  result.overlay.ellipses.push_back(Drawn(pad.letter, "letter"));
 
-  const auto ring_poses = BothPoses(pad.ring_outer);
-  if (!ring_poses) return estimate;
-  const Branch branch = gravity_B ? BranchByGravity(*ring_poses, *gravity_B) : BranchByPrint(pad, *ring_poses);
-  const pad::CirclePose& ring_pose = (*ring_poses)[branch.chosen];
+  const Branch branch = gravity_B ? BranchByGravity(pad.ring_poses, *gravity_B) : BranchByPrint(pad);
+  const pad::CirclePose& ring_pose = pad.ring_poses[branch.chosen];
   const Eigen::Isometry3d X_WB = BodyPoseFrom(ring_pose, pad.stroke_angle);
-  const auto covariance = Covariance(pad, *ring_poses, branch);
-  if (!covariance) return estimate;
-  estimate.choice = branch.choice;
-  if (const auto center = setup_.camera.Project(ring_pose.p_CW)) estimate.pad_px = *center;
-  estimate.ring_box = pad.ring_box;
-  estimate.pose = VisionPose{X_WB, *covariance};
-  estimate.status = gate_.Accepts(mid_exposure, X_WB) ? FrameStatus::kOk : FrameStatus::kOutlier;
-  return estimate;
+  const auto covariance = Covariance(pad, branch);
+  if (!covariance) {
+    result.reason = Name(Reason::kNoEllipse);
+    return result;
+  }
+  result.choice = branch.choice;
+  if (const auto center = setup_.camera.Project(ring_pose.p_CW)) result.pad_px = *center;
+  result.ring_box = pad.ring_box;
+  result.pose = VisionPose{X_WB, *covariance};
+  if (gate_.Accepts(mid_exposure, X_WB)) {
+    result.status = FrameStatus::kOk;
+  } else {
+    result.status = FrameStatus::kRejected;
+    result.reason = Name(Reason::kOutlier);
+  }
+  return result;
 }
+
+void PaperEstimator::Reset() { gate_ = pad::OutlierGate(config_.outlier_gate, setup_.time, setup_.frame_order); }
 
 std::optional<std::array<pad::CirclePose, 2>> PaperEstimator::BothPoses(const pad::Ellipse& ring) const {
   return pad::PosesOfCircle(pad::NormalizedConic(ring, setup_.camera), setup_.pad.outer_radius_m);
@@ -110,9 +127,9 @@ PaperEstimator::Branch PaperEstimator::BranchByGravity(const std::array<pad::Cir
 
 /// The paper always has an IMU. Without one, what is printed within the ring tells the poses apart, unless it fits both
 /// alike.
-PaperEstimator::Branch PaperEstimator::BranchByPrint(const FoundPad& pad,
-                                                     const std::array<pad::CirclePose, 2>& ring_poses) const {
+PaperEstimator::Branch PaperEstimator::BranchByPrint(const pad::FoundPad& pad) const {
   constexpr double kUndecided = 0.1;
+  const std::array<pad::CirclePose, 2>& ring_poses = pad.ring_poses;
   const std::vector<Vector2d> ring_inner = Normalized(pad.contours.ring_inner, setup_.camera),
                               letter = Normalized(pad.contours.letter, setup_.camera);
   std::array<pad::PrintMisfit, 2> misfits;
@@ -134,9 +151,9 @@ Eigen::Isometry3d PaperEstimator::BodyPoseFrom(const pad::CirclePose& ring_pose,
   return BodyPose(CameraRotation(ring_pose.n_C, psi_C), ring_pose.p_CW, setup_.X_BC);
 }
 
-std::optional<Eigen::Matrix<double, 6, 6>> PaperEstimator::Covariance(const FoundPad& pad,
-                                                                      const std::array<pad::CirclePose, 2>& ring_poses,
+std::optional<Eigen::Matrix<double, 6, 6>> PaperEstimator::Covariance(const pad::FoundPad& pad,
                                                                       const Branch& branch) const {
+  const std::array<pad::CirclePose, 2>& ring_poses = pad.ring_poses;
   const Eigen::Isometry3d X_WB = BodyPoseFrom(ring_poses[branch.chosen], pad.stroke_angle);
   const auto ring_covariance = pad::EllipseCovariance(pad.ring_outer, pad.contours.ring_outer, config_.covariance);
   if (!ring_covariance) return std::nullopt;

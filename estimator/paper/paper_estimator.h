@@ -5,12 +5,13 @@
 #include <array>
 #include <optional>
 
-#include "estimator/estimator.h"
+#include "estimator/estimator_setup.h"
 #include "estimator/pad/conic_pose.h"
 #include "estimator/pad/outlier_gate.h"
 #include "estimator/pad/pose_covariance.h"
 #include "estimator/paper/letter_ellipse.h"
 #include "estimator/paper/pad_search.h"
+#include "estimator/vision_estimator.h"
 
 namespace touchdown::estimator::paper {
 
@@ -25,7 +26,7 @@ struct PaperEstimatorConfig {
 };
 
 /// The paper's method (Sec. IV), a step after the other.
-class PaperEstimator final : public Estimator {
+class PaperEstimator final : public VisionEstimator {
  public:
   /// Components are labelled by the compiled-in network of the pad's letter (Sec. IV-A.3). Throws InputError when the
   /// camera, the pad or a setting is impossible.
@@ -34,8 +35,9 @@ class PaperEstimator final : public Estimator {
   /// The same, but `classify` labels the components, as where a test brings the truth.
   PaperEstimator(const EstimatorSetup& setup, const PaperEstimatorConfig& config, ComponentClassifier classify);
 
-  FrameEstimate Estimate(const models::ImageView& image, models::Tick mid_exposure,
-                         const std::optional<Eigen::Vector3d>& gravity_B) override;
+  FrameResult Estimate(const models::ImageView& image, models::Tick mid_exposure,
+                       const std::optional<Eigen::Vector3d>& gravity_B) override;
+  void Reset() override;
 
  private:
   /// Which of the two poses of a circle is taken.
@@ -47,12 +49,10 @@ class PaperEstimator final : public Estimator {
   };
 
   Branch BranchByGravity(const std::array<pad::CirclePose, 2>& ring_poses, const Eigen::Vector3d& gravity_B) const;
-  Branch BranchByPrint(const FoundPad& pad, const std::array<pad::CirclePose, 2>& ring_poses) const;
+  Branch BranchByPrint(const pad::FoundPad& pad) const;
   std::optional<std::array<pad::CirclePose, 2>> BothPoses(const pad::Ellipse& ring) const;
   Eigen::Isometry3d BodyPoseFrom(const pad::CirclePose& ring_pose, double stroke_angle) const;
-  std::optional<Eigen::Matrix<double, 6, 6>> Covariance(const FoundPad& pad,
-                                                        const std::array<pad::CirclePose, 2>& ring_poses,
-                                                        const Branch& branch) const;
+  std::optional<Eigen::Matrix<double, 6, 6>> Covariance(const pad::FoundPad& pad, const Branch& branch) const;
 
   EstimatorSetup setup_;
   PaperEstimatorConfig config_;

@@ -23,7 +23,7 @@
 namespace touchdown::cli {
 namespace {
 
-struct Options {
+struct CalibrateOptions {
   std::string what;
   std::optional<std::string> scenario;
   std::optional<std::string> imu;
@@ -57,13 +57,13 @@ laboratory::ImuCalibration CalibrateRealImu(const std::string& file) {
   }
 }
 
-runner::Scenario ScenarioOf(const Options& options) {
+runner::Scenario ScenarioOf(const CalibrateOptions& options) {
   std::vector<runner::Override> overrides(options.overrides.begin(), options.overrides.end());
   if (options.seed) overrides.emplace_back("seed=" + *options.seed, "--seed " + *options.seed);
   return runner::LoadScenario(options.scenario.value(), overrides);
 }
 
-laboratory::CalibrationRun Calibrate(const Options& options) {
+laboratory::CalibrationRun Calibrate(const CalibrateOptions& options) {
   if (options.imu && (options.scenario || options.what != "imu")) {
     throw InputError("--imu FILE stands for a scenario, and goes with calibrate imu alone");
   }
@@ -82,7 +82,7 @@ laboratory::CalibrationRun Calibrate(const Options& options) {
   return run;
 }
 
-int CalibrateWith(const Options& options) {
+int CalibrateWith(const CalibrateOptions& options) {
   util::OutputFolder folder(options.out, {.files = {"calibration.json", "calibration.yaml", "camera.yaml", "views.png"},
                                           .mark = "\"touchdown.calibration\""});
   const laboratory::CalibrationRun run = Calibrate(options);
@@ -105,7 +105,7 @@ int CalibrateWith(const Options& options) {
 }  // namespace
 
 void AddCalibrate(CLI::App& app, Run& run) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CalibrateOptions>();
   CLI::App& command = *app.add_subcommand("calibrate", "Find how camera and IMU are mounted, and the camera's lens");
   command.add_option("WHAT", options->what, "imu, camera or all")
       ->required()

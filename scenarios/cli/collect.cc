@@ -10,13 +10,13 @@
 namespace touchdown::cli {
 namespace {
 
-struct Options {
+struct CollectOptions {
   SweepFiles files;
   std::vector<std::string> from;
   Talk talk;
 };
 
-int CollectRows(const Options& options) {
+int CollectRows(const CollectOptions& options) {
   CheckSweepFiles(options.files);
   sweeper::Collect(options.files.folder, {options.from.begin(), options.from.end()});
   const sweeper::SweepSummary summary = TellOutcome(options.files, options.talk);
@@ -26,7 +26,7 @@ int CollectRows(const Options& options) {
 }  // namespace
 
 void AddCollect(CLI::App& app, Run& run) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CollectOptions>();
   CLI::App& command = *app.add_subcommand("collect", "Bring the rows of a sweep together that flew elsewhere");
   command.add_option("DIR", options->files.folder, "The sweep's folder; with FROM it is made when it is not there")
       ->required();

@@ -18,7 +18,7 @@
 namespace touchdown::cli {
 namespace {
 
-struct Options {
+struct CompareOptions {
   std::string a;
   std::optional<std::string> b;
   std::vector<std::string> variants;
@@ -43,7 +43,7 @@ struct Sides {
   std::string name_a, name_b;
 };
 
-Sides Load(const Options& options) {
+Sides Load(const CompareOptions& options) {
   if (options.variants.empty()) {
     if (!options.b) throw InputError("name two sweeps, or one and --variants");
     return {sweeper::LoadResults(options.a), sweeper::LoadResults(*options.b), options.a, *options.b};
@@ -99,7 +99,7 @@ std::string ComparisonJson(const sweeper::Comparison& comparison) {
   return json.dump(2) + "\n";
 }
 
-int CompareBoth(const Options& options) {
+int CompareBoth(const CompareOptions& options) {
   std::vector<sweeper::Margin> margins;
   for (const std::string& text : options.margins) margins.push_back(MarginFrom(text));
   const Sides sides = Load(options);
@@ -115,7 +115,7 @@ int CompareBoth(const Options& options) {
 }  // namespace
 
 void AddCompare(CLI::App& app, Run& run) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CompareOptions>();
   CLI::App& command = *app.add_subcommand("compare", "Hold a sweep against an earlier one, flight by flight");
   command.add_option("A", options->a, "The earlier one: a sweep's folder, or its rows as CSV")->required();
   command.add_option("B", options->b, "The later one");

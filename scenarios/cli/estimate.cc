@@ -31,7 +31,7 @@ namespace {
 using estimator::FrameStatus;
 using estimator::PoseChoice;
 
-struct Options {
+struct EstimateOptions {
   std::string input;
   std::string out;
   std::optional<std::string> camera, pad, imu, vehicle, calibration, estimator;
@@ -40,7 +40,7 @@ struct Options {
   Talk talk;
 };
 
-models::CameraModel CameraOf(const Options& options, const runner::Calibration& calibration,
+models::CameraModel CameraOf(const EstimateOptions& options, const runner::Calibration& calibration,
                              const datasets::FootageFacts& facts) {
   if (options.camera) return runner::LoadCameraModel(*options.camera);
   if (calibration.camera_model) return *calibration.camera_model;
@@ -52,7 +52,8 @@ datasets::SensorMounting MountingOn(const models::Vehicle& vehicle) {
   return {.X_BC = vehicle.X_BC(), .X_BU = vehicle.X_BU()};
 }
 
-std::optional<datasets::SensorMounting> MountingOf(const Options& options, const runner::Calibration& calibration,
+std::optional<datasets::SensorMounting> MountingOf(const EstimateOptions& options,
+                                                   const runner::Calibration& calibration,
                                                    const datasets::FootageFacts& facts) {
   if (options.vehicle) return MountingOn(runner::LoadVehicle(*options.vehicle));
   if (!calibration.camera && !calibration.imu) return facts.mounting;
@@ -65,7 +66,7 @@ std::optional<datasets::SensorMounting> MountingOf(const Options& options, const
   return mounting;
 }
 
-datasets::FootageSetup SetupOf(const Options& options, const datasets::FootageFacts& facts) {
+datasets::FootageSetup SetupOf(const EstimateOptions& options, const datasets::FootageFacts& facts) {
   const runner::Calibration calibration =
       options.calibration ? runner::LoadCalibration(*options.calibration) : runner::Calibration();
   datasets::FootageSetup setup;
@@ -75,17 +76,25 @@ datasets::FootageSetup SetupOf(const Options& options, const datasets::FootageFa
   setup.imu = options.imu ? datasets::ReadImuFile(*options.imu, facts.time) : facts.imu;
   setup.estimator = facts.estimator.value_or(estimator::EstimatorConfig());
   if (options.estimator) setup.estimator.name = *options.estimator;
-  setup.attitude_estimator = facts.attitude_estimator.value_or(estimator::AttitudeEstimatorConfig());
   return setup;
 }
 
-/// How often each value occurs, by its name, in the order of the enum.
+/// How often each value occurs, in the order of the values.
 template <typename Value>
 using Counts = std::map<Value, std::size_t>;
 
-Counts<FrameStatus> CountStatuses(const std::vector<datasets::FootageEstimate>& estimates) {
-  Counts<FrameStatus> counts;
-  for (const datasets::FootageEstimate& estimate : estimates) ++counts[estimate.seen.status];
+/// A frame's status and the strategy's reason for it.
+using StatusAndReason = std::pair<FrameStatus, std::string>;
+
+std::string Name(const StatusAndReason& outcome) {
+  return std::string(estimator::ReasonOrStatus(outcome.first, outcome.second));
+}
+
+Counts<StatusAndReason> CountStatuses(const std::vector<datasets::FootageEstimate>& estimates) {
+  Counts<StatusAndReason> counts;
+  for (const datasets::FootageEstimate& estimate : estimates) {
+    ++counts[{estimate.seen.status, estimate.seen.reason}];
+  }
   return counts;
 }
 
@@ -127,7 +136,7 @@ std::string SummaryJson(const std::vector<datasets::FootageEstimate>& estimates,
   json["imu"] = !setup.imu.empty();
   json["frames"] = estimates.size();
   json["statuses"] = nlohmann::ordered_json::object();
-  for (const auto& [status, count] : CountStatuses(estimates)) json["statuses"][std::string(Name(status))] = count;
+  for (const auto& [status, count] : CountStatuses(estimates)) json["statuses"][Name(status)] = count;
   json["pose_choices"] = nlohmann::ordered_json::object();
   for (const auto& [reason, count] : CountReasons(estimates)) json["pose_choices"][std::string(Name(reason))] = count;
   return json.dump(2) + "\n";
@@ -137,7 +146,7 @@ constexpr const char* kVideoName = "estimate.mp4";
 /// What poses.csv is known by when it is to be replaced.
 constexpr const char* kPosesMark = "frame,source,t_s,status,x_m";
 
-int EstimateWith(const Options& options) {
+int EstimateWith(const EstimateOptions& options) {
   util::OutputFolder folder(
       options.out,
       {.files = {"poses.csv", "poses.tum", "choices.csv", "summary.json", kVideoName}, .mark = kPosesMark});
@@ -181,7 +190,7 @@ int EstimateWith(const Options& options) {
 }  // namespace
 
 void AddEstimate(CLI::App& app, Run& run) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EstimateOptions>();
   CLI::App& command = *app.add_subcommand("estimate", "Run the estimator alone, on footage");
   command
       .add_option("INPUT", options->input, "A folder of images, a video, a recording in EuRoC's layout, or a ROS 1 bag")

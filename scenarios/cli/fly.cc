@@ -25,7 +25,7 @@
 namespace touchdown::cli {
 namespace {
 
-struct Options {
+struct FlyOptions {
   std::string scenario;
   std::vector<std::string> from;  ///< A sweep's folder and a flight's id.
   std::vector<std::string> overrides;
@@ -57,7 +57,7 @@ class FlightProgress final : public runner::FlightObserver {
   FlightProgress(const runner::Scenario& scenario, bool quiet)
       : time_(scenario.time), expected_s_(runner::ExpectedDuration_s(scenario)), progress_(quiet) {}
 
-  void OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate&,
+  void OnFrame(const models::CameraFrame& frame, const estimator::FrameResult&,
                const runner::FrameRecord& record) override {
     if (!progress_.IsDue()) return;
     const double flown_s = time_.ToSeconds(frame.mid_exposure);
@@ -74,14 +74,15 @@ class FlightProgress final : public runner::FlightObserver {
   Progress progress_;
 };
 
-runner::FlightResult FlyWithProgress(const runner::Scenario& scenario, const std::string& out, const Options& options) {
+runner::FlightResult FlyWithProgress(const runner::Scenario& scenario, const std::string& out,
+                                     const FlyOptions& options) {
   FlightProgress progress(scenario, !options.talk.ForPeople());
   runner::FlightObserver* const observers[] = {&progress};
   return FlyIntoFolder(scenario, out, {.video = options.video == "on", .recording = options.record, .bag = options.bag},
                        observers, InterruptRequested);
 }
 
-std::vector<runner::Override> OverridesOf(const Options& options) {
+std::vector<runner::Override> OverridesOf(const FlyOptions& options) {
   std::vector<runner::Override> overrides(options.overrides.begin(), options.overrides.end());
   if (options.seed) overrides.emplace_back("seed=" + *options.seed, "--seed " + *options.seed);
   if (options.estimator) {
@@ -117,7 +118,7 @@ void TellWhetherSame(const Order& order, const runner::FlightResult& result) {
   spdlog::warn("the log is not the sweep's: it was flown by another build, or on another type of CPU");
 }
 
-int FlyWith(const Options& options) {
+int FlyWith(const FlyOptions& options) {
   const bool is_again = !options.from.empty();
   if (options.scenario.empty() != is_again)
     throw InputError("name either a SCENARIO or a sweep's flight, --from DIR ID");
@@ -151,7 +152,7 @@ int FlyWith(const Options& options) {
 }  // namespace
 
 void AddFly(CLI::App& app, Run& run) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FlyOptions>();
   CLI::App& command = *app.add_subcommand("fly", "Fly a scenario, judge it, and leave its files");
   command.add_option("SCENARIO", options->scenario, "The scenario's YAML file");
   command.add_option("--set", options->overrides, "Change a key of the scenario, as in --set camera.noise_sigma=5")

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct PadOptions {
   std::string out;
   std::optional<std::string> pad;
 };
@@ -28,7 +28,7 @@ report::SheetFormat FormatOf(const fs::path& out) {
   throw InputError(fmt::format("--out {}: must end in .pdf or .svg", out.string()));
 }
 
-int MakePad(const Options& options) {
+int MakePad(const PadOptions& options) {
   const fs::path sheet = options.out;
   const fs::path description = fs::path(sheet).replace_extension(".yaml");
   const report::SheetFormat format = FormatOf(sheet);
@@ -48,7 +48,7 @@ int MakePad(const Options& options) {
 }  // namespace
 
 void AddPad(CLI::App& app, Run& run) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PadOptions>();
   CLI::App& command = *app.add_subcommand("pad", "Draw the landing pad to print, to scale, and describe it in YAML");
   command.add_option("--out", options->out, "File for the pad, .pdf or .svg; its description goes beside it, as .yaml")
       ->required()

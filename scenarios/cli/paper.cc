@@ -17,7 +17,7 @@
 namespace touchdown::cli {
 namespace {
 
-struct Options {
+struct PaperOptions {
   std::string out;
   bool quick = false;
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
@@ -56,7 +56,7 @@ experiments::Json SummaryJson(const std::vector<experiments::ComparedQuantity>& 
   return rows;
 }
 
-std::vector<experiments::ComparedQuantity> ReproduceWithProgress(const Options& options) {
+std::vector<experiments::ComparedQuantity> ReproduceWithProgress(const PaperOptions& options) {
   Progress progress(!options.talk.ForPeople());
   return experiments::ReproducePaper(options.out, {.quick = options.quick, .jobs = options.jobs}, InterruptRequested,
                                      [&](double share, const std::string& text) {
@@ -64,7 +64,7 @@ std::vector<experiments::ComparedQuantity> ReproduceWithProgress(const Options& 
                                      });
 }
 
-int Reproduce(const Options& options) {
+int Reproduce(const PaperOptions& options) {
   try {
     const std::vector<experiments::ComparedQuantity> compared = ReproduceWithProgress(options);
     if (options.talk.json) fmt::print("{}\n", SummaryJson(compared).dump(2));
@@ -80,7 +80,7 @@ int Reproduce(const Options& options) {
 }  // namespace
 
 void AddPaper(CLI::App& app, Run& run) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PaperOptions>();
   CLI::App& command = *app.add_subcommand(
       "paper", "Measure everything that the paper reports, and put it beside the published figures");
   command.add_option("--out", options->out, "Folder for the report; a run that was stopped goes on there")

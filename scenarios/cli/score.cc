@@ -13,7 +13,7 @@
 namespace touchdown::cli {
 namespace {
 
-struct Options {
+struct ScoreOptions {
   std::string poses, truth;
   Talk talk;
 };
@@ -42,7 +42,7 @@ std::string ScoreJson(const datasets::PoseScore& score) {
   return json.dump(2) + "\n";
 }
 
-int ScoreWith(const Options& options) {
+int ScoreWith(const ScoreOptions& options) {
   const datasets::PoseScore score = datasets::ScorePoses(datasets::ReadTumFile(options.poses), options.truth);
   if (options.talk.json) fmt::print("{}", ScoreJson(score));
   if (options.talk.ForPeople()) PrintScore(score);
@@ -52,7 +52,7 @@ int ScoreWith(const Options& options) {
 }  // namespace
 
 void AddScore(CLI::App& app, Run& run) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ScoreOptions>();
   CLI::App& command = *app.add_subcommand("score", "Hold anyone's poses of a flight against its truth, unaligned");
   command.add_option("--poses", options->poses, "The poses of the body in W, in TUM format")
       ->required()

@@ -11,7 +11,7 @@
 namespace touchdown::cli {
 namespace {
 
-struct Options {
+struct StatusOptions {
   std::string folder;
   bool json = false;
 };
@@ -48,7 +48,7 @@ void PrintStatus(const sweeper::SweepStatus& status) {
   if (status.slurm_job) fmt::print("Slurm job {}: {}\n", *status.slurm_job, SlurmWords(status));
 }
 
-int Status(const Options& options) {
+int Status(const StatusOptions& options) {
   const sweeper::SweepStatus status = sweeper::StatusOf(options.folder);
   if (options.json) {
     fmt::print("{}\n", StatusJson(status).dump(2));
@@ -61,7 +61,7 @@ int Status(const Options& options) {
 }  // namespace
 
 void AddStatus(CLI::App& app, Run& run) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<StatusOptions>();
   CLI::App& command = *app.add_subcommand("status", "Tell how far a sweep is, wherever it flies");
   command.add_option("DIR", options->folder, "The sweep's folder")->required();
   command.add_flag("--json", options->json, "Print it as JSON");

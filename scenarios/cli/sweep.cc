@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct SweepOptions {
   std::string sweep;
   std::optional<std::string> out, csv, shard;
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
@@ -59,7 +59,7 @@ sweeper::SweepPlan TakeShard(const sweeper::SweepFile& file, const sweeper::Swee
   return sweeper::ShardOf(plan, number - 1, shards);
 }
 
-int TellPlan(const sweeper::SweepPlan& plan, const Options& options) {
+int TellPlan(const sweeper::SweepPlan& plan, const SweepOptions& options) {
   std::optional<sweeper::SweepStore> rows;
   if (options.out && fs::exists(fs::path(*options.out) / "sweep.db"))
     rows.emplace(*options.out, sweeper::SweepStore::Access::kRead);
@@ -68,7 +68,7 @@ int TellPlan(const sweeper::SweepPlan& plan, const Options& options) {
   return kPassed;
 }
 
-bool FlyAll(const sweeper::SweepFile& file, const sweeper::SweepPlan& plan, const Options& options) {
+bool FlyAll(const sweeper::SweepFile& file, const sweeper::SweepPlan& plan, const SweepOptions& options) {
   Progress progress(!options.talk.ForPeople());
   bool has_begun = false;
   return sweeper::RunSweep(file, plan, *options.out, {.jobs = options.jobs, .retry = options.retry}, InterruptRequested,
@@ -84,7 +84,7 @@ bool FlyAll(const sweeper::SweepFile& file, const sweeper::SweepPlan& plan, cons
 }
 
 /// Whether it came to its end.
-bool SeekBoundary(const sweeper::SweepFile& file, const Options& options) {
+bool SeekBoundary(const sweeper::SweepFile& file, const SweepOptions& options) {
   Progress progress(!options.talk.ForPeople());
   const sweeper::BoundarySearch search{
       .key = *options.boundary, .pass_rate = options.level, .flights = options.flights};
@@ -102,7 +102,7 @@ std::string TaskWords(const sweeper::SlurmSweep& sweep) {
   return fmt::format("{} flights in {} task{}", sweep.flights, sweep.tasks, sweep.tasks == 1 ? "" : "s");
 }
 
-int SweepOnSlurm(const sweeper::SweepFile& file, const sweeper::SweepPlan& plan, const Options& options) {
+int SweepOnSlurm(const sweeper::SweepFile& file, const sweeper::SweepPlan& plan, const SweepOptions& options) {
   if (!options.out) throw InputError("--out: name a folder that all nodes share");
   RefuseToSplit(file, "--slurm");
   const sweeper::SlurmOptions on_slurm{.chunk = options.chunk, .site = options.site, .retry = options.retry};
@@ -121,7 +121,7 @@ int SweepOnSlurm(const sweeper::SweepFile& file, const sweeper::SweepPlan& plan,
   return kPassed;
 }
 
-void AddSlurmOptions(CLI::App& command, Options& options) {
+void AddSlurmOptions(CLI::App& command, SweepOptions& options) {
   constexpr const char* kGroup = "Slurm";
   CLI::Option* const slurm =
       command.add_flag("--slurm", options.slurm, "Submit the flights instead of flying them here");
@@ -137,7 +137,7 @@ void AddSlurmOptions(CLI::App& command, Options& options) {
 }
 
 /// Flies the plan, or seeks the boundary, and tells of it.
-int FlyAndTell(const Options& options, const std::function<bool()>& fly) {
+int FlyAndTell(const SweepOptions& options, const std::function<bool()>& fly) {
   if (!options.out) throw InputError("--out: name a folder for the rows");
   const SweepFiles files{.folder = *options.out, .csv = options.csv};
   CheckSweepFiles(files);
@@ -152,7 +152,7 @@ int FlyAndTell(const Options& options, const std::function<bool()>& fly) {
   return is_part || summary.keeps_criteria() ? kPassed : kFailed;
 }
 
-int Sweep(const Options& options) {
+int Sweep(const SweepOptions& options) {
   const sweeper::SweepFile file = sweeper::LoadSweepFile(options.sweep);
   if (options.boundary) return FlyAndTell(options, [&] { return SeekBoundary(file, options); });
   sweeper::SweepPlan plan = sweeper::PlanSweep(file, util::ProgramDigest());
@@ -165,7 +165,7 @@ int Sweep(const Options& options) {
 }  // namespace
 
 void AddSweep(CLI::App& app, Run& run) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SweepOptions>();
   CLI::App& command = *app.add_subcommand("sweep", "Fly a scenario over parameters and seeds");
   command.add_option("SWEEP", options->sweep, "The sweep's YAML file")->required();
   command.add_option("--out", options->out, "Folder for the rows; flights that are there already are not flown again")

@@ -12,13 +12,13 @@
 namespace touchdown::cli {
 namespace {
 
-struct Options {
+struct SweepTaskOptions {
   std::string folder;
   int number = 0;
   int jobs = 1;
 };
 
-int FlyTask(const Options& options) {
+int FlyTask(const SweepTaskOptions& options) {
   const auto tell = [](const sweeper::FlightRow& row) {
     fmt::print("{} {} in {:.1f} s\n", row.id, Name(row.verdict), row.wall_s);
     std::fflush(stdout);
@@ -30,7 +30,7 @@ int FlyTask(const Options& options) {
 }  // namespace
 
 void AddSweepTask(CLI::App& app, Run& run) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SweepTaskOptions>();
   CLI::App& command = *app.add_subcommand("sweep-task", "Fly a chunk of a sweep, as the tasks on Slurm do");
   command.group("");  // For what sweep --slurm submits, not for people: --help does not list it.
   command.add_option("DIR", options->folder, "The sweep's folder")->required();

@@ -18,13 +18,13 @@
 namespace touchdown::cli {
 namespace {
 
-struct Options {
+struct TestOptions {
   std::string folder;
   std::optional<std::string> junit;
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };
 
-void Print(const sweeper::TestedFlight& test) {
+void PrintTest(const sweeper::TestedFlight& test) {
   fmt::print("{:<5} {:<32} {:6.1f} s  {} ({})\n", test.row.passed() ? "pass" : "FAIL", test.file.stem().string(),
              test.row.wall_s, Name(test.row.outcome), test.row.reason);
   for (const runner::Check& check : test.checks) {
@@ -46,10 +46,10 @@ std::string Junit(const std::vector<sweeper::TestedFlight>& tests) {
   return report::JunitXml(suites);
 }
 
-int Test(const Options& options) {
+int Test(const TestOptions& options) {
   if (options.junit) util::CheckOutputFile(*options.junit, report::kJunitMark);
   const std::vector<sweeper::TestedFlight> tests =
-      sweeper::TestFlights(options.folder, options.jobs, InterruptRequested, Print);
+      sweeper::TestFlights(options.folder, options.jobs, InterruptRequested, PrintTest);
   if (options.junit) util::WriteOutputFile(*options.junit, Junit(tests), report::kJunitMark);
   const auto passed =
       std::count_if(tests.begin(), tests.end(), [](const sweeper::TestedFlight& t) { return t.row.passed(); });
@@ -64,7 +64,7 @@ int Test(const Options& options) {
 }  // namespace
 
 void AddTest(CLI::App& app, Run& run) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TestOptions>();
   CLI::App& command = *app.add_subcommand("test", "Fly every scenario of a folder as a test");
   command.add_option("FOLDER", options->folder, "The scenarios' folder")->required();
   command.add_option("--jobs", options->jobs, "How many fly at a time (default: a job for each core)")

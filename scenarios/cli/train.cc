@@ -16,14 +16,14 @@
 namespace touchdown::cli {
 namespace {
 
-struct Options {
+struct TrainOptions {
   std::string out;
   std::string letter = "h";
   std::uint64_t seed = 1;
   Talk talk;
 };
 
-int TrainWith(const Options& options) {
+int TrainWith(const TrainOptions& options) {
   const models::PadLetter letter =
       options.letter == "rectangle" ? models::PadLetter::kRectangle : models::PadLetter::kH;
   util::OutputFolder folder(options.out,
@@ -46,7 +46,7 @@ int TrainWith(const Options& options) {
 }  // namespace
 
 void AddTrain(CLI::App& app, Run& run) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TrainOptions>();
   CLI::App& command = *app.add_subcommand("train", "Train the classifier on rendered scenes and write it as C code");
   command.add_option("--out", options->out, "Folder for the code, the confusion matrix and the pictures")->required();
   command.add_option("--letter", options->letter, "What stands within the ring of its pads")

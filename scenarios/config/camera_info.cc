@@ -57,14 +57,14 @@ void RequireLayout(const ConfigMatrix& matrix, std::initializer_list<std::string
   }
 }
 
-void Describe(ConfigVisitor& v, CameraInfo& info) {
-  constexpr Range kOne = Between(1, 1), kThree = Between(3, 3), kFour = Between(4, 4);
-  v.Integer({"image_width", "", true}, info.width_px, kImageSize_px);
-  v.Integer({"image_height", "", true}, info.height_px, kImageSize_px);
+void Describe(models::ConfigVisitor& v, CameraInfo& info) {
+  constexpr models::Range kOne = models::Between(1, 1), kThree = models::Between(3, 3), kFour = models::Between(4, 4);
+  v.Integer({"image_width", "", true}, info.width_px, models::kImageSize_px);
+  v.Integer({"image_height", "", true}, info.height_px, models::kImageSize_px);
   v.Text({"camera_name", ""}, info.camera_name);
   v.Choice({"distortion_model", "", true}, info.distortion_model, kDistortionModels);
   DescribeMatrix(v, {"camera_matrix", "", true}, info.camera_matrix, kThree, kThree);
-  DescribeMatrix(v, {"distortion_coefficients", "", true}, info.distortion_coefficients, kOne, Between(4, 5));
+  DescribeMatrix(v, {"distortion_coefficients", "", true}, info.distortion_coefficients, kOne, models::Between(4, 5));
   DescribeMatrix(v, {"rectification_matrix", ""}, info.rectification_matrix, kThree, kThree);
   DescribeMatrix(v, {"projection_matrix", ""}, info.projection_matrix, kThree, kFour);
   v.Check("camera_matrix.data", [&info] {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "scenarios/config/config_visitor.h"
+#include "models/describe.h"
 
 namespace touchdown::config {
 
@@ -15,6 +15,7 @@ struct ConfigMatrix {
 };
 
 /// A section of so many rows and columns, with as many numbers.
-void DescribeMatrix(ConfigVisitor& v, const Key& key, ConfigMatrix& matrix, const Range& rows, const Range& cols);
+void DescribeMatrix(models::ConfigVisitor& v, const models::Key& key, ConfigMatrix& matrix, const models::Range& rows,
+                    const models::Range& cols);
 
 }  // namespace touchdown::config

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "scenarios/config/file_format.h"
 #include "scenarios/util/number.h"
 
 namespace touchdown::config {
@@ -16,7 +17,7 @@ std::string Excerpt(const std::string& text) {
   return text.size() <= 40 ? fmt::format("'{}'", text) : fmt::format("'{}...'", text.substr(0, 40));
 }
 
-double ParseNumber(const ConfigNode& node, const std::string& path, const Unit& unit, const Range& range) {
+double ParseNumber(const ConfigNode& node, const std::string& path, const models::Range& range) {
   const auto fail = [&](const std::string& message) -> InputError { return ConfigError(node.origin, path, message); };
   if (node.kind != ConfigNode::Kind::kText || node.quoted) throw fail("must be a number");
   static constexpr std::string_view kNotFinite[] = {".nan", ".NaN",  ".NAN",  ".inf",  ".Inf",
@@ -28,10 +29,8 @@ double ParseNumber(const ConfigNode& node, const std::string& path, const Unit& 
     throw fail("must be a finite number, is " + Excerpt(node.text));
   }
   if (!parsed.value) throw fail("must be a number, is " + Excerpt(node.text));
-  if (!range.Contains(*parsed.value)) throw fail(fmt::format("{}, is {}", range.Describe(), node.text));
-  const double value = unit.ToSi(*parsed.value);
-  if (!std::isfinite(value)) throw fail("must be a finite number, is " + Excerpt(node.text));
-  return value;
+  if (!range.Contains(*parsed.value)) throw fail(fmt::format("{}, is {}", range.Sentence(), node.text));
+  return *parsed.value;
 }
 
 std::size_t EditDistance(std::string_view a, std::string_view b) {
@@ -60,15 +59,6 @@ std::string UnknownKeyMessage(std::string_view key, const std::set<std::string, 
 
 }  // namespace
 
-std::string Range::Describe() const {
-  if (min == max) return fmt::format("must be {}", min);
-  const bool has_min = std::isfinite(min), has_max = std::isfinite(max);
-  if (has_min && has_max && !min_is_open) return fmt::format("must be from {} to {}", min, max);
-  const std::string low = has_min ? fmt::format("{} {}", min_is_open ? "above" : "at least", min) : "";
-  const std::string high = has_max ? fmt::format("at most {}", max) : "";
-  return fmt::format("must be {}{}{}", low, has_min && has_max ? " and " : "", high);
-}
-
 ConfigReader::ConfigReader(const ConfigNode& root, OriginByPath& origins) : origins_(origins) { EnterKeys(&root, ""); }
 
 std::string ConfigReader::PathOf(std::string_view key) const {
@@ -76,7 +66,7 @@ std::string ConfigReader::PathOf(std::string_view key) const {
   return parent.empty() ? std::string(key) : fmt::format("{}.{}", parent, key);
 }
 
-const ConfigNode* ConfigReader::Visit(const Key& key) {
+const ConfigNode* ConfigReader::Visit(const models::Key& key) {
   Open& open = open_.back();
   open.visited.emplace(key.name);
   if (open.node == nullptr) return nullptr;
@@ -90,7 +80,7 @@ const ConfigNode* ConfigReader::Visit(const Key& key) {
   return node;
 }
 
-const ConfigNode* ConfigReader::VisitText(const Key& key, std::string_view what) {
+const ConfigNode* ConfigReader::VisitText(const models::Key& key, std::string_view what) {
   const ConfigNode* const node = Visit(key);
   if (node != nullptr && node->kind != ConfigNode::Kind::kText) {
     throw ConfigError(node->origin, PathOf(key.name), fmt::format("must be {}", what));
@@ -98,37 +88,37 @@ const ConfigNode* ConfigReader::VisitText(const Key& key, std::string_view what)
   return node;
 }
 
-void ConfigReader::Number(const Key& key, double& value_si, const Unit& unit, const Range& range) {
-  if (const ConfigNode* const node = Visit(key)) value_si = ParseNumber(*node, PathOf(key.name), unit, range);
+void ConfigReader::Number(const models::Key& key, double& value, const models::Unit&, const models::Range& range) {
+  if (const ConfigNode* const node = Visit(key)) value = ParseNumber(*node, PathOf(key.name), range);
 }
 
-void ConfigReader::OptionalNumber(const Key& key, std::optional<double>& value_si, const Unit& unit,
-                                  const Range& range) {
-  if (const ConfigNode* const node = Visit(key)) value_si = ParseNumber(*node, PathOf(key.name), unit, range);
+void ConfigReader::OptionalNumber(const models::Key& key, std::optional<double>& value, const models::Unit&,
+                                  const models::Range& range) {
+  if (const ConfigNode* const node = Visit(key)) value = ParseNumber(*node, PathOf(key.name), range);
 }
 
-void ConfigReader::Numbers(const Key& key, const std::vector<double*>& values_si, const Unit& unit,
-                           const Range& range) {
+void ConfigReader::Numbers(const models::Key& key, const std::vector<double*>& values, const models::Unit&,
+                           const models::Range& range) {
   const ConfigNode* const node = Visit(key);
   if (node == nullptr) return;
   const std::string path = PathOf(key.name);
   if (node->kind == ConfigNode::Kind::kKeys && node->patch) {
     for (const auto& [index_text, value] : node->keys) {
       const auto index = util::FiniteNumber<std::size_t>(index_text);
-      if (!index || *index >= values_si.size()) throw ConfigError(value.origin, path + "." + index_text, "unknown key");
-      *values_si[*index] = ParseNumber(value, path + "." + index_text, unit, range);
+      if (!index || *index >= values.size()) throw ConfigError(value.origin, path + "." + index_text, "unknown key");
+      *values[*index] = ParseNumber(value, path + "." + index_text, range);
     }
     return;
   }
-  if (node->kind != ConfigNode::Kind::kList || node->items.size() != values_si.size()) {
-    throw ConfigError(node->origin, path, fmt::format("must be a list of {} numbers", values_si.size()));
+  if (node->kind != ConfigNode::Kind::kList || node->items.size() != values.size()) {
+    throw ConfigError(node->origin, path, fmt::format("must be a list of {} numbers", values.size()));
   }
-  for (std::size_t i = 0; i < values_si.size(); ++i) {
-    *values_si[i] = ParseNumber(node->items[i], fmt::format("{}.{}", path, i), unit, range);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    *values[i] = ParseNumber(node->items[i], fmt::format("{}.{}", path, i), range);
   }
 }
 
-void ConfigReader::Integer64(const Key& key, std::int64_t& value, const Range& range) {
+void ConfigReader::Integer64(const models::Key& key, std::int64_t& value, const models::Range& range) {
   const ConfigNode* const node = VisitText(key, "a whole number");
   if (node == nullptr) return;
   const util::NumberToken<std::int64_t> parsed =
@@ -137,12 +127,12 @@ void ConfigReader::Integer64(const Key& key, std::int64_t& value, const Range& r
   if (parsed.is_out_of_range) throw fail("is too large a number");
   if (!parsed.value) throw fail("must be a whole number, is " + Excerpt(node->text));
   if (!range.Contains(static_cast<double>(*parsed.value))) {
-    throw fail(fmt::format("{}, is {}", range.Describe(), node->text));
+    throw fail(fmt::format("{}, is {}", range.Sentence(), node->text));
   }
   value = *parsed.value;
 }
 
-void ConfigReader::Boolean(const Key& key, bool& value) {
+void ConfigReader::Boolean(const models::Key& key, bool& value) {
   const ConfigNode* const node = VisitText(key, "true or false");
   if (node == nullptr) return;
   if (node->quoted || (node->text != "true" && node->text != "false")) {
@@ -151,11 +141,11 @@ void ConfigReader::Boolean(const Key& key, bool& value) {
   value = node->text == "true";
 }
 
-void ConfigReader::Text(const Key& key, std::string& value) {
+void ConfigReader::Text(const models::Key& key, std::string& value) {
   if (const ConfigNode* const node = VisitText(key, "text")) value = node->text;
 }
 
-void ConfigReader::Choice(const Key& key, int& index, std::span<const std::string_view> names) {
+void ConfigReader::Choice(const models::Key& key, int& index, std::span<const std::string_view> names) {
   const std::string one_of = fmt::format("{}{}", names.size() > 1 ? "one of " : "", fmt::join(names, ", "));
   const ConfigNode* const node = VisitText(key, one_of);
   if (node == nullptr) return;
@@ -166,14 +156,14 @@ void ConfigReader::Choice(const Key& key, int& index, std::span<const std::strin
   index = static_cast<int>(found - names.begin());
 }
 
-void ConfigReader::Section(const Key& key, const SectionFile& file,
-                           const std::function<void(ConfigVisitor&)>& describe) {
+void ConfigReader::Section(const models::Key& key, const models::SectionFile& file,
+                           const std::function<void(models::ConfigVisitor&)>& describe) {
   const ConfigNode* node = Visit(key);
   const std::string path = PathOf(key.name);
   if (node != nullptr && node->kind == ConfigNode::Kind::kText && file.allowed) {
     try {
       ConfigNode root = ReadConfigFile(node->origin.folder / node->text);
-      node = &files_.emplace_back(file.translate ? file.translate(std::move(root)) : std::move(root));
+      node = &files_.emplace_back(SectionKeys(std::move(root), file));
     } catch (const InputError& error) {
       throw ConfigError(node->origin, path, error.what());
     }
@@ -187,15 +177,15 @@ void ConfigReader::Section(const Key& key, const SectionFile& file,
   LeaveKeys();
 }
 
-void ConfigReader::OptionalSection(const Key& key, bool is_set, const SectionFile& file,
-                                   const std::function<void(ConfigVisitor&)>& describe) {
+void ConfigReader::OptionalSection(const models::Key& key, bool is_set, const models::SectionFile& file,
+                                   const std::function<void(models::ConfigVisitor&)>& describe) {
   Open& open = open_.back();
   open.visited.emplace(key.name);
   if (is_set || (open.node != nullptr && open.node->Find(key.name) != nullptr)) Section(key, file, describe);
 }
 
-void ConfigReader::List(const Key& key, std::size_t count, const std::function<void(std::size_t)>& resize,
-                        const std::function<void(ConfigVisitor&, std::size_t)>& describe) {
+void ConfigReader::List(const models::Key& key, std::size_t count, const std::function<void(std::size_t)>& resize,
+                        const std::function<void(models::ConfigVisitor&, std::size_t)>& describe) {
   const ConfigNode* const node = Visit(key);
   if (node == nullptr) return;
   const std::string path = PathOf(key.name);
@@ -217,8 +207,15 @@ void ConfigReader::List(const Key& key, std::size_t count, const std::function<v
   }
 }
 
+void ConfigReader::Renamed(std::string_view old_key, std::string_view new_key) {
+  const ConfigNode* const node = open_.back().node != nullptr ? open_.back().node->Find(old_key) : nullptr;
+  if (node != nullptr) {
+    throw ConfigError(node->origin, PathOf(old_key), fmt::format("is now called {}", PathOf(new_key)));
+  }
+}
+
 void ConfigReader::PatchItems(const ConfigNode& node, const std::string& path, std::size_t count,
-                              const std::function<void(ConfigVisitor&, std::size_t)>& describe) {
+                              const std::function<void(models::ConfigVisitor&, std::size_t)>& describe) {
   for (const auto& [index_text, item] : node.keys) {
     const std::string item_path = path + "." + index_text;
     const auto index = util::FiniteNumber<std::size_t>(index_text);
@@ -247,12 +244,7 @@ void ConfigReader::LeaveKeys() {
   }
 }
 
-std::string ConfigChecker::PathOf(std::string_view key) const {
-  if (path_.empty() || key.empty()) return path_ + std::string(key);
-  return fmt::format("{}.{}", path_, key);
-}
-
-const Origin& ConfigChecker::OriginOf(std::string_view path) const {
+const Origin& OriginChecker::OriginOf(std::string_view path) const {
   for (;;) {
     if (const auto origin = origins_.find(path); origin != origins_.end()) return origin->second;
     const std::size_t dot = path.rfind('.');
@@ -261,30 +253,8 @@ const Origin& ConfigChecker::OriginOf(std::string_view path) const {
   }
 }
 
-void ConfigChecker::Section(const Key& key, const SectionFile&, const std::function<void(ConfigVisitor&)>& describe) {
-  const std::string parent = std::exchange(path_, PathOf(key.name));
-  describe(*this);
-  path_ = parent;
-}
-
-void ConfigChecker::List(const Key& key, std::size_t count, const std::function<void(std::size_t)>&,
-                         const std::function<void(ConfigVisitor&, std::size_t)>& describe) {
-  const std::string parent = path_;
-  for (std::size_t i = 0; i < count; ++i) {
-    path_ = parent;
-    path_ = fmt::format("{}.{}", PathOf(key.name), i);
-    describe(*this, i);
-  }
-  path_ = parent;
-}
-
-void ConfigChecker::Check(std::string_view key, const std::function<void()>& check) {
-  try {
-    check();
-  } catch (const InputError& error) {
-    const std::string path = PathOf(key);
-    throw ConfigError(OriginOf(path), path, error.what());
-  }
+InputError OriginChecker::Error(const std::string& path, const std::string& message) const {
+  return ConfigError(OriginOf(path), path, message);
 }
 
 }  // namespace touchdown::config

@@ -6,7 +6,8 @@
 #include <span>
 #include <string_view>
 
-#include "scenarios/config/config_visitor.h"
+#include "models/describe.h"
+#include "scenarios/config/config_node.h"
 
 namespace touchdown::config {
 
@@ -15,7 +16,7 @@ using OriginByPath = std::map<std::string, Origin, std::less<>>;
 
 /// Sets the fields that a node gives and leaves the others as they are. Every member throws InputError, naming place
 /// and key, for a value of the wrong type, not finite or out of range, and for a required key that is absent.
-class ConfigReader : public ConfigVisitor {
+class ConfigReader : public models::ConfigVisitor {
  public:
   /// `origins` takes the place of all that was read.
   ConfigReader(const ConfigNode& root, OriginByPath& origins);
@@ -26,18 +27,22 @@ class ConfigReader : public ConfigVisitor {
   /// Throws InputError when the root holds a key that was not visited. Call it last.
   void Finish() { LeaveKeys(); }
 
-  void Number(const Key& key, double& value_si, const Unit& unit, const Range& range) override;
-  void OptionalNumber(const Key& key, std::optional<double>& value_si, const Unit& unit, const Range& range) override;
-  void Numbers(const Key& key, const std::vector<double*>& values_si, const Unit& unit, const Range& range) override;
-  void Integer64(const Key& key, std::int64_t& value, const Range& range) override;
-  void Boolean(const Key& key, bool& value) override;
-  void Text(const Key& key, std::string& value) override;
-  void Choice(const Key& key, int& index, std::span<const std::string_view> names) override;
-  void Section(const Key& key, const SectionFile& file, const std::function<void(ConfigVisitor&)>& describe) override;
-  void OptionalSection(const Key& key, bool is_set, const SectionFile& file,
-                       const std::function<void(ConfigVisitor&)>& describe) override;
-  void List(const Key& key, std::size_t count, const std::function<void(std::size_t)>& resize,
-            const std::function<void(ConfigVisitor&, std::size_t)>& describe) override;
+  void Number(const models::Key& key, double& value, const models::Unit& unit, const models::Range& range) override;
+  void OptionalNumber(const models::Key& key, std::optional<double>& value, const models::Unit& unit,
+                      const models::Range& range) override;
+  void Numbers(const models::Key& key, const std::vector<double*>& values, const models::Unit& unit,
+               const models::Range& range) override;
+  void Integer64(const models::Key& key, std::int64_t& value, const models::Range& range) override;
+  void Boolean(const models::Key& key, bool& value) override;
+  void Text(const models::Key& key, std::string& value) override;
+  void Choice(const models::Key& key, int& index, std::span<const std::string_view> names) override;
+  void Section(const models::Key& key, const models::SectionFile& file,
+               const std::function<void(models::ConfigVisitor&)>& describe) override;
+  void OptionalSection(const models::Key& key, bool is_set, const models::SectionFile& file,
+                       const std::function<void(models::ConfigVisitor&)>& describe) override;
+  void List(const models::Key& key, std::size_t count, const std::function<void(std::size_t)>& resize,
+            const std::function<void(models::ConfigVisitor&, std::size_t)>& describe) override;
+  void Renamed(std::string_view old_key, std::string_view new_key) override;
   void Check(std::string_view, const std::function<void()>&) override {}
 
  private:
@@ -47,46 +52,36 @@ class ConfigReader : public ConfigVisitor {
     std::set<std::string, std::less<>> visited;
   };
 
-  const ConfigNode* Visit(const Key& key);
+  const ConfigNode* Visit(const models::Key& key);
   /// The node of a visited key, which must be text, or nullptr when absent.
-  const ConfigNode* VisitText(const Key& key, std::string_view what);
+  const ConfigNode* VisitText(const models::Key& key, std::string_view what);
   std::string PathOf(std::string_view key) const;
   void EnterKeys(const ConfigNode* node, const std::string& path);
   void LeaveKeys();
   void PatchItems(const ConfigNode& node, const std::string& path, std::size_t count,
-                  const std::function<void(ConfigVisitor&, std::size_t)>& describe);
+                  const std::function<void(models::ConfigVisitor&, std::size_t)>& describe);
 
   OriginByPath& origins_;
   std::vector<Open> open_;
   std::deque<ConfigNode> files_;  ///< The roots of files that sections named.
 };
 
-/// Runs the checks of a configuration that has been read. Its visits throw InputError with the place of the section.
-class ConfigChecker : public ConfigVisitor {
+/// Checks a configuration that has been read. Throws InputError with the place where the key, or what holds it, was
+/// written.
+class OriginChecker : public models::ConfigChecker {
  public:
-  /// `fallback` is named for what nobody wrote, nor anything around it.
-  ConfigChecker(const OriginByPath& origins, Origin fallback) : origins_(origins), fallback_(std::move(fallback)) {}
+  /// `fallback` is the place of what nobody wrote, nor anything around it.
+  OriginChecker(const OriginByPath& origins, Origin fallback) : origins_(origins), fallback_(std::move(fallback)) {}
 
-  void Number(const Key&, double&, const Unit&, const Range&) override {}
-  void OptionalNumber(const Key&, std::optional<double>&, const Unit&, const Range&) override {}
-  void Numbers(const Key&, const std::vector<double*>&, const Unit&, const Range&) override {}
-  void Integer64(const Key&, std::int64_t&, const Range&) override {}
-  void Boolean(const Key&, bool&) override {}
-  void Text(const Key&, std::string&) override {}
-  void Choice(const Key&, int&, std::span<const std::string_view>) override {}
-  void Section(const Key& key, const SectionFile& file, const std::function<void(ConfigVisitor&)>& describe) override;
-  void List(const Key& key, std::size_t count, const std::function<void(std::size_t)>& resize,
-            const std::function<void(ConfigVisitor&, std::size_t)>& describe) override;
-  void Check(std::string_view key, const std::function<void()>& check) override;
+ protected:
+  InputError Error(const std::string& path, const std::string& message) const override;
 
  private:
-  std::string PathOf(std::string_view key) const;
   /// Of the innermost part of `path` that somebody wrote.
   const Origin& OriginOf(std::string_view path) const;
 
   const OriginByPath& origins_;
   Origin fallback_;
-  std::string path_;
 };
 
 /// Reads and checks a struct whose keys are those of `root`, but for some that are read elsewhere. Throws InputError,
@@ -99,7 +94,7 @@ T ReadAlone(const ConfigNode& root, std::span<const std::string_view> read_elsew
   reader.LeaveAlone(read_elsewhere);
   Describe(reader, value);
   reader.Finish();
-  ConfigChecker checker(origins, root.origin);
+  OriginChecker checker(origins, root.origin);
   Describe(checker, value);
   return value;
 }

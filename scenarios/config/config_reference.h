@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "scenarios/config/config_visitor.h"
+#include "models/describe.h"
 
 namespace touchdown::config {
 
@@ -19,29 +19,32 @@ struct KeyRow {
 /// Lists every key it visits, with the defaults that the visited structs hold. What is visited depends on the values of
 /// choices: `variant` says which of the choices each list's items, and every yes or no, are shown with. The rows of
 /// several variants come together in one reference.
-class ConfigReference : public ConfigVisitor {
+class ConfigReference : public models::ConfigVisitor {
  public:
   const std::vector<KeyRow>& rows() const { return rows_; }
 
   /// To be called before the description is walked once more.
   void BeginVariant(int variant);
 
-  void Number(const Key& key, double& value_si, const Unit& unit, const Range& range) override;
-  void OptionalNumber(const Key& key, std::optional<double>& value_si, const Unit& unit, const Range& range) override;
-  void Numbers(const Key& key, const std::vector<double*>& values_si, const Unit& unit, const Range& range) override;
-  void Integer64(const Key& key, std::int64_t& value, const Range& range) override;
-  void Boolean(const Key& key, bool& value) override;
-  void Text(const Key& key, std::string& value) override;
-  void Choice(const Key& key, int& index, std::span<const std::string_view> names) override;
-  void Section(const Key& key, const SectionFile& file, const std::function<void(ConfigVisitor&)>& describe) override;
-  void OptionalSection(const Key& key, bool is_set, const SectionFile& file,
-                       const std::function<void(ConfigVisitor&)>& describe) override;
-  void List(const Key& key, std::size_t count, const std::function<void(std::size_t)>& resize,
-            const std::function<void(ConfigVisitor&, std::size_t)>& describe) override;
+  void Number(const models::Key& key, double& value, const models::Unit& unit, const models::Range& range) override;
+  void OptionalNumber(const models::Key& key, std::optional<double>& value, const models::Unit& unit,
+                      const models::Range& range) override;
+  void Numbers(const models::Key& key, const std::vector<double*>& values, const models::Unit& unit,
+               const models::Range& range) override;
+  void Integer64(const models::Key& key, std::int64_t& value, const models::Range& range) override;
+  void Boolean(const models::Key& key, bool& value) override;
+  void Text(const models::Key& key, std::string& value) override;
+  void Choice(const models::Key& key, int& index, std::span<const std::string_view> names) override;
+  void Section(const models::Key& key, const models::SectionFile& file,
+               const std::function<void(models::ConfigVisitor&)>& describe) override;
+  void OptionalSection(const models::Key& key, bool is_set, const models::SectionFile& file,
+                       const std::function<void(models::ConfigVisitor&)>& describe) override;
+  void List(const models::Key& key, std::size_t count, const std::function<void(std::size_t)>& resize,
+            const std::function<void(models::ConfigVisitor&, std::size_t)>& describe) override;
   void Check(std::string_view, const std::function<void()>&) override {}
 
  private:
-  void Row(const Key& key, std::string_view unit, const std::string& default_value, const std::string& range);
+  void Row(const models::Key& key, std::string_view unit, const std::string& default_value, const std::string& range);
 
   std::vector<KeyRow> rows_;
   std::size_t next_ = 0;  ///< Where a row that is new in this variant goes.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "estimator/make_estimator.h"
-#include "models/angles.h"
 #include "models/error.h"
 #include "models/vehicle.h"
 
@@ -18,31 +17,22 @@ SensorMounting NominalMounting() {
   return mounting;
 }
 
-/// Gravity from the IMU's samples, in the order in which a vehicle would have had them and the frames.
-class GravityReference {
+/// Gives an estimator the IMU's samples in the order in which a vehicle has samples and frames.
+class ImuFeed {
  public:
-  GravityReference(const FootageSetup& setup, const FootageFacts& facts, const Eigen::Matrix3d& R_BU)
-      : readings_(setup.imu), latency_(facts.latency), attitude_(setup.attitude_estimator, facts.time, R_BU) {}
+  ImuFeed(const FootageSetup& setup, const FootageFacts& facts) : readings_(setup.imu), latency_(facts.latency) {}
 
-  /// nullopt when there is no sample up to then.
-  std::optional<Eigen::Vector3d> At(models::Tick mid_exposure) {
+  /// Adds the samples that come before a frame is delivered.
+  void AddBefore(models::Tick mid_exposure, estimator::StateEstimator& estimator) {
     const models::Tick end = latency_ ? mid_exposure + *latency_ : mid_exposure + 1;
     for (; next_ < readings_.size() && readings_[next_].sample.tick < end; ++next_) {
-      attitude_.Update(readings_[next_].sample, readings_[next_].at_rest);
+      estimator.AddImu(readings_[next_].sample, readings_[next_].at_rest);
     }
-    if (next_ == 0) return std::nullopt;
-    return attitude_.GravityAt(mid_exposure);
-  }
-
-  void TakePose(models::Tick mid_exposure, const Eigen::Isometry3d& X_WB) {
-    const Eigen::Isometry3d near = models::NearerTwin(X_WB, attitude_.attitude().yaw);
-    attitude_.CorrectYaw(mid_exposure, models::TaitBryanFromRotation(near.linear()).yaw);
   }
 
  private:
   const std::vector<ImuReading>& readings_;
   std::optional<models::Tick> latency_;
-  estimator::AttitudeEstimator attitude_;
   std::size_t next_ = 0;
 };
 
@@ -63,28 +53,25 @@ std::vector<FootageEstimate> EstimateFootage(Footage& footage, const FootageSetu
                                              const FootageObserver& observer) {
   const FootageFacts& facts = footage.facts();
   const SensorMounting mounting = setup.mounting.value_or(NominalMounting());
-  const auto vision = estimator::MakeEstimator(setup.estimator, {.camera = setup.camera,
-                                                                 .pad = setup.pad,
-                                                                 .X_BC = mounting.X_BC,
-                                                                 .time = facts.time,
-                                                                 .frame_order = facts.frame_order});
-  GravityReference gravity(setup, facts, mounting.X_BU.linear());
+  const auto estimator = estimator::MakeEstimator(setup.estimator, {.camera = setup.camera,
+                                                                    .pad = setup.pad,
+                                                                    .X_BC = mounting.X_BC,
+                                                                    .R_BU = mounting.X_BU.linear(),
+                                                                    .time = facts.time,
+                                                                    .frame_order = facts.frame_order});
+  ImuFeed imu(setup, facts);
 
   std::vector<FootageEstimate> estimates;
   while (const auto frame = footage.Next()) {
     RequireCameraSize(*frame, setup.camera);
-    std::optional<Eigen::Vector3d> gravity_B;
-    if (!setup.imu.empty()) gravity_B = gravity.At(TimeOf(*frame));
+    if (!setup.imu.empty()) imu.AddBefore(TimeOf(*frame), *estimator);
     const auto place = static_cast<models::Tick>(estimates.size());
     FootageEstimate estimate{frame->source, frame->mid_exposure,
-                             vision->Estimate(frame->image.View(), frame->mid_exposure.value_or(place), gravity_B)};
-    if (gravity_B && estimate.seen.status == estimator::FrameStatus::kOk) {
-      gravity.TakePose(*frame->mid_exposure, estimate.seen.pose.value().X_WB);
-    }
+                             estimator->AddFrame(frame->image.View(), frame->mid_exposure.value_or(place))};
     if (!setup.mounting && estimate.seen.pose) estimate.seen.pose->X_WB = estimate.seen.pose->X_WB * mounting.X_BC;
     if (observer) observer(*frame, estimate);
     estimates.push_back(std::move(estimate));
-    estimates.back().seen.trace.components.clear();
+    estimates.back().seen.overlay.boxes.clear();
   }
   return estimates;
 }

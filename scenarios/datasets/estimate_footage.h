@@ -18,23 +18,22 @@ struct FootageSetup {
   /// the image's up forward.
   std::vector<ImuReading> imu;
   estimator::EstimatorConfig estimator;
-  estimator::AttitudeEstimatorConfig attitude_estimator;
 };
 
-/// What the estimator made of a frame of footage. Of its trace the components are only there while the frame is shown
-/// to an observer.
+/// What the estimator found in a frame of footage. The overlay's boxes are present only while an observer sees the
+/// frame.
 struct FootageEstimate {
   std::string source;
   std::optional<models::Tick> mid_exposure;
-  estimator::FrameEstimate seen;
+  estimator::FrameResult seen;
 };
 
 /// Sees every frame with what the estimator made of it. It may throw to stop.
 using FootageObserver = std::function<void(const FootageFrame&, const FootageEstimate&)>;
 
-/// Runs the estimator over footage from where it is to its end. Poses are unfiltered. With an IMU gravity is as the
-/// attitude estimator has it at mid-exposure, which is told of yaw by the poses as in flight; a recording of a flight
-/// gives the flight's own poses, to the last bit. Without, the estimator chooses between a circle's poses by itself
+/// Runs the estimator over footage from where it is to its end. Poses are unfiltered. With an IMU the estimator is
+/// given samples and frames in the order in which a vehicle has them; a recording of a flight gives the flight's own
+/// poses, to the last bit. Without, the estimator chooses between a circle's poses by itself
 /// (estimator::PoseChoice). The pad looks the same turned by 180 degrees: the body, or without a mounting the image's
 /// up, points within 90 degrees of X_W.
 ///

@@ -12,7 +12,7 @@ namespace touchdown::datasets {
 namespace {
 
 constexpr std::array<std::string_view, 1> kDistortionModels = {"radial-tangential"};
-constexpr config::Range kFour = config::Between(4, 4);
+constexpr models::Range kFour = models::Between(4, 4);
 
 /// Throws InputError unless it is a rotation and a translation above 0 0 0 1.
 void RequirePose(const config::ConfigMatrix& matrix) {
@@ -24,7 +24,7 @@ void RequirePose(const config::ConfigMatrix& matrix) {
   }
 }
 
-void DescribeMounting(config::ConfigVisitor& v, config::ConfigMatrix& T_BS) {
+void DescribeMounting(models::ConfigVisitor& v, config::ConfigMatrix& T_BS) {
   config::DescribeMatrix(v, {"T_BS", "", true}, T_BS, kFour, kFour);
   v.Check("T_BS.data", [&T_BS] { RequirePose(T_BS); });
 }
@@ -36,14 +36,14 @@ struct CameraKeys {
   int distortion_model = 0;
 };
 
-void DescribeCamera(config::ConfigVisitor& v, CameraKeys& c) {
+void DescribeCamera(models::ConfigVisitor& v, CameraKeys& c) {
   DescribeMounting(v, c.T_BS);
-  v.Numbers({"resolution", "", true}, {&c.width_px, &c.height_px}, config::kPixel, config::kImageSize_px);
-  v.Numbers({"intrinsics", "", true}, {&c.model.fx_px, &c.model.fy_px, &c.model.cx_px, &c.model.cy_px}, config::kPixel,
-            config::kAny);
+  v.Numbers({"resolution", "", true}, {&c.width_px, &c.height_px}, models::kPixel, models::kImageSize_px);
+  v.Numbers({"intrinsics", "", true}, {&c.model.fx_px, &c.model.fy_px, &c.model.cx_px, &c.model.cy_px}, models::kPixel,
+            models::kAny);
   v.Choice({"distortion_model", "", true}, c.distortion_model, kDistortionModels);
   v.Numbers({"distortion_coefficients", "", true}, {&c.model.k1, &c.model.k2, &c.model.p1, &c.model.p2},
-            config::kNoUnit, config::kAny);
+            models::kNoUnit, models::kAny);
   v.Check("intrinsics", [&c] {
     c.model.width_px = static_cast<int>(c.width_px);
     c.model.height_px = static_cast<int>(c.height_px);
@@ -52,12 +52,12 @@ void DescribeCamera(config::ConfigVisitor& v, CameraKeys& c) {
 }
 
 /// Reads the keys that `describe` names, and lets others be.
-void ReadLoosely(const std::filesystem::path& file, const std::function<void(config::ConfigVisitor&)>& describe) {
+void ReadLoosely(const std::filesystem::path& file, const std::function<void(models::ConfigVisitor&)>& describe) {
   const config::ConfigNode root = config::ReadConfigFile(file);
   config::OriginByPath origins;
   config::ConfigReader reader(root, origins);
   describe(reader);
-  config::ConfigChecker checker(origins, root.origin);
+  config::OriginChecker checker(origins, root.origin);
   describe(checker);
 }
 
@@ -81,13 +81,13 @@ std::string MountingYaml(const Eigen::Isometry3d& X_BS) {
 
 EurocCamera ReadEurocCamera(const std::filesystem::path& file) {
   CameraKeys keys;
-  ReadLoosely(file, [&keys](config::ConfigVisitor& v) { DescribeCamera(v, keys); });
+  ReadLoosely(file, [&keys](models::ConfigVisitor& v) { DescribeCamera(v, keys); });
   return {keys.model, PoseOf(keys.T_BS)};
 }
 
 Eigen::Isometry3d ReadEurocMounting(const std::filesystem::path& file) {
   config::ConfigMatrix T_BS;
-  ReadLoosely(file, [&T_BS](config::ConfigVisitor& v) { DescribeMounting(v, T_BS); });
+  ReadLoosely(file, [&T_BS](models::ConfigVisitor& v) { DescribeMounting(v, T_BS); });
   return PoseOf(T_BS);
 }
 

@@ -244,7 +244,7 @@ void FlightBag::OnImu(const models::ImuSample& sample, bool at_rest) {
   impl_->Put("/imu/data_raw", stamp, impl_->imu);
 }
 
-void FlightBag::OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate& /*estimate*/,
+void FlightBag::OnFrame(const models::CameraFrame& frame, const estimator::FrameResult& /*estimate*/,
                         const runner::FrameRecord& record) {
   const ros::Time stamp = impl_->At(frame.mid_exposure), delivered = impl_->At(record.delivered);
   impl_->camera_info.header.stamp = stamp;

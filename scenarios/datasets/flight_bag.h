@@ -35,7 +35,7 @@ class FlightBag final : public runner::FlightObserver {
   FlightBag& operator=(const FlightBag&) = delete;
 
   void OnImu(const models::ImuSample& sample, bool at_rest) override;
-  void OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate& estimate,
+  void OnFrame(const models::CameraFrame& frame, const estimator::FrameResult& estimate,
                const runner::FrameRecord& record) override;
 
   /// Writes the truth and the tracking system's poses, and completes the file.

@@ -5,13 +5,12 @@ namespace touchdown::datasets {
 void TellOfFlight(const runner::Scenario& scenario, FootageFacts& facts) {
   facts.frame_order = estimator::FrameOrder::kFlight;
   facts.time = scenario.time;
-  facts.latency = scenario.time.FromSeconds(scenario.camera.latency_s);
+  facts.latency = scenario.time.FromSeconds(scenario.camera.latency_s());
   facts.camera = scenario.assumed_camera();
   facts.pad = scenario.pad;
   const models::Vehicle assumed = scenario.assumed_vehicle();
   facts.mounting = {assumed.X_BC(), assumed.X_BU()};
   facts.estimator = scenario.estimator;
-  facts.attitude_estimator = scenario.attitude_estimator;
 }
 
 }  // namespace touchdown::datasets

@@ -65,7 +65,7 @@ void FlightRecording::OnImu(const models::ImuSample& sample, bool at_rest) {
   at_rest_ = at_rest;
 }
 
-void FlightRecording::OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate&,
+void FlightRecording::OnFrame(const models::CameraFrame& frame, const estimator::FrameResult&,
                               const runner::FrameRecord&) {
   const std::int64_t time_ns = scenario_.time.ToNanoseconds(frame.mid_exposure);
   const std::string name = fmt::format("{}.png", time_ns);

@@ -24,7 +24,7 @@ class FlightRecording final : public runner::FlightObserver {
   FlightRecording(const runner::Scenario& scenario, const std::filesystem::path& folder);
 
   void OnImu(const models::ImuSample& sample, bool at_rest) override;
-  void OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate& estimate,
+  void OnFrame(const models::CameraFrame& frame, const estimator::FrameResult& estimate,
                const runner::FrameRecord& record) override;
 
   /// Writes all but the frames, which are written as they come.

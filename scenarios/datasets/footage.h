@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "estimator/attitude_estimator.h"
-#include "estimator/estimator.h"
+#include "estimator/frame_result.h"
 #include "estimator/make_estimator.h"
 #include "models/camera_model.h"
 #include "models/landing_pad.h"
@@ -53,7 +53,6 @@ struct FootageFacts {
   std::optional<SensorMounting> mounting;
   std::vector<ImuReading> imu;  ///< Rising in time.
   std::optional<estimator::EstimatorConfig> estimator;
-  std::optional<estimator::AttitudeEstimatorConfig> attitude_estimator;
 };
 
 /// Pictures from a file or a folder, one after the other.

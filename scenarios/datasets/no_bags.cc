@@ -9,9 +9,8 @@ namespace touchdown::datasets {
 namespace {
 
 [[noreturn]] void Refuse(const std::filesystem::path& file) {
-  throw InputError(
-      fmt::format("bag {}: this build knows no ROS bags: the packages that they need were not there, see packages.txt",
-                  file.filename().string()));
+  throw InputError(fmt::format("bag {}: built without the ROS packages for bags; packages/test.txt lists them",
+                               file.filename().string()));
 }
 
 }  // namespace
@@ -20,7 +19,7 @@ struct FlightBag::Impl {};
 FlightBag::FlightBag(const runner::Scenario& /*scenario*/, const std::filesystem::path& file) { Refuse(file); }
 FlightBag::~FlightBag() = default;
 void FlightBag::OnImu(const models::ImuSample& /*sample*/, bool /*at_rest*/) {}
-void FlightBag::OnFrame(const models::CameraFrame& /*frame*/, const estimator::FrameEstimate& /*estimate*/,
+void FlightBag::OnFrame(const models::CameraFrame& /*frame*/, const estimator::FrameResult& /*estimate*/,
                         const runner::FrameRecord& /*record*/) {}
 void FlightBag::Finish(const runner::FlightLog& /*log*/) {}
 

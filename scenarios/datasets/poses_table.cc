@@ -10,8 +10,8 @@ namespace {
 
 using estimator::PoseChoice;
 
-void PutEllipse(util::CsvWriter& table, const std::optional<estimator::FrameTrace::Ellipse>& ellipse) {
-  if (!ellipse) {
+void PutEllipse(util::CsvWriter& table, const estimator::Overlay::Ellipse* ellipse) {
+  if (ellipse == nullptr) {
     table.Empty(3);
     return;
   }
@@ -34,14 +34,14 @@ std::string PosesCsv(std::span<const FootageEstimate> estimates, const models::T
       "ellipse_a_px,ellipse_b_px,ellipse_angle_deg,box_x_px,box_y_px,box_w_px,box_h_px");
   for (std::size_t i = 0; i < estimates.size(); ++i) {
     const FootageEstimate& estimate = estimates[i];
-    const estimator::FrameEstimate& seen = estimate.seen;
+    const estimator::FrameResult& seen = estimate.seen;
     table << i;
     table << estimate.source;
     estimate.mid_exposure ? table << time.ToSeconds(*estimate.mid_exposure) : table.Empty(1);
-    table << Name(seen.status);
+    table << estimator::ReasonOrStatus(seen.status, seen.reason);
     seen.pose ? table.Pose(seen.pose->X_WB) : table.Empty(6);
     table.Pixel(seen.pad_px);
-    PutEllipse(table, seen.trace.ring_outer);
+    PutEllipse(table, seen.overlay.FindEllipse("ring_outer"));
     PutBox(table, seen.ring_box);
     table.EndLine();
   }

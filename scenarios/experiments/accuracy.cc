@@ -73,7 +73,7 @@ struct ErrorSums {
 
   void Add(const Eigen::Isometry3d& found, const Eigen::Isometry3d& truth) {
     const models::TaitBryan is = models::TaitBryanFromRotation(truth.linear());
-    const Eigen::Isometry3d X_WB = models::NearerTwin(found, is.yaw);
+    const Eigen::Isometry3d X_WB = models::ResolveYawAmbiguity(found, is.yaw);
     const models::TaitBryan seen = models::TaitBryanFromRotation(X_WB.linear());
     const Vector3d position_error = X_WB.translation() - truth.translation();
     const Eigen::Vector2d tilt_error(models::WrapToPi(seen.roll - is.roll), seen.pitch - is.pitch);
@@ -140,14 +140,14 @@ struct Cell {
   std::optional<double> position_limit_mm = std::nullopt, tilt_limit_deg = std::nullopt;
 };
 
-std::string IdOf(int placement) { return fmt::format("accuracy_{}", 1 + placement); }
+std::string AccuracyId(int placement) { return fmt::format("accuracy_{}", 1 + placement); }
 
 Cell Summed(const Measured& measured, int placements, std::size_t index) {
   Cell cell{.distance_m = kDistances_m[index / kRolls_deg.size()], .roll_deg = kRolls_deg[index % kRolls_deg.size()]};
   double position = 0.0, position_mean = 0.0, tilt = 0.0, tilt_mean = 0.0, position_limit = 0.0, tilt_limit = 0.0;
   bool has_limit = true;
   for (int i = 0; i < placements; ++i) {
-    const Json& json = measured.at(IdOf(i)).at(index);
+    const Json& json = measured.at(AccuracyId(i)).at(index);
     cell.frames += json.at("frames").get<int>();
     cell.found += json.at("found").get<int>();
     position += json.at("position_square_mm2").get<double>() / placements;
@@ -211,7 +211,7 @@ std::string PlotOverRoll(const std::string& column, const std::string& limit, co
       label, curves);
 }
 
-PaperSection Report(const PaperPlan& plan, const Measured& measured) {
+PaperSection ReportAccuracy(const PaperPlan& plan, const Measured& measured) {
   std::vector<Cell> cells;
   for (std::size_t i = 0; i < kDistances_m.size() * kRolls_deg.size(); ++i) {
     cells.push_back(Summed(measured, plan.placements, i));
@@ -273,13 +273,13 @@ Experiment AccuracyExperiment(const PaperPlan& plan, const PaperVehicle& vehicle
   Experiment experiment;
   for (int i = 0; i < plan.placements; ++i) {
     experiment.measurements.push_back(
-        {.id = IdOf(i),
+        {.id = AccuracyId(i),
          .expected_s = kRoom_s + kFrame_s * plan.frames_per_placement * kDistances_m.size() * kRolls_deg.size(),
          .take = [vehicle, i, frames = plan.frames_per_placement](const util::StopRequested& stop_requested) {
            return MeasurePlacement(vehicle, i, frames, stop_requested);
          }});
   }
-  experiment.report = [plan](const Measured& measured) { return Report(plan, measured); };
+  experiment.report = [plan](const Measured& measured) { return ReportAccuracy(plan, measured); };
   return experiment;
 }
 

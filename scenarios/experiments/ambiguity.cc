@@ -23,9 +23,9 @@ using models::DegToRad;
 using models::RadToDeg;
 using models::RandomStream;
 
-constexpr std::array<double, 9> kTilts_deg = {0.0, 1.0, 2.0, 4.0, 6.0, 10.0, 15.0, 20.0, 30.0};
+constexpr std::array<double, 9> kAmbiguityTilts_deg = {0.0, 1.0, 2.0, 4.0, 6.0, 10.0, 15.0, 20.0, 30.0};
 constexpr std::array<double, 7> kGravityErrors_deg = {0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 15.0};
-constexpr std::array<double, 3> kDistances_m = {0.5, 1.0, 1.5};
+constexpr std::array<double, 3> kAmbiguityDistances_m = {0.5, 1.0, 1.5};
 constexpr int kDirections = 12;                  // Of the gravity's error, for each of its sizes.
 constexpr double kFarApart_rad = DegToRad(2.0);  // Poses that are nearer to each other may be taken one for the other.
 
@@ -95,7 +95,8 @@ void Choose(const std::array<estimator::pad::CirclePose, 2>& poses, const Eigen:
   }
 }
 
-Json Measure(const PaperVehicle& vehicle, double tilt_deg, int views, const util::StopRequested& stop_requested) {
+Json MeasureAmbiguity(const PaperVehicle& vehicle, double tilt_deg, int views,
+                      const util::StopRequested& stop_requested) {
   const auto seed = static_cast<std::uint64_t>(100.0 + tilt_deg);
   runner::Scenario told;
   vehicle.Equip(told);
@@ -106,7 +107,7 @@ Json Measure(const PaperVehicle& vehicle, double tilt_deg, int views, const util
   int found = 0;
   for (int i = 0; i < views; ++i) {
     if (stop_requested && stop_requested()) throw util::Interrupted();
-    const double distance_m = kDistances_m[static_cast<std::size_t>(i) % kDistances_m.size()];
+    const double distance_m = kAmbiguityDistances_m[static_cast<std::size_t>(i) % kAmbiguityDistances_m.size()];
     const Eigen::Isometry3d X_WC = DrawView(DegToRad(tilt_deg), distance_m, random);
     const models::Image image = room.Take({.X_WC = X_WC});
     const Vector3d gravity_B = X_BC.linear() * (-X_WC.linear().transpose() * Vector3d::UnitZ());
@@ -131,11 +132,11 @@ Json Measure(const PaperVehicle& vehicle, double tilt_deg, int views, const util
   return json;
 }
 
-std::string IdOf(double tilt_deg) { return fmt::format("ambiguity_{:.0f}_deg", tilt_deg); }
+std::string AmbiguityId(double tilt_deg) { return fmt::format("ambiguity_{:.0f}_deg", tilt_deg); }
 
 std::string Percent(int part, int whole) { return whole == 0 ? "none" : util::Fixed(100.0 * part / whole, 1) + " %"; }
 
-PaperSection Report(const PaperPlan& plan, const Measured& measured) {
+PaperSection ReportAmbiguity(const PaperPlan& plan, const Measured& measured) {
   PaperSection section{{.id = "ambiguity", .title = "The ambiguity (Sec. IV-C.2)"}};
   section.paragraphs.push_back(fmt::format(
       "{} views at each tilt, 0.5, 1 and 1.5 m away, noise as in a flight; from each ring's ellipse both poses, and "
@@ -153,8 +154,8 @@ PaperSection Report(const PaperPlan& plan, const Measured& measured) {
                              RadToDeg(kFarApart_rad)),
       .head = {"tilt, deg", "wrong choices", "off by, mm", "caught by the outlier rule"}};
   std::string csv = "tilt_deg,gravity_error_deg,choices,wrong,wrong_share\n";
-  for (const double tilt_deg : kTilts_deg) {
-    const Json& errors = measured.at(IdOf(tilt_deg)).at("errors");
+  for (const double tilt_deg : kAmbiguityTilts_deg) {
+    const Json& errors = measured.at(AmbiguityId(tilt_deg)).at("errors");
     std::vector<std::string> cells{util::Fixed(tilt_deg, 0)};
     Count all;
     for (std::size_t i = 0; i < kGravityErrors_deg.size(); ++i) {
@@ -197,15 +198,15 @@ PaperSection Report(const PaperPlan& plan, const Measured& measured) {
 Experiment AmbiguityExperiment(const PaperPlan& plan, const PaperVehicle& vehicle) {
   constexpr double kView_s = 0.02, kRoom_s = 3.0;
   Experiment experiment;
-  for (const double tilt_deg : kTilts_deg) {
+  for (const double tilt_deg : kAmbiguityTilts_deg) {
     experiment.measurements.push_back(
-        {.id = IdOf(tilt_deg),
+        {.id = AmbiguityId(tilt_deg),
          .expected_s = kRoom_s + kView_s * plan.ambiguity_views,
          .take = [vehicle, tilt_deg, views = plan.ambiguity_views](const util::StopRequested& stop_requested) {
-           return Measure(vehicle, tilt_deg, views, stop_requested);
+           return MeasureAmbiguity(vehicle, tilt_deg, views, stop_requested);
          }});
   }
-  experiment.report = [plan](const Measured& measured) { return Report(plan, measured); };
+  experiment.report = [plan](const Measured& measured) { return ReportAmbiguity(plan, measured); };
   return experiment;
 }
 

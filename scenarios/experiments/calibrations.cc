@@ -12,24 +12,23 @@
 namespace touchdown::experiments {
 namespace {
 
-using models::DegToRad;
 using models::RadToDeg;
 
-std::string IdOf(int seed) { return fmt::format("calibration_{}", seed); }
+std::string CalibrationId(int seed) { return fmt::format("calibration_{}", seed); }
 
 Json MountingJson(const models::Mounting& mounting) {
   const Eigen::Vector3d& p = mounting.position_m;
-  const models::TaitBryan& angles = mounting.misalignment;
-  return {{"position_m", {p.x(), p.y(), p.z()}}, {"misalignment_rad", {angles.roll, angles.pitch, angles.yaw}}};
+  const models::TaitBryanDeg& angles = mounting.misalignment_deg;
+  return {{"position_m", {p.x(), p.y(), p.z()}}, {"misalignment_deg", {angles.roll, angles.pitch, angles.yaw}}};
 }
 
 models::Mounting MountingFrom(const Json& json) {
   const auto position = json.at("position_m").get<std::array<double, 3>>();
-  const auto angles = json.at("misalignment_rad").get<std::array<double, 3>>();
-  return {.position_m = {position[0], position[1], position[2]}, .misalignment = {angles[0], angles[1], angles[2]}};
+  const auto angles = json.at("misalignment_deg").get<std::array<double, 3>>();
+  return {.position_m = {position[0], position[1], position[2]}, .misalignment_deg = {angles[0], angles[1], angles[2]}};
 }
 
-Json Measure(int seed, const util::StopRequested& stop_requested) {
+Json MeasureCalibrations(int seed, const util::StopRequested& stop_requested) {
   runner::Scenario scenario;
   scenario.seed = static_cast<std::uint64_t>(seed);
   scenario.vehicle = TrueVehicle();
@@ -57,7 +56,7 @@ Json Measure(int seed, const util::StopRequested& stop_requested) {
           {"imu_tilt_error_deg", RadToDeg(imu.tilt_error_rad)}};
 }
 
-PaperSection Report(const PaperPlan& plan, const Measured& measured) {
+PaperSection ReportCalibrations(const PaperPlan& plan, const Measured& measured) {
   struct Row {
     const char* label;
     const char* key;
@@ -83,7 +82,8 @@ PaperSection Report(const PaperPlan& plan, const Measured& measured) {
                             .head = {"of", "unit", "mean", "worst", "flown with"}};
   for (const Row& row : kRows) {
     std::vector<double> values;
-    for (int seed = 1; seed <= plan.seeds; ++seed) values.push_back(measured.at(IdOf(seed)).at(row.key).get<double>());
+    for (int seed = 1; seed <= plan.seeds; ++seed)
+      values.push_back(measured.at(CalibrationId(seed)).at(row.key).get<double>());
     table.rows.push_back({row.label, row.unit, util::Fixed(util::Mean(values), row.digits),
                           util::Fixed(*std::max_element(values.begin(), values.end()), row.digits),
                           util::Fixed(values.front(), row.digits)});
@@ -97,8 +97,8 @@ PaperSection Report(const PaperPlan& plan, const Measured& measured) {
 models::Vehicle TrueVehicle() {
   models::Vehicle vehicle;
   vehicle.camera = {.position_m = {0.004, -0.003, -0.052},
-                    .misalignment = {.roll = DegToRad(0.6), .pitch = DegToRad(2.0), .yaw = DegToRad(-0.8)}};
-  vehicle.imu = {.misalignment = {.roll = DegToRad(1.5), .pitch = DegToRad(-1.0), .yaw = DegToRad(2.0)}};
+                    .misalignment_deg = {.roll = 0.6, .pitch = 2.0, .yaw = -0.8}};
+  vehicle.imu = {.misalignment_deg = {.roll = 1.5, .pitch = -1.0, .yaw = 2.0}};
   return vehicle;
 }
 
@@ -106,17 +106,18 @@ Experiment CalibrationsExperiment(const PaperPlan& plan) {
   constexpr double kCalibration_s = 6.0;
   Experiment experiment;
   for (int seed = 1; seed <= plan.seeds; ++seed) {
-    experiment.measurements.push_back(
-        {.id = IdOf(seed), .expected_s = kCalibration_s, .take = [seed](const util::StopRequested& stop_requested) {
-           return Measure(seed, stop_requested);
-         }});
+    experiment.measurements.push_back({.id = CalibrationId(seed),
+                                       .expected_s = kCalibration_s,
+                                       .take = [seed](const util::StopRequested& stop_requested) {
+                                         return MeasureCalibrations(seed, stop_requested);
+                                       }});
   }
-  experiment.report = [plan](const Measured& measured) { return Report(plan, measured); };
+  experiment.report = [plan](const Measured& measured) { return ReportCalibrations(plan, measured); };
   return experiment;
 }
 
 runner::Calibration CalibrationOf(const Measured& measured) {
-  const Json& found = measured.at(IdOf(1));
+  const Json& found = measured.at(CalibrationId(1));
   const Json& json = found.at("camera_model");
   models::CameraModel model;
   model.width_px = json.at("width_px").get<int>();

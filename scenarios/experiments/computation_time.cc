@@ -20,7 +20,7 @@ constexpr double kMostOfAprilTag = 0.25;
 /// Has AprilTag 3 look at a part of the frames too, in the same run, on the same core.
 class AprilTagWatch final : public runner::FlightObserver {
  public:
-  void OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate& /*estimate*/,
+  void OnFrame(const models::CameraFrame& frame, const estimator::FrameResult& /*estimate*/,
                const runner::FrameRecord& record) override {
     constexpr int kEvery = 4;
     if (count_++ % kEvery != 0) return;
@@ -39,7 +39,7 @@ class AprilTagWatch final : public runner::FlightObserver {
   std::vector<double> april_tag_ms_, vision_ms_;
 };
 
-Json Measure(const runner::Scenario& scenario, const util::StopRequested& stop_requested) {
+Json MeasureComputationTime(const runner::Scenario& scenario, const util::StopRequested& stop_requested) {
   AprilTagWatch watch;
   runner::FlightObserver* const observers[] = {&watch};
   const runner::FlightLog log = runner::FlyClosedLoop(scenario, observers, stop_requested);
@@ -99,7 +99,7 @@ report::ReportTable ByHeight(const std::vector<FrameCost>& costs) {
   return table;
 }
 
-PaperSection Report(const Measured& measured) {
+PaperSection ReportComputationTime(const Measured& measured) {
   const Json& json = measured.at(kComputationTimeId);
   const std::vector<FrameCost> costs = CostsOf(json);
   const std::vector<double> total = Of(costs, [](const FrameCost& cost) { return std::optional(cost.total_ms()); });
@@ -159,9 +159,9 @@ Experiment ComputationTimeExperiment(const PaperPlan& /*plan*/, const PaperVehic
                             .alone = true,
                             .take =
                                 [scenario](const util::StopRequested& stop_requested) {
-                                  return Measure(scenario, stop_requested);
+                                  return MeasureComputationTime(scenario, stop_requested);
                                 }}},
-          .report = Report};
+          .report = ReportComputationTime};
 }
 
 }  // namespace touchdown::experiments

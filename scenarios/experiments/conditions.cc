@@ -36,12 +36,14 @@ std::vector<Condition> Conditions() {
   }
   for (const double exposure_ms : {0.0, 8.0, 16.0}) {
     conditions.push_back({fmt::format("exposure_{:.0f}", exposure_ms), fmt::format("exposure {:.0f} ms", exposure_ms),
-                          [exposure_ms](runner::Scenario& s) { s.camera.exposure_s = 1e-3 * exposure_ms; }});
+                          [exposure_ms](runner::Scenario& s) { s.camera.exposure_ms = exposure_ms; }});
   }
   return conditions;
 }
 
-std::string IdOf(const Condition& condition, int seed) { return fmt::format("condition_{}_{}", condition.id, seed); }
+std::string ConditionId(const Condition& condition, int seed) {
+  return fmt::format("condition_{}_{}", condition.id, seed);
+}
 
 /// A hover at 1 m, begun in the air.
 runner::Scenario HoverIn(const Condition& condition, const PaperPlan& plan, const PaperVehicle& vehicle, int seed) {
@@ -58,7 +60,9 @@ runner::Scenario HoverIn(const Condition& condition, const PaperPlan& plan, cons
 // Of the hand, in place of those that it has in hand_held.yaml.
 constexpr std::array<double, 3> kHandTilts_deg = {10.0, 20.0, 30.0};
 
-std::string IdOf(double tilt_deg, int seed) { return fmt::format("condition_hand_{:.0f}_deg_{}", tilt_deg, seed); }
+std::string ConditionId(double tilt_deg, int seed) {
+  return fmt::format("condition_hand_{:.0f}_deg_{}", tilt_deg, seed);
+}
 
 runner::Scenario HandWith(double tilt_deg, const PaperPlan& plan, const PaperVehicle& vehicle, int seed) {
   runner::Scenario scenario = ShippedFlight(
@@ -71,7 +75,7 @@ runner::Scenario HandWith(double tilt_deg, const PaperPlan& plan, const PaperVeh
 /// In all rooms; `which` is a condition or a tilt of the hand.
 FlightGroup Flights(const Measured& measured, const PaperPlan& plan, const auto& which) {
   std::vector<std::string> ids;
-  for (int seed = 1; seed <= plan.condition_seeds; ++seed) ids.push_back(IdOf(which, seed));
+  for (int seed = 1; seed <= plan.condition_seeds; ++seed) ids.push_back(ConditionId(which, seed));
   return {measured, ids};
 }
 
@@ -103,7 +107,7 @@ report::ReportTable HandTable(const PaperPlan& plan, const Measured& measured) {
   return table;
 }
 
-PaperSection Report(const PaperPlan& plan, const Measured& measured) {
+PaperSection ReportConditions(const PaperPlan& plan, const Measured& measured) {
   PaperSection section{{.id = "conditions", .title = "What makes the error"}};
   section.paragraphs.push_back(
       fmt::format("A hover of {:.0f} s at 1 m, {} rooms each, with one thing changed at a time; RMSE against the "
@@ -121,7 +125,7 @@ Experiment ConditionsExperiment(const PaperPlan& plan, const PaperVehicle& vehic
   for (const Condition& condition : Conditions()) {
     for (int seed = 1; seed <= plan.condition_seeds; ++seed) {
       experiment.measurements.push_back(
-          {.id = IdOf(condition, seed),
+          {.id = ConditionId(condition, seed),
            .expected_s = 3.0 + 1.5 * plan.condition_hover_s,
            .take = [scenario = HoverIn(condition, plan, vehicle, seed)](const util::StopRequested& stop_requested) {
              return FlyAndSumUp(scenario, {.integer_contours = true}, stop_requested);
@@ -131,14 +135,14 @@ Experiment ConditionsExperiment(const PaperPlan& plan, const PaperVehicle& vehic
   for (const double tilt_deg : kHandTilts_deg) {
     for (int seed = 1; seed <= plan.condition_seeds; ++seed) {
       experiment.measurements.push_back(
-          {.id = IdOf(tilt_deg, seed),
+          {.id = ConditionId(tilt_deg, seed),
            .expected_s = 3.0 + 1.3 * plan.condition_hand_s,
            .take = [scenario = HandWith(tilt_deg, plan, vehicle, seed)](const util::StopRequested& stop_requested) {
              return FlyAndSumUp(scenario, {}, stop_requested);
            }});
     }
   }
-  experiment.report = [plan](const Measured& measured) { return Report(plan, measured); };
+  experiment.report = [plan](const Measured& measured) { return ReportConditions(plan, measured); };
   return experiment;
 }
 

@@ -86,7 +86,8 @@ Json SeriesJson(const runner::FlightLog& log, models::Tick tracking_period) {
     PutPose(row, TrackedAt(log.tracking, frame.mid_exposure, tracking_period));
     std::optional<Eigen::Isometry3d> seen;
     if (frame.status == estimator::FrameStatus::kOk) {
-      seen = models::NearerTwin(frame.pose.value().X_WB, models::TaitBryanFromRotation(frame.X_WB.linear()).yaw);
+      seen =
+          models::ResolveYawAmbiguity(frame.pose.value().X_WB, models::TaitBryanFromRotation(frame.X_WB.linear()).yaw);
     }
     PutPose(row, seen);
     rows.push_back(std::move(row));

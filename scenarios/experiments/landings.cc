@@ -16,16 +16,16 @@ namespace {
 
 constexpr double kPublishedX_mm = 24.0, kPublishedY_mm = 86.0, kPublishedYaw_deg = 6.0;
 
-std::string IdOf(int landing) { return fmt::format("landing_{}", landing); }
+std::string LandingId(int landing) { return fmt::format("landing_{}", landing); }
 
 /// From a place drawn about the hover at 1 m.
 runner::Scenario LandingFrom(const PaperVehicle& vehicle, int landing) {
   const auto seed = static_cast<std::uint64_t>(1000 + landing);
   models::RandomStream random(seed, "paper.landing.start");
   runner::Scenario scenario = ShippedFlight("landing", seed);
-  constexpr double kOff_m = 0.1, kYaw_rad = models::DegToRad(5.0);
+  constexpr double kOff_m = 0.1, kYaw_deg = 5.0;
   scenario.start.position_m = {kOff_m * random.Normal(), kOff_m * random.Normal(), 1.0};
-  scenario.start.yaw = kYaw_rad * random.Normal();
+  scenario.start.yaw_deg = kYaw_deg * random.Normal();
   vehicle.Equip(scenario);
   return scenario;
 }
@@ -89,9 +89,9 @@ std::string PlacesCsv(const Deviations& d) {
   return csv;
 }
 
-PaperSection Report(const PaperPlan& plan, const Measured& measured) {
+PaperSection ReportLandings(const PaperPlan& plan, const Measured& measured) {
   std::vector<std::string> ids;
-  for (int i = 1; i <= plan.landings; ++i) ids.push_back(IdOf(i));
+  for (int i = 1; i <= plan.landings; ++i) ids.push_back(LandingId(i));
   const FlightGroup row(measured, AutonomousFlightIds(plan)), many(measured, ids);
   const Deviations places = DeviationsOf(many);
   const auto landed = static_cast<int>(places.x_mm.size());
@@ -130,13 +130,13 @@ Experiment LandingsExperiment(const PaperPlan& plan, const PaperVehicle& vehicle
   Experiment experiment;
   for (int i = 1; i <= plan.landings; ++i) {
     experiment.measurements.push_back(
-        {.id = IdOf(i),
+        {.id = LandingId(i),
          .expected_s = kLanding_s,
          .take = [scenario = LandingFrom(vehicle, i)](const util::StopRequested& stop_requested) {
            return FlyAndSumUp(scenario, {}, stop_requested);
          }});
   }
-  experiment.report = [plan](const Measured& measured) { return Report(plan, measured); };
+  experiment.report = [plan](const Measured& measured) { return ReportLandings(plan, measured); };
   return experiment;
 }
 

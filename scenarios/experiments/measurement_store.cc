@@ -13,7 +13,7 @@
 namespace touchdown::experiments {
 namespace {
 
-constexpr const char* kMark = "touchdown.measurement";
+constexpr const char* kStoreSignature = "touchdown.measurement";
 
 }  // namespace
 
@@ -28,7 +28,7 @@ std::optional<Json> MeasurementStore::Read(const std::string& id) const {
   const std::optional<std::string> text = util::ReadTextFileIfPresent(FileOf(id));
   if (!text) return std::nullopt;
   Json file = Json::parse(*text, nullptr, false);
-  if (!file.is_object() || file.value("kind", "") != kMark || file.value("origin", "") != origin_) return std::nullopt;
+  if (!file.is_object() || file.value("kind", "") != kStoreSignature || file.value("origin", "") != origin_) return std::nullopt;
   return file;
 }
 
@@ -46,9 +46,9 @@ std::vector<std::pair<std::string, std::string>> MeasurementStore::PlatformOf(co
 }
 
 void MeasurementStore::Put(const std::string& id, const Json& value) const {
-  Json file{{"kind", kMark}, {"origin", origin_}, {"platform", Json::object()}, {"value", value}};
+  Json file{{"kind", kStoreSignature}, {"origin", origin_}, {"platform", Json::object()}, {"value", value}};
   for (const auto& [name, fact] : util::PlatformFacts()) file["platform"][name] = fact;
-  util::WriteOutputFile(FileOf(id), file.dump(1) + "\n", kMark);
+  util::WriteOutputFile(FileOf(id), file.dump(1) + "\n", kStoreSignature);
 }
 
 }  // namespace touchdown::experiments

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kWorseThanIndoors = 1.5;  // "Similar overall performance".
 
-std::string IdOf(int seed) { return fmt::format("outdoor_{}", seed); }
+std::string OutdoorId(int seed) { return fmt::format("outdoor_{}", seed); }
 
 /// One thing that is taken from the flight outdoors, to see what it costs.
 struct Variant {
@@ -28,11 +28,11 @@ constexpr std::array<Variant, 2> kVariants = {
     {{"level", "outdoors on level ground", [](runner::Scenario& s) { s.world.ground_tilt = {}; }},
      {"overcast", "outdoors without sun and shadows", [](runner::Scenario& s) { s.scene.sun.to_sky = 0.0; }}}};
 
-std::string IdOf(const Variant& variant, int seed) { return fmt::format("outdoor_{}_{}", variant.id, seed); }
+std::string OutdoorId(const Variant& variant, int seed) { return fmt::format("outdoor_{}_{}", variant.id, seed); }
 
 std::vector<std::string> Ids(int seeds) {
   std::vector<std::string> ids;
-  for (int seed = 1; seed <= seeds; ++seed) ids.push_back(IdOf(seed));
+  for (int seed = 1; seed <= seeds; ++seed) ids.push_back(OutdoorId(seed));
   return ids;
 }
 
@@ -48,7 +48,7 @@ report::ReportTable Variants(const PaperPlan& plan, const Measured& measured) {
       .rows = {FlightGroup(measured, indoors).ErrorRow("indoors", "truth"), outdoors.ErrorRow("outdoors", "truth")}};
   for (const Variant& variant : kVariants) {
     std::vector<std::string> ids;
-    for (int seed = 1; seed <= plan.outdoor_variant_seeds; ++seed) ids.push_back(IdOf(variant, seed));
+    for (int seed = 1; seed <= plan.outdoor_variant_seeds; ++seed) ids.push_back(OutdoorId(variant, seed));
     table.rows.push_back(FlightGroup(measured, ids).ErrorRow(variant.name, "truth"));
   }
   return table;
@@ -70,7 +70,7 @@ ComparedQuantity RatioOf(const report::TableOneRow& row, const std::optional<dou
               : "The paper says 'similar overall performance'; 1.5 is our reading of it."};
 }
 
-PaperSection Report(const PaperPlan& plan, const Measured& measured) {
+PaperSection ReportOutdoor(const PaperPlan& plan, const Measured& measured) {
   const FlightGroup flights(measured, Ids(plan.seeds)), flights_indoors(measured, AutonomousFlightIds(plan));
   PaperSection section{{.id = "outdoor", .title = "Outdoor flight (Sec. VI-C, Fig. 11)"}};
   const std::vector<double> availability = flights.Values("estimate.availability");
@@ -97,7 +97,7 @@ PaperSection Report(const PaperPlan& plan, const Measured& measured) {
   section.compared.push_back(flights.Failures("Outdoors"));
   section.tables.push_back(std::move(table));
   if (plan.outdoor_variant_seeds > 0) section.tables.push_back(Variants(plan, measured));
-  section.figures = FlightFigures("fig_11", "Fig. 11: outdoor flight", measured.at(IdOf(1)).at("series"));
+  section.figures = FlightFigures("fig_11", "Fig. 11: outdoor flight", measured.at(OutdoorId(1)).at("series"));
   return section;
 }
 
@@ -109,7 +109,7 @@ Experiment OutdoorExperiment(const PaperPlan& plan, const PaperVehicle& vehicle)
   for (int seed = 1; seed <= plan.seeds; ++seed) {
     runner::Scenario scenario = ShippedFlight("outdoor", static_cast<std::uint64_t>(seed));
     vehicle.Equip(scenario);
-    experiment.measurements.push_back({.id = IdOf(seed),
+    experiment.measurements.push_back({.id = OutdoorId(seed),
                                        .expected_s = kFlight_s,
                                        .take = [scenario, seed](const util::StopRequested& stop_requested) {
                                          return FlyAndSumUp(scenario, {.series = seed == 1}, stop_requested);
@@ -120,14 +120,14 @@ Experiment OutdoorExperiment(const PaperPlan& plan, const PaperVehicle& vehicle)
       runner::Scenario scenario = ShippedFlight("outdoor", static_cast<std::uint64_t>(seed));
       vehicle.Equip(scenario);
       variant.change(scenario);
-      experiment.measurements.push_back({.id = IdOf(variant, seed),
+      experiment.measurements.push_back({.id = OutdoorId(variant, seed),
                                          .expected_s = kFlight_s,
                                          .take = [scenario](const util::StopRequested& stop_requested) {
                                            return FlyAndSumUp(scenario, {}, stop_requested);
                                          }});
     }
   }
-  experiment.report = [plan](const Measured& measured) { return Report(plan, measured); };
+  experiment.report = [plan](const Measured& measured) { return ReportOutdoor(plan, measured); };
   return experiment;
 }
 

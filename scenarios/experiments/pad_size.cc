@@ -40,7 +40,8 @@ Eigen::Isometry3d DrawPose(double height_m, const Eigen::Isometry3d& X_BC, Rando
   return X_WB;
 }
 
-Json Measure(const PaperVehicle& vehicle, double radius_m, int frames, const util::StopRequested& stop_requested) {
+Json MeasurePadSize(const PaperVehicle& vehicle, double radius_m, int frames,
+                    const util::StopRequested& stop_requested) {
   const auto seed = static_cast<std::uint64_t>(std::lround(1e3 * radius_m));
   runner::Scenario told;
   vehicle.Equip(told);
@@ -63,7 +64,7 @@ Json Measure(const PaperVehicle& vehicle, double radius_m, int frames, const uti
   return heights;
 }
 
-std::string IdOf(double radius_m) { return fmt::format("pad_size_{:.0f}_mm", 1e3 * radius_m); }
+std::string PadSizeId(double radius_m) { return fmt::format("pad_size_{:.0f}_mm", 1e3 * radius_m); }
 
 /// The longest run of heights at which the pad is found well enough.
 std::pair<double, double> WorkingRange(const Json& heights, int frames) {
@@ -80,7 +81,7 @@ std::pair<double, double> WorkingRange(const Json& heights, int frames) {
   return longest;
 }
 
-PaperSection Report(const PaperPlan& plan, const Measured& measured) {
+PaperSection ReportPadSize(const PaperPlan& plan, const Measured& measured) {
   PaperSection section{{.id = "pad-size", .title = "Working distance against blind range (Sec. III-B)"}};
   section.paragraphs.push_back(fmt::format(
       "\"A larger radius would lead to a larger working distance for the vision system, but would lead to a larger "
@@ -92,7 +93,7 @@ PaperSection Report(const PaperPlan& plan, const Measured& measured) {
                             .head = {"radius, mm", "blind below, m", "working up to, m", "ratio"}};
   std::string csv = "radius_mm,blind_below_m,working_up_to_m\n";
   for (const double radius_m : kRadii_m) {
-    const auto [low, high] = WorkingRange(measured.at(IdOf(radius_m)), plan.trade_frames);
+    const auto [low, high] = WorkingRange(measured.at(PadSizeId(radius_m)), plan.trade_frames);
     table.rows.push_back({util::Fixed(1e3 * radius_m, 0), util::Fixed(low, 2), util::Fixed(high, 2),
                           low > 0.0 ? util::Fixed(high / low, 0) : "none"});
     csv += util::CsvLine({util::Fixed(1e3 * radius_m, 0), util::Fixed(low, 4), util::Fixed(high, 4)});
@@ -120,13 +121,13 @@ Experiment PadSizeExperiment(const PaperPlan& plan, const PaperVehicle& vehicle)
   Experiment experiment;
   for (const double radius_m : kRadii_m) {
     experiment.measurements.push_back(
-        {.id = IdOf(radius_m),
+        {.id = PadSizeId(radius_m),
          .expected_s = kRoom_s + kFrame_s * kHeights * plan.trade_frames,
          .take = [vehicle, radius_m, frames = plan.trade_frames](const util::StopRequested& stop_requested) {
-           return Measure(vehicle, radius_m, frames, stop_requested);
+           return MeasurePadSize(vehicle, radius_m, frames, stop_requested);
          }});
   }
-  experiment.report = [plan](const Measured& measured) { return Report(plan, measured); };
+  experiment.report = [plan](const Measured& measured) { return ReportPadSize(plan, measured); };
   return experiment;
 }
 

@@ -67,11 +67,16 @@ std::string MarkdownRow(const std::vector<std::string>& cells) {
   return fmt::format("| {} |\n", fmt::join(cells, " | "));
 }
 
-std::string Readme(const ReportHead& head, const std::vector<PaperSection>& sections) {
+/// Drawings above this size, in bytes, are left to the page: they are time series with thousands of points.
+constexpr std::size_t kLargestReadmeFigure = 100'000;
+
+/// `files` holds the drawn figures.
+std::string Readme(const ReportHead& head, const std::vector<PaperSection>& sections, const Files& files) {
   std::string text = fmt::format(
-      "# The paper, measured\n\nMade by `{}`; do not edit. Every figure of the paper beside ours: "
-      "[report.html](report.html) is the same as one page, with all tables and figures and a word on each; `figures/` "
-      "holds each as CSV and PDF, `table_1.tex` Table I for LaTeX.\n\n",
+      "# The paper, measured\n\n"
+      "Made by `{}`; do not edit. Every quantity of the paper beside ours.\n"
+      "`report.html` in the output directory is the page with all tables and figures. `figures/` holds\n"
+      "each as CSV and PDF, and `table_1.tex` is Table I for LaTeX.\n\n",
       head.command);
   text += MarkdownRow({"quantity", "unit", "published", "ours", "ratio", "kept", "spread"});
   text += MarkdownRow({"---", "---", "---:", "---:", "---:", "---", "---"});
@@ -85,12 +90,16 @@ std::string Readme(const ReportHead& head, const std::vector<PaperSection>& sect
     }
   }
   for (const PaperSection& section : sections) {
-    if (section.figures.empty() && section.pictures.empty()) continue;
+    std::vector<const report::Figure*> figures;
+    for (const report::Figure& each : section.figures) {
+      if (files.at(fmt::format("figures/{}.svg", each.name)).size() <= kLargestReadmeFigure) figures.push_back(&each);
+    }
+    if (figures.empty() && section.pictures.empty()) continue;
     text += fmt::format("\n## {}\n", section.title);
     for (const report::ReportPicture& each : section.pictures)
       text += fmt::format("\n![{0}](figures/{1}.jpg)\n", each.title, each.name);
-    for (const report::Figure& each : section.figures)
-      text += fmt::format("\n![{0}](figures/{1}.svg)\n", each.title, each.name);
+    for (const report::Figure* each : figures)
+      text += fmt::format("\n![{0}](figures/{1}.svg)\n", each->title, each->name);
   }
   return text;
 }
@@ -141,7 +150,7 @@ std::string Page(const ReportHead& head, const std::vector<PaperSection>& sectio
 std::map<std::string, std::string> ReportFiles(const ReportHead& head, const std::vector<PaperSection>& sections) {
   Files files;
   files["report.html"] = Page(head, sections, files);
-  files["README.md"] = Readme(head, sections);
+  files["README.md"] = Readme(head, sections, files);
   files["summary.csv"] = SummaryCsv(sections);
   return files;
 }

@@ -21,16 +21,17 @@
 namespace touchdown::experiments {
 namespace {
 
-using estimator::FrameStatus;
-using estimator::FrameTrace;
+using estimator::paper::ComponentClass;
 using models::RandomStream;
 
-constexpr std::array<double, 6> kDistances_m = {0.12, 0.3, 0.6, 1.0, 1.6, 2.5};
-constexpr std::array<double, 5> kTilts_deg = {0.0, 10.0, 20.0, 35.0, 50.0};
+constexpr std::array<double, 6> kRecallDistances_m = {0.12, 0.3, 0.6, 1.0, 1.6, 2.5};
+constexpr std::array<double, 5> kRecallTilts_deg = {0.0, 10.0, 20.0, 35.0, 50.0};
 
 /// Views as flights and hands have them, and worse: large perspective, blur, weak contrast.
 training::ViewConfig Views() {
-  return {.nearest_m = kDistances_m.front(), .farthest_m = kDistances_m.back(), .largest_tilt_deg = kTilts_deg.back()};
+  return {.nearest_m = kRecallDistances_m.front(),
+          .farthest_m = kRecallDistances_m.back(),
+          .largest_tilt_deg = kRecallTilts_deg.back()};
 }
 
 /// A frame of a room and all that is known of it.
@@ -46,8 +47,8 @@ class Room {
   struct Seen {
     training::View view = {};
     models::Image image = {};
-    std::vector<std::optional<FrameTrace::Label>> truth = {};  ///< Of each component, where clear.
-    estimator::FrameEstimate estimate = {};
+    std::vector<std::optional<ComponentClass>> truth = {};  ///< Of each component, where clear.
+    estimator::FrameResult estimate = {};
   };
 
   /// With a pad, four views in five look for it; all others look for decoys.
@@ -97,6 +98,14 @@ class Room {
   StillRoom room_;
 };
 
+/// The class that `paper` gave to a component, by the name of its box: there is one box for each component, in order.
+ComponentClass ClassOf(const estimator::Overlay::Box& box) {
+  for (const ComponentClass label : {ComponentClass::kCircle, ComponentClass::kH}) {
+    if (box.name == Name(label)) return label;
+  }
+  return ComponentClass::kOther;
+}
+
 /// Of a room's frames without a pad: components and frames that were taken for what they are not.
 Json CountFalse(const runner::Scenario& told, int number, int frames, const util::StopRequested& stop_requested) {
   Room room(told, number, false);
@@ -109,15 +118,15 @@ Json CountFalse(const runner::Scenario& told, int number, int frames, const util
     bool false_circle = false, false_letter = false;
     for (std::size_t k = 0; k < seen.truth.size(); ++k) {
       if (!seen.truth[k]) continue;
-      const auto truth = *seen.truth[k], label = seen.estimate.trace.components.at(k).label;
+      const auto truth = *seen.truth[k], label = ClassOf(seen.estimate.overlay.boxes.at(k));
       ++given[static_cast<std::size_t>(truth)][static_cast<std::size_t>(label)];
-      false_circle |= label == FrameTrace::Label::kCircle && truth != label;
-      false_letter |= label == FrameTrace::Label::kH && truth != label;
+      false_circle |= label == ComponentClass::kCircle && truth != label;
+      false_letter |= label == ComponentClass::kH && truth != label;
     }
     frames_false_circle += false_circle ? 1 : 0;
     frames_false_letter += false_letter ? 1 : 0;
-    const FrameStatus status = seen.estimate.status;
-    pairs += status == FrameStatus::kNoEllipse || seen.estimate.pose ? 1 : 0;
+    const bool is_pair = seen.estimate.reason == Name(estimator::paper::Reason::kNoEllipse) || seen.estimate.pose;
+    pairs += is_pair ? 1 : 0;
     pads += seen.estimate.pose ? 1 : 0;
   }
   return {{"frames", frames},
@@ -137,7 +146,7 @@ std::size_t BinOf(double value, std::span<const double> edges) {
 /// Of a room's frames with a pad in view: how many found it, by distance and tilt.
 Json CountFound(const runner::Scenario& told, int number, int frames, const util::StopRequested& stop_requested) {
   Room room(told, number, true);
-  std::array<std::array<std::array<int, 2>, kTilts_deg.size() - 1>, kDistances_m.size() - 1> bins{};
+  std::array<std::array<std::array<int, 2>, kRecallTilts_deg.size() - 1>, kRecallDistances_m.size() - 1> bins{};
   int whole = 0, found = 0, false_pads = 0, all = 0;
   while (whole < frames) {
     if (stop_requested && stop_requested()) throw util::Interrupted();
@@ -148,7 +157,7 @@ Json CountFound(const runner::Scenario& told, int number, int frames, const util
     const bool right = seen.estimate.pose && !room.IsFalse(seen);
     const double distance_m = seen.view.X_WC.translation().norm();
     const double tilt_deg = models::RadToDeg(std::acos(std::clamp(-seen.view.X_WC.linear()(2, 2), -1.0, 1.0)));
-    auto& bin = bins[BinOf(distance_m, kDistances_m)][BinOf(tilt_deg, kTilts_deg)];
+    auto& bin = bins[BinOf(distance_m, kRecallDistances_m)][BinOf(tilt_deg, kRecallTilts_deg)];
     ++bin[0];
     bin[1] += right ? 1 : 0;
     ++whole;
@@ -172,7 +181,7 @@ struct FalseCounts {
   int frames = 0, frames_false_circle = 0, frames_false_letter = 0, pairs = 0, pads = 0;
 
   /// Of the components that are no circles (H), the share labelled so: p1 and p2.
-  util::Interval FalseShare(FrameTrace::Label label) const {
+  util::Interval FalseShare(ComponentClass label) const {
     const auto as = static_cast<std::size_t>(label);
     int wrong = 0, others = 0;
     for (std::size_t truth = 0; truth < given.size(); ++truth) {
@@ -201,7 +210,7 @@ FalseCounts SumFalse(const PaperPlan& plan, const Measured& measured) {
 }
 
 void ReportFalse(const FalseCounts& sum, PaperSection& section) {
-  const util::Interval p1 = sum.FalseShare(FrameTrace::Label::kCircle), p2 = sum.FalseShare(FrameTrace::Label::kH);
+  const util::Interval p1 = sum.FalseShare(ComponentClass::kCircle), p2 = sum.FalseShare(ComponentClass::kH);
   const util::Interval frames_p1 = util::ShareInterval(sum.frames_false_circle, sum.frames),
                        frames_p2 = util::ShareInterval(sum.frames_false_letter, sum.frames),
                        pairs = util::ShareInterval(sum.pairs, sum.frames),
@@ -224,7 +233,7 @@ void ReportFalse(const FalseCounts& sum, PaperSection& section) {
 }
 
 void ReportFound(const PaperPlan& plan, const Measured& measured, PaperSection& section) {
-  std::array<std::array<std::array<int, 2>, kTilts_deg.size() - 1>, kDistances_m.size() - 1> bins{};
+  std::array<std::array<std::array<int, 2>, kRecallTilts_deg.size() - 1>, kRecallDistances_m.size() - 1> bins{};
   int frames = 0, found = 0, false_pads = 0, all = 0;
   for (int room = 1; room <= plan.recognition_scenes; ++room) {
     const Json& json = measured.at(FoundId(room));
@@ -244,11 +253,11 @@ void ReportFound(const PaperPlan& plan, const Measured& measured, PaperSection& 
                              "rooms {} showed a pad where there was none.",
                              frames, Percent(util::ShareInterval(found, frames), 1), all, false_pads),
       .head = {"distance, m"}};
-  for (std::size_t k = 0; k + 1 < kTilts_deg.size(); ++k) {
-    table.head.push_back(fmt::format("tilt {:.0f} to {:.0f}°", kTilts_deg[k], kTilts_deg[k + 1]));
+  for (std::size_t k = 0; k + 1 < kRecallTilts_deg.size(); ++k) {
+    table.head.push_back(fmt::format("tilt {:.0f} to {:.0f}°", kRecallTilts_deg[k], kRecallTilts_deg[k + 1]));
   }
   for (std::size_t i = 0; i < bins.size(); ++i) {
-    std::vector<std::string> cells{fmt::format("{} to {}", kDistances_m[i], kDistances_m[i + 1])};
+    std::vector<std::string> cells{fmt::format("{} to {}", kRecallDistances_m[i], kRecallDistances_m[i + 1])};
     for (const auto& [count, right] : bins[i]) {
       cells.push_back(count == 0 ? "none" : fmt::format("{} % of {}", util::Fixed(100.0 * right / count, 0), count));
     }
@@ -257,13 +266,13 @@ void ReportFound(const PaperPlan& plan, const Measured& measured, PaperSection& 
   section.tables.push_back(std::move(table));
 }
 
-PaperSection Report(const PaperPlan& plan, const Measured& measured) {
+PaperSection ReportRecognition(const PaperPlan& plan, const Measured& measured) {
   PaperSection section{{.id = "recognition", .title = "Landing pad recognition (Secs. IV-A, VI-A, Figs. 2, 4, 5)"}};
-  section.paragraphs.push_back(
-      fmt::format("{} rooms with a floor, light, posters, objects and a dozen lone rings and lone letters of their "
-                  "own, seen from {} to {} m, up to {:.0f}° tilted, a third of the views as in a calm hover, others in "
-                  "motion, out of focus, in weak contrast and with noise of up to 7 of 255.",
-                  plan.recognition_scenes, kDistances_m.front(), kDistances_m.back(), kTilts_deg.back()));
+  section.paragraphs.push_back(fmt::format(
+      "{} rooms with a floor, light, posters, objects and a dozen lone rings and lone letters of their "
+      "own, seen from {} to {} m, up to {:.0f}° tilted, a third of the views as in a calm hover, others in "
+      "motion, out of focus, in weak contrast and with noise of up to 7 of 255.",
+      plan.recognition_scenes, kRecallDistances_m.front(), kRecallDistances_m.back(), kRecallTilts_deg.back()));
   ReportFalse(SumFalse(plan, measured), section);
   ReportFound(plan, measured, section);
   section.pictures = PicturesFromJson(measured.at(kPicturesId));
@@ -293,7 +302,7 @@ Experiment RecognitionExperiment(const PaperPlan& plan, const PaperVehicle& vehi
   experiment.measurements.push_back({.id = kPicturesId, .expected_s = 8.0, .take = [told](const util::StopRequested&) {
                                        return TakeRecognitionPictures(told);
                                      }});
-  experiment.report = [plan](const Measured& measured) { return Report(plan, measured); };
+  experiment.report = [plan](const Measured& measured) { return ReportRecognition(plan, measured); };
   return experiment;
 }
 

@@ -54,7 +54,7 @@ class Studio {
 
   struct Taken {
     models::Image image = {};
-    estimator::FrameEstimate seen = {};
+    estimator::FrameResult seen = {};
   };
 
   Taken Take(const Look& look) {
@@ -94,29 +94,24 @@ cv::Mat Grid(const std::vector<cv::Mat3b>& tiles, int columns) {
 }
 
 /// A line for each component of a view.
-std::string ComponentLines(int view, const estimator::FrameTrace& trace) {
-  constexpr std::array<const char*, 3> kNames = {"circle", "h", "other"};
+std::string ComponentLines(int view, const estimator::Overlay& overlay) {
   std::string lines;
-  for (const auto& c : trace.components) {
-    lines += fmt::format("{},{},{},{},{},{},{:.4f}\n", view, c.u, c.v, c.width, c.height,
-                         kNames[static_cast<std::size_t>(c.label)], c.probability);
+  for (const auto& [box, role, name, probability] : overlay.boxes) {
+    lines +=
+        fmt::format("{},{},{},{},{},{},{:.4f}\n", view, box.u, box.v, box.width, box.height, name, probability.value());
   }
   return lines;
 }
 constexpr const char* kComponentHead = "view,u_px,v_px,width_px,height_px,class,probability\n";
 
 /// A line for each ellipse of a view, undistorted px.
-std::string EllipseLines(int view, const estimator::FrameTrace& trace) {
+std::string EllipseLines(int view, const estimator::Overlay& overlay) {
   std::string lines;
-  const auto line = [&](const char* name, const std::optional<estimator::FrameTrace::Ellipse>& ellipse) {
-    if (!ellipse) return;
+  for (const estimator::Overlay::Ellipse& ellipse : overlay.ellipses) {
     lines +=
-        fmt::format("{},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f}\n", view, name, ellipse->center.x(), ellipse->center.y(),
-                    ellipse->semi_axes.x(), ellipse->semi_axes.y(), models::RadToDeg(ellipse->angle));
-  };
-  line("ring_outer", trace.ring_outer);
-  line("ring_inner", trace.ring_inner);
-  line("letter", trace.letter);
+        fmt::format("{},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f}\n", view, ellipse.name, ellipse.center.x(),
+                    ellipse.center.y(), ellipse.semi_axes.x(), ellipse.semi_axes.y(), models::RadToDeg(ellipse.angle));
+  }
   return lines;
 }
 constexpr const char* kEllipseHead = "view,ellipse,u_px,v_px,semi_major_px,semi_minor_px,angle_deg\n";
@@ -150,15 +145,15 @@ Json Stages(const runner::Scenario& told) {
   for (const estimator::paper::Component& each : set.components) {
     cv::rectangle(boxes, cv::Rect(each.u, each.v, each.width, each.height), {0, 170, 240});
   }
-  estimator::FrameTrace labels;
-  labels.components = taken.seen.trace.components;
+  estimator::Overlay labels;
+  labels.boxes = taken.seen.overlay.boxes;
   const cv::Mat3b classified = report::AnnotateFrame(
-      taken.image.View(), told.camera.model, {.trace = labels, .pad_px = taken.seen.pad_px, .X_WC = std::nullopt});
+      taken.image.View(), told.camera.model, {.overlay = labels, .pad_px = taken.seen.pad_px, .X_WC = std::nullopt});
   return PictureJson("fig_2_stages", "Fig. 2: the steps of the recognition",
                      "The image, its dark pixels, the connected components, and their classes: circles green, letters "
                      "H blue, others red, the pad an orange cross.",
                      Grid({Coloured(taken.image), Coloured(dark), boxes, classified}, 2),
-                     kComponentHead + ComponentLines(1, taken.seen.trace));
+                     kComponentHead + ComponentLines(1, taken.seen.overlay));
 }
 
 /// Fig. 4: posters, lone rings and letters, strong perspective, blur.
@@ -208,10 +203,10 @@ Json ClutteredViews(const runner::Scenario& told) {
   for (const Look& look : looks) {
     Studio studio(told, seed++);
     Studio::Taken taken = studio.Take(look);
-    csv += ComponentLines(static_cast<int>(tiles.size()) + 1, taken.seen.trace);
+    csv += ComponentLines(static_cast<int>(tiles.size()) + 1, taken.seen.overlay);
     tiles.push_back(
         report::AnnotateFrame(taken.image.View(), told.camera.model,
-                              {.trace = taken.seen.trace, .pad_px = taken.seen.pad_px, .X_WC = std::nullopt}));
+                              {.overlay = taken.seen.overlay, .pad_px = taken.seen.pad_px, .X_WC = std::nullopt}));
   }
   return PictureJson("fig_4_clutter", "Fig. 4: recognition in clutter",
                      "Six rooms; the fifth view is blurred by motion, the sixth out of focus. Circles and letters that "
@@ -241,16 +236,16 @@ Json FittedPatches(const runner::Scenario& told) {
     const int side = std::max(box.width, box.height) * 4 / 3;
     const cv::Rect around = cv::Rect(box.u + (box.width - side) / 2, box.v + (box.height - side) / 2, side, side) &
                             cv::Rect(0, 0, taken.image.width, taken.image.height);
-    estimator::FrameTrace ellipses = taken.seen.trace;
-    ellipses.components.clear();
+    estimator::Overlay ellipses = taken.seen.overlay;
+    ellipses.boxes.clear();
     const cv::Mat3b drawn = report::AnnotateFrame(taken.image.View(), told.camera.model,
-                                                  {.trace = ellipses, .pad_px = std::nullopt, .X_WC = std::nullopt});
+                                                  {.overlay = ellipses, .pad_px = std::nullopt, .X_WC = std::nullopt});
     const auto tile = [&](const cv::Mat3b& whole) {
       cv::Mat3b scaled;
       cv::resize(whole(around), scaled, {kSide, kSide}, 0, 0, cv::INTER_CUBIC);
       return scaled;
     };
-    csv += EllipseLines(static_cast<int>(patches.size()) + 1, taken.seen.trace);
+    csv += EllipseLines(static_cast<int>(patches.size()) + 1, taken.seen.overlay);
     patches.push_back(tile(Coloured(taken.image)));
     fitted.push_back(tile(drawn));
   }

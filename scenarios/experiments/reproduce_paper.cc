@@ -27,11 +27,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kMark = "touchdown.paper";
+constexpr const char* kReportSignature = "touchdown.paper";
 
 util::FolderKind PaperFolder() {
   return {.files = {"paper.json", "report.html", "README.md", "summary.csv", "table_1.tex"},
-          .mark = kMark,
+          .mark = kReportSignature,
           .subfolders = {{"figures", [](const fs::path& file) {
                             const std::string ending = file.extension().string();
                             return ending == ".csv" || ending == ".pdf" || ending == ".svg" || ending == ".jpg";
@@ -39,7 +39,7 @@ util::FolderKind PaperFolder() {
 }
 
 std::string FolderJson(const ReproductionOptions& options) {
-  return Json{{"kind", kMark}, {"quick", options.quick}}.dump(2) + "\n";
+  return Json{{"kind", kReportSignature}, {"quick", options.quick}}.dump(2) + "\n";
 }
 
 /// Whether the run that `out` is from was a quick one.
@@ -63,7 +63,7 @@ void ClaimFolder(const fs::path& out, const ReproductionOptions& options) {
 
 void WriteReport(const fs::path& out, const ReproductionOptions& options, const std::vector<PaperSection>& sections,
                  const std::string& table_one, const std::vector<std::pair<std::string, std::string>>& platform) {
-  const ReportHead head{.mark = fmt::format("<!-- {} -->", kMark),
+  const ReportHead head{.mark = fmt::format("<!-- {} -->", kReportSignature),
                         .quick = options.quick,
                         .command = fmt::format("touchdown paper{} --out DIR", options.quick ? " --quick" : ""),
                         .platform = platform};

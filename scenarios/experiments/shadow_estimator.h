@@ -1,8 +1,9 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
-#include "estimator/state_estimator.h"
+#include "estimator/make_estimator.h"
 #include "scenarios/runner/flight_observer.h"
 #include "scenarios/runner/scenario.h"
 
@@ -16,14 +17,14 @@ class ShadowEstimator final : public runner::FlightObserver {
   ShadowEstimator(const runner::Scenario& scenario, const estimator::EstimatorConfig& estimator);
 
   void OnImu(const models::ImuSample& sample, bool at_rest) override;
-  void OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate& estimate,
+  void OnFrame(const models::CameraFrame& frame, const estimator::FrameResult& estimate,
                const runner::FrameRecord& record) override;
 
   /// The flight's frames with what this estimator made of them. Without wall-clock times.
   const std::vector<runner::FrameRecord>& frames() const { return frames_; }
 
  private:
-  estimator::StateEstimator estimator_;
+  std::unique_ptr<estimator::StateEstimator> estimator_;
   std::vector<runner::FrameRecord> frames_;
 };
 

@@ -6,10 +6,9 @@
 #include <memory>
 #include <span>
 
-#include "estimator/estimator.h"
+#include "estimator/make_estimator.h"
 #include "scenarios/runner/scenario.h"
 #include "scenarios/training/classifier_camera.h"
-#include "sim/render/camera_optics.h"
 
 namespace touchdown::experiments {
 
@@ -30,16 +29,14 @@ class StillRoom {
   /// Another frame of the view taken last, from which its noise alone tells it.
   models::Image TakeAgain() { return camera_.TakeAgain(); }
 
-  /// What the estimator makes of a frame, with the unit vector pointing down in the body. Frames are a second apart:
-  /// none is judged by the one before.
-  estimator::FrameEstimate Estimate(const models::Image& image, const Eigen::Vector3d& gravity_B);
+  /// What the estimator finds in a frame, with `gravity_B`, the unit vector pointing down in the body, as its IMU
+  /// measures it at rest. Each frame is the first that the estimator is given.
+  estimator::FrameResult Estimate(const models::Image& image, const Eigen::Vector3d& gravity_B);
 
  private:
-  models::TimeBase time_;
-  sim::CameraOptics optics_;
   training::SceneCamera camera_;
-  std::unique_ptr<estimator::Estimator> estimator_;
-  models::Tick tick_ = 0;
+  Eigen::Matrix3d R_BU_;  // As assumed.
+  std::unique_ptr<estimator::StateEstimator> estimator_;
 };
 
 /// The unit vector pointing down, in the body.

@@ -27,7 +27,7 @@ constexpr std::array<Case, 3> kCases = {{{"hand-held", "hand_held", "hand_held",
                                          {"hovering", "disturbed_hover", "hovering", "fig_7", 110.0},
                                          {"autonomous", "takeoff_hover_land", "autonomous", "fig_8", 22.0}}};
 
-std::string IdOf(const Case& which, int seed) { return fmt::format("{}_{}", which.id, seed); }
+std::string TableOneId(const Case& which, int seed) { return fmt::format("{}_{}", which.id, seed); }
 
 runner::Scenario FlightOf(const Case& which, const PaperPlan& plan, const PaperVehicle& vehicle, int seed) {
   std::vector<std::string> set;
@@ -41,7 +41,7 @@ runner::Scenario FlightOf(const Case& which, const PaperPlan& plan, const PaperV
 
 FlightGroup Flights(const Measured& measured, const PaperPlan& plan, const Case& which) {
   std::vector<std::string> ids;
-  for (int seed = 1; seed <= plan.seeds; ++seed) ids.push_back(IdOf(which, seed));
+  for (int seed = 1; seed <= plan.seeds; ++seed) ids.push_back(TableOneId(which, seed));
   return {measured, ids};
 }
 
@@ -119,7 +119,7 @@ std::string Conditions(const FlightGroup& flights, const char* name) {
       flights.false_pads(), Span(flights.Values("flight.max_tilt_deg"), 1), Span(flights.Values("max_height_m"), 2));
 }
 
-PaperSection Report(const PaperPlan& plan, const Measured& measured) {
+PaperSection ReportTableOne(const PaperPlan& plan, const Measured& measured) {
   PaperSection section{
       {.id = "table-one", .title = "Hand-held, hovering, autonomous flight (Sec. VI-B.1-3, Figs. 6-8, Table I)"}};
   section.paragraphs.push_back(
@@ -143,7 +143,7 @@ PaperSection Report(const PaperPlan& plan, const Measured& measured) {
   for (const Case& which : kCases) {
     const std::vector<report::Figure> figures =
         FlightFigures(which.figure, fmt::format("Fig. {}: {}", which.figure[4], which.name),
-                      measured.at(IdOf(which, 1)).at("series"));
+                      measured.at(TableOneId(which, 1)).at("series"));
     section.figures.insert(section.figures.end(), figures.begin(), figures.end());
   }
   section.compared = Compared(plan, measured);
@@ -157,7 +157,7 @@ Experiment TableOneExperiment(const PaperPlan& plan, const PaperVehicle& vehicle
   for (const Case& which : kCases) {
     for (int seed = 1; seed <= plan.seeds; ++seed) {
       const runner::Scenario scenario = FlightOf(which, plan, vehicle, seed);
-      experiment.measurements.push_back({.id = IdOf(which, seed),
+      experiment.measurements.push_back({.id = TableOneId(which, seed),
                                          .expected_s = which.expected_s,
                                          .take = [scenario, seed](const util::StopRequested& stop_requested) {
                                            return FlyAndSumUp(scenario, {.integer_contours = true, .series = seed == 1},
@@ -165,7 +165,7 @@ Experiment TableOneExperiment(const PaperPlan& plan, const PaperVehicle& vehicle
                                          }});
     }
   }
-  experiment.report = [plan](const Measured& measured) { return Report(plan, measured); };
+  experiment.report = [plan](const Measured& measured) { return ReportTableOne(plan, measured); };
   return experiment;
 }
 
@@ -187,7 +187,7 @@ std::string TableOneLatex(const PaperPlan& plan, const Measured& measured) {
 
 std::vector<std::string> AutonomousFlightIds(const PaperPlan& plan) {
   std::vector<std::string> ids;
-  for (int seed = 1; seed <= plan.seeds; ++seed) ids.push_back(IdOf(kCases[2], seed));
+  for (int seed = 1; seed <= plan.seeds; ++seed) ids.push_back(TableOneId(kCases[2], seed));
   return ids;
 }
 

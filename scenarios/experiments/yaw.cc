@@ -129,7 +129,7 @@ void ReportFlown(const PaperPlan& plan, const Measured& measured, PaperSection& 
   section.compared.push_back(over_rectangle.Failures("Pad with a rectangle"));
 }
 
-PaperSection Report(const PaperPlan& plan, const Measured& measured) {
+PaperSection ReportYaw(const PaperPlan& plan, const Measured& measured) {
   PaperSection section{{.id = "yaw", .title = "Yaw from the letter (Sec. IV-C.3)"}};
   section.paragraphs.push_back(
       "A synthetic H, turned in steps of one degree, seen from straight above without noise: the error of the major "
@@ -159,7 +159,7 @@ Experiment YawExperiment(const PaperPlan& plan, const PaperVehicle& vehicle) {
            return FlyAndSumUp(scenario, {}, stop_requested);
          }});
   }
-  experiment.report = [plan](const Measured& measured) { return Report(plan, measured); };
+  experiment.report = [plan](const Measured& measured) { return ReportYaw(plan, measured); };
   return experiment;
 }
 

@@ -16,6 +16,7 @@
 #include "models/camera_model.h"
 #include "models/error.h"
 #include "models/landing_pad.h"
+#include "models/pad_outline.h"
 #include "models/signals.h"
 
 namespace touchdown::experiments {
@@ -39,6 +40,7 @@ class FrontalView {
  public:
   FrontalView(const LandingPad& pad, double height_m, double yaw)
       : pad_(pad),
+        outline_(pad),
         m_per_px_(height_m / models::CameraModel().fx_px),
         side_px_(static_cast<int>(std::ceil(2.0 * kMargin * pad.outer_radius_m / m_per_px_))),
         W_from_image_(Eigen::Rotation2Dd(yaw - models::kPi / 2.0)) {}
@@ -76,7 +78,7 @@ class FrontalView {
     return m_per_px_ * (W_from_image_ * Vector2d(from_centre.x(), -from_centre.y()));
   }
 
-  bool IsBlack(const Vector2d& pixel) const { return pad_.IsBlack(PointAt(pixel)); }
+  bool IsBlack(const Vector2d& pixel) const { return outline_.IsBlack(PointAt(pixel)); }
 
   double CoverageOf(int u, int v) const {
     constexpr int kSamples = 8;
@@ -89,6 +91,7 @@ class FrontalView {
   }
 
   const LandingPad& pad_;
+  models::PadOutline outline_;
   double m_per_px_;
   int side_px_;
   Eigen::Matrix2d W_from_image_;  // From axes to the image's right and up.
@@ -124,6 +127,7 @@ class SeenPad {
  public:
   SeenPad(const LandingPad& pad, double height_m, double yaw)
       : pad_(pad),
+        outline_(pad),
         yaw_(yaw),
         letter_(pad),
         view_(pad, height_m, yaw),

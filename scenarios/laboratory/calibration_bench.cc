@@ -24,14 +24,6 @@ std::uint64_t SeedOf(const runner::Scenario& scenario, const std::string& source
   return models::RandomStream(scenario.seed, "calibration." + source).Bits();
 }
 
-/// The mounting as a file holds it, in degrees: writing and reading it changes no bit.
-models::Mounting AsWritten(models::Mounting mounting) {
-  for (double* const angle : {&mounting.misalignment.roll, &mounting.misalignment.pitch, &mounting.misalignment.yaw}) {
-    *angle = models::DegToRad(models::RadToDeg(*angle));
-  }
-  return mounting;
-}
-
 /// The board on the floor, within the tracking system's sight.
 Isometry3d DrawBoardPose(models::RandomStream& random) {
   Isometry3d X_WE(Eigen::Translation3d(random.Uniform(-0.5, 0.5), random.Uniform(-0.5, 0.5), 0.0));
@@ -99,7 +91,7 @@ ImuCalibration ImuCalibrationFrom(std::span<const models::ImuSample> samples) {
   const estimator::calibration::ImuMounting found = estimator::calibration::FindImuMounting(samples);
   Isometry3d X_BU = Isometry3d::Identity();
   X_BU.linear() = found.R_BU;
-  return {.found = found, .mounting = AsWritten(models::ImuMountingOf(X_BU))};
+  return {.found = found, .mounting = models::ImuMountingOf(X_BU)};
 }
 
 ImuCalibration CalibrateImu(const runner::Scenario& scenario, double rest_s) {
@@ -143,7 +135,7 @@ CameraCalibration CalibrateCamera(const runner::Scenario& scenario, const Camera
   }
   result.fit = FitCamera(seen, config.board, camera.width_px, camera.height_px, config.terms);
   result.X_BC = MeanMounting(tracked, result.fit.X_EC);
-  result.mounting = AsWritten(models::CameraMountingOf(result.X_BC.X_AB));
+  result.mounting = models::CameraMountingOf(result.X_BC.X_AB);
   CompareWithTruth(scenario, result);
   return result;
 }

@@ -22,12 +22,10 @@ using models::RadToDeg;
 
 Json Xyz(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-Json AnglesJson(const models::TaitBryan& angles) {
-  return {RadToDeg(angles.roll), RadToDeg(angles.pitch), RadToDeg(angles.yaw)};
-}
+Json AnglesJson(const models::TaitBryanDeg& angles) { return {angles.roll, angles.pitch, angles.yaw}; }
 
 Json MountingJson(const models::Mounting& mounting) {
-  return {{"position_m", Xyz(mounting.position_m)}, {"misalignment_deg", AnglesJson(mounting.misalignment)}};
+  return {{"position_m", Xyz(mounting.position_m)}, {"misalignment_deg", AnglesJson(mounting.misalignment_deg)}};
 }
 
 Json ModelJson(const models::CameraModel& c) {
@@ -37,11 +35,11 @@ Json ModelJson(const models::CameraModel& c) {
 
 Json ImuJson(const ImuCalibration& imu, const std::optional<runner::Scenario>& scenario) {
   Json json{{"samples", imu.found.samples},
-            {"found", {{"misalignment_deg", AnglesJson(imu.mounting.misalignment)}}},
+            {"found", {{"misalignment_deg", AnglesJson(imu.mounting.misalignment_deg)}}},
             {"noise_sigma_deg", RadToDeg(imu.found.noise_sigma_rad)},
             {"not_observable", "yaw"}};
   if (!scenario) return json;
-  json["true"] = {{"misalignment_deg", AnglesJson(scenario->vehicle.imu.misalignment)}};
+  json["true"] = {{"misalignment_deg", AnglesJson(scenario->vehicle.imu.misalignment_deg)}};
   json["error"] = {{"tilt_deg", RadToDeg(imu.tilt_error_rad)}};
   return json;
 }
@@ -107,15 +105,15 @@ std::string CalibrationJson(const CalibrationRun& run) {
 std::string CalibrationText(const CalibrationRun& run) {
   std::string text;
   if (run.imu) {
-    const auto& [roll, pitch, yaw] = run.imu->mounting.misalignment;
+    const auto& [roll, pitch, yaw] = run.imu->mounting.misalignment_deg;
     text += fmt::format("IMU: roll {:.3f} deg, pitch {:.3f} deg from {} samples; yaw cannot be told from gravity\n",
-                        RadToDeg(roll), RadToDeg(pitch), run.imu->found.samples);
+                        roll, pitch, run.imu->found.samples);
     if (run.scenario) text += fmt::format("  error: tilt {:.3f} deg\n", RadToDeg(run.imu->tilt_error_rad));
   }
   if (run.camera) {
     const CameraCalibration& camera = *run.camera;
     const models::CameraModel& c = camera.fit.model;
-    const auto& [roll, pitch, yaw] = camera.mounting.misalignment;
+    const auto& [roll, pitch, yaw] = camera.mounting.misalignment_deg;
     const Eigen::Vector3d& p = camera.mounting.position_m;
     text += fmt::format(
         "camera: fx {:.2f} fy {:.2f} cx {:.2f} cy {:.2f} px, k1 {:.4f} k2 {:.4f}; {} of {} views, reprojection {:.3f} "
@@ -123,8 +121,8 @@ std::string CalibrationText(const CalibrationRun& run) {
         "  mounting: [{:.4f}, {:.4f}, {:.4f}] m, roll {:.3f} pitch {:.3f} yaw {:.3f} deg\n"
         "  error: focal {:.3f} px, principal point {:.3f} px, position {:.2f} mm, rotation {:.3f} deg\n",
         c.fx_px, c.fy_px, c.cx_px, c.cy_px, c.k1, c.k2, camera.views_used(), camera.pictures.size(), camera.fit.rms_px,
-        p.x(), p.y(), p.z(), RadToDeg(roll), RadToDeg(pitch), RadToDeg(yaw), camera.focal_error_px,
-        camera.principal_point_error_px, 1e3 * camera.position_error_m, RadToDeg(camera.rotation_error_rad));
+        p.x(), p.y(), p.z(), roll, pitch, yaw, camera.focal_error_px, camera.principal_point_error_px,
+        1e3 * camera.position_error_m, RadToDeg(camera.rotation_error_rad));
   }
   return text;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <stdexcept>
 #include <vector>
 
 #include "models/angles.h"
@@ -11,8 +12,8 @@
 namespace touchdown::report {
 namespace {
 
-using Ellipse = estimator::FrameTrace::Ellipse;
-using Label = estimator::FrameTrace::Label;
+using estimator::Overlay;
+using Role = Overlay::Role;
 using Eigen::Vector2d;
 
 // Blue, green, red.
@@ -29,16 +30,21 @@ cv::Point Place(const Vector2d& pixel) {
           static_cast<int>(std::lround(pixel.y() * (1 << kShift)))};
 }
 
-cv::Scalar ColourOf(Label label) {
-  switch (label) {
-    case Label::kCircle:
+/// From the lowest layer to the highest.
+constexpr std::array kRoles = {Role::kOther, Role::kOutline, Role::kMarking, Role::kFit};
+
+cv::Scalar ColourOf(Role role) {
+  switch (role) {
+    case Role::kOther:
+      return kRed;
+    case Role::kOutline:
       return kGreen;
-    case Label::kH:
+    case Role::kMarking:
       return kBlue;
-    case Label::kOther:
-      break;
+    case Role::kFit:
+      return kYellow;
   }
-  return kRed;
+  throw std::logic_error("a role without a color");
 }
 
 /// How large things are drawn, over what they are at 640x480.
@@ -50,12 +56,29 @@ class Pen {
   Pen(cv::Mat3b& picture, const models::CameraModel& camera)
       : picture_(picture), camera_(camera), scale_(ScaleOf(picture.size())) {}
 
-  void Box(const estimator::FrameTrace::Component& component) {
-    cv::rectangle(picture_, cv::Rect(component.u, component.v, component.width, component.height),
-                  ColourOf(component.label), Width(component.label == Label::kOther ? 1.0 : 2.0));
+  void Box(const Overlay::Box& box) {
+    cv::rectangle(picture_, cv::Rect(box.box.u, box.box.v, box.box.width, box.box.height), ColourOf(box.role),
+                  Width(box.role == Role::kOther ? 1.0 : 2.0));
   }
 
-  void EllipseWithAxes(const Ellipse& ellipse) {
+  void Polyline(const Overlay::Polyline& polyline) {
+    std::vector<cv::Point> points;
+    for (const Vector2d& point : polyline.points) {
+      if (!IsNear(point)) return;
+      points.push_back(Place(point));
+    }
+    cv::polylines(picture_, points, polyline.closed, ColourOf(polyline.role), Width(1.0), cv::LINE_AA, kShift);
+  }
+
+  void Text(const Overlay::Label& label) {
+    constexpr double kFontScale = 0.5;
+    if (!IsNear(label.place)) return;
+    cv::putText(picture_, label.text,
+                {static_cast<int>(std::lround(label.place.x())), static_cast<int>(std::lround(label.place.y()))},
+                cv::FONT_HERSHEY_SIMPLEX, kFontScale * scale_, ColourOf(label.role), Width(1.0), cv::LINE_AA);
+  }
+
+  void EllipseWithAxes(const Overlay::Ellipse& ellipse) {
     constexpr int kPoints = 90;
     const Vector2d along(std::cos(ellipse.angle), std::sin(ellipse.angle)), across(-along.y(), along.x());
     const Vector2d major = ellipse.semi_axes.x() * along, minor = ellipse.semi_axes.y() * across;
@@ -64,9 +87,10 @@ class Pen {
       const double t = 2.0 * models::kPi * i / kPoints;
       points.push_back(Place(RawPixel(ellipse.center + std::cos(t) * major + std::sin(t) * minor)));
     }
-    cv::polylines(picture_, points, true, kYellow, Width(1.0), cv::LINE_AA, kShift);
+    const cv::Scalar colour = ColourOf(ellipse.role);
+    cv::polylines(picture_, points, true, colour, Width(1.0), cv::LINE_AA, kShift);
     for (const Vector2d& axis : {major, minor}) {
-      Line(RawPixel(ellipse.center - axis), RawPixel(ellipse.center + axis), kYellow, 1.0);
+      Line(RawPixel(ellipse.center - axis), RawPixel(ellipse.center + axis), colour, 1.0);
     }
   }
 
@@ -119,15 +143,17 @@ cv::Mat3b AnnotateFrame(const models::ImageView& image, const models::CameraMode
   cv::Mat3b picture;
   cv::cvtColor(grey, picture, cv::COLOR_GRAY2BGR);
   Pen pen(picture, camera);
-  const estimator::FrameTrace& trace = annotation.trace;
-  // Interesting labels last, so that they lie on top.
-  for (const Label label : {Label::kOther, Label::kCircle, Label::kH}) {
-    for (const auto& component : trace.components) {
-      if (component.label == label) pen.Box(component);
+  const Overlay& overlay = annotation.overlay;
+  const auto draw = [](const auto& shapes, Role role, const auto& draw_one) {
+    for (const auto& shape : shapes) {
+      if (shape.role == role) draw_one(shape);
     }
-  }
-  for (const auto& ellipse : {trace.ring_outer, trace.ring_inner, trace.letter}) {
-    if (ellipse) pen.EllipseWithAxes(*ellipse);
+  };
+  for (const Role role : kRoles) {
+    draw(overlay.boxes, role, [&](const Overlay::Box& box) { pen.Box(box); });
+    draw(overlay.ellipses, role, [&](const Overlay::Ellipse& ellipse) { pen.EllipseWithAxes(ellipse); });
+    draw(overlay.polylines, role, [&](const Overlay::Polyline& polyline) { pen.Polyline(polyline); });
+    draw(overlay.labels, role, [&](const Overlay::Label& label) { pen.Text(label); });
   }
   if (annotation.pad_px) pen.Cross(*annotation.pad_px);
   if (annotation.X_WC) pen.AxesOfW(*annotation.X_WC, annotation.axis_length_m);

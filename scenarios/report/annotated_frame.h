@@ -7,25 +7,25 @@
 #include <optional>
 #include <string>
 
-#include "estimator/estimator.h"
+#include "estimator/frame_result.h"
 #include "models/camera_model.h"
 #include "models/signals.h"
 
 namespace touchdown::report {
 
-/// What an estimator made of a frame, as far as it is to be drawn.
+/// What is drawn into a frame.
 struct FrameAnnotation {
-  estimator::FrameTrace trace;
+  estimator::Overlay overlay;
   std::optional<Eigen::Vector2d> pad_px;  ///< Centre of the detected pad, raw px.
   std::optional<Eigen::Isometry3d> X_WC;  ///< The camera's estimated pose.
   double axis_length_m = 0.09;            ///< Of the axes that show that pose: about the pad's outer radius.
 };
 
-/// A frame in colour (blue, green, red) with what the estimator saw in it, in the paper's colours (Sec. IV-A, Fig. 2
-/// and 5): components' boxes green for circles, blue for letters H and red for others, the fitted ellipses with their
-/// axes in yellow, an orange cross on the pad, and the axes of W as the estimated pose projects them through the lens,
-/// X red, Y green, Z blue. Lines are as wide as suits the frame's size, 1 and 2 px at 640x480. `image` has the camera's
-/// size.
+/// A frame in color (blue, green, red) with the estimator's overlay: boxes, ellipses with their axes, polylines and
+/// labels in the colors of their roles, as in the paper (Sec. IV-A, Figs. 2 and 5): outlines green, markings blue, fits
+/// yellow, others red and thin. An orange cross lies on the pad, and the axes of W are drawn as the estimated pose
+/// projects them through the lens, X red, Y green, Z blue. Line widths scale with the frame's size and are 1 and 2 px
+/// at 640x480. `image` has the camera's size.
 cv::Mat3b AnnotateFrame(const models::ImageView& image, const models::CameraModel& camera,
                         const FrameAnnotation& annotation);
 

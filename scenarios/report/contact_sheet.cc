@@ -19,9 +19,9 @@ constexpr std::size_t kTiles = 12;
 constexpr int kWidestTile_px = 480;
 constexpr int kHighestTile_px = 720;
 
-std::string Caption(const runner::FrameRecord& record, double time_s) {
+std::string TileCaption(const runner::FrameRecord& record, double time_s) {
   return fmt::format("{:6.2f} s  {:.2f} m  {}  {}", time_s, record.X_WB.translation().z(), Name(record.phase),
-                     Name(record.status));
+                     estimator::ReasonOrStatus(record.status, record.reason));
 }
 
 /// The camera's frame, scaled to fit.
@@ -37,10 +37,10 @@ cv::Size TileSize(const models::CameraModel& camera) {
 ContactSheet::ContactSheet(const models::CameraModel& camera, const models::TimeBase& time)
     : camera_(camera), time_(time), tile_(TileSize(camera)) {}
 
-void ContactSheet::OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate& estimate,
+void ContactSheet::OnFrame(const models::CameraFrame& frame, const estimator::FrameResult& estimate,
                            const runner::FrameRecord& record) {
   if (count_++ % stride_ != 0) return;
-  kept_.push_back({frame.image, estimate.trace, record});
+  kept_.push_back({frame.image, estimate.overlay, record});
   if (kept_.size() < kMostKept) return;
   // Every other one: the stride doubles, and what is kept stays evenly spread.
   for (std::size_t i = 1; 2 * i < kept_.size(); ++i) kept_[i] = std::move(kept_[2 * i]);
@@ -59,9 +59,9 @@ std::vector<std::size_t> ContactSheet::Selection() const {
 
 cv::Mat ContactSheet::Tile(const Kept& kept) const {
   cv::Mat3b picture =
-      AnnotateFrame(kept.image.View(), camera_, {.trace = kept.trace, .pad_px = kept.record.pad_px, .X_WC = {}});
+      AnnotateFrame(kept.image.View(), camera_, {.overlay = kept.overlay, .pad_px = kept.record.pad_px, .X_WC = {}});
   DrawCaption(picture.rowRange(0, CaptionHeight(picture.size())),
-              Caption(kept.record, time_.ToSeconds(kept.record.mid_exposure)), CaptionColour(kept.record.status));
+              TileCaption(kept.record, time_.ToSeconds(kept.record.mid_exposure)), CaptionColour(kept.record.status));
   cv::Mat tile;
   cv::resize(picture, tile, tile_, 0.0, 0.0, cv::INTER_AREA);
   return tile;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "estimator/estimator.h"
+#include "estimator/frame_result.h"
 #include "models/camera_model.h"
 #include "models/signals.h"
 #include "scenarios/runner/flight_log.h"
@@ -20,7 +20,7 @@ class ContactSheet final : public runner::FlightObserver {
  public:
   ContactSheet(const models::CameraModel& camera, const models::TimeBase& time);
 
-  void OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate& estimate,
+  void OnFrame(const models::CameraFrame& frame, const estimator::FrameResult& estimate,
                const runner::FrameRecord& record) override;
 
   /// The picture as PNG, four frames a row; nullopt when there were no frames. Throws std::runtime_error when it cannot
@@ -30,7 +30,7 @@ class ContactSheet final : public runner::FlightObserver {
  private:
   struct Kept {
     models::Image image;
-    estimator::FrameTrace trace;
+    estimator::Overlay overlay;
     runner::FrameRecord record;
   };
 

@@ -69,7 +69,7 @@ class JsonFile {
   Json json_;
 };
 
-std::string Figure(double value) { return fmt::format("{:.4g}", value); }
+std::string FourDigits(double value) { return fmt::format("{:.4g}", value); }
 
 std::string Doc(std::string_view metric) {
   const runner::MetricInfo* const info = runner::FindMetric(metric);
@@ -99,7 +99,7 @@ void PutChecks(const JsonFile& result, data& page) {
     data row;
     row.set("name", result.Text(check, "name"));
     row.set("doc", Doc(result.Text(check, "name")));
-    row.set("value", value.is_number() ? Figure(value) : value.is_string() ? util::Words(value) : kNone);
+    row.set("value", value.is_number() ? FourDigits(value) : value.is_string() ? util::Words(value) : kNone);
     row.set("unit", result.Text(check, "unit"));
     row.set("limit", util::WithSigns(util::Words(result.Text(check, "limit"))));
     row.set("kept", is_kept ? data::type::bool_true : data::type::bool_false);
@@ -179,7 +179,7 @@ void PutMetrics(const Json& metrics, data& page) {
     const auto value = Find(metrics, info.name);
     data row;
     row.set("name", std::string(info.name));
-    row.set("value", value ? Figure(*value) : kNone);
+    row.set("value", value ? FourDigits(*value) : kNone);
     row.set("unit", std::string(info.unit));
     row.set("doc", std::string(info.doc));
     rows << row;

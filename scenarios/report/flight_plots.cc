@@ -7,6 +7,9 @@
 #include <cmath>
 #include <string_view>
 #include <utility>
+#include <variant>
+
+#include "models/pad_outline.h"
 
 namespace touchdown::report {
 namespace {
@@ -14,7 +17,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kBuckets = 1100;
-constexpr double kMissingFrame = 1.5;  // Of the camera's period, between two frames.
 constexpr double kMillimetres = 1000.0;
 
 // From the first stage that can fail to a pose.
@@ -207,7 +209,7 @@ Json SpansJson(const std::vector<FlightSeries::Span>& spans) {
   return json;
 }
 
-std::string TextOf(const runner::Event& event) {
+std::string EventText(const runner::Event& event) {
   switch (event.kind) {
     case runner::Event::Kind::kPush:
       return event.force_n.isZero() ? fmt::format("push {:.3g} N m", event.torque_n_m.norm())
@@ -228,32 +230,31 @@ Json EventsJson(const std::vector<runner::Event>& events, double duration_s) {
   for (const runner::Event& event : events) {
     if (event.at_s > duration_s) continue;
     const double to_s = std::min(event.at_s + event.duration_s, duration_s);
-    json.push_back({{"name", TextOf(event)}, {"from_s", Time(event.at_s)}, {"to_s", Time(to_s)}});
+    json.push_back({{"name", EventText(event)}, {"from_s", Time(event.at_s)}, {"to_s", Time(to_s)}});
   }
   return json;
 }
 
-Json MarkJson(const models::PadMark& mark) {
-  Json json = {{"shape", models::PadMark::kShapeNames[static_cast<std::size_t>(mark.shape)]},
-               {"x_m", mark.centre_m.x()},
-               {"y_m", mark.centre_m.y()}};
-  if (mark.shape == models::PadMark::Shape::kDisc) {
-    json["diameter_m"] = mark.diameter_m;
+Json PointJson(const Eigen::Vector2d& p) { return {Significant(p.x()), Significant(p.y())}; }
+
+Json ShapeJson(const models::PadShape& shape) {
+  Json json{{"color", shape.color == models::PadShape::Color::kBlack ? "black" : "white"}};
+  if (const auto* circle = std::get_if<models::Circle>(&shape.outline)) {
+    json["center_m"] = PointJson(circle->center_m);
+    json["radius_m"] = Significant(circle->radius_m);
   } else {
-    json["length_m"] = mark.length_m;
-    json["width_m"] = mark.width_m;
-    json["angle_deg"] = models::RadToDeg(mark.angle);
+    for (const Eigen::Vector2d& corner : std::get<models::Polygon>(shape.outline).corners_m) {
+      json["corners_m"].push_back(PointJson(corner));
+    }
   }
   return json;
 }
 
+/// The pad's shapes in W, in the order of drawing.
 Json PadJson(const models::LandingPad& pad) {
-  Json marks = Json::array();
-  for (const models::PadMark& mark : pad.marks) marks.push_back(MarkJson(mark));
-  return {{"outer_radius_m", pad.outer_radius_m}, {"ring_width_m", pad.ring_width_m},
-          {"h_height_m", pad.h_height_m},         {"h_width_m", pad.h_width_m},
-          {"h_stroke_m", pad.h_stroke_m},         {"sheet_length_m", pad.sheet_length_m},
-          {"sheet_width_m", pad.sheet_width_m},   {"marks", std::move(marks)}};
+  Json json{{"sheet_length_m", pad.sheet_length_m}, {"sheet_width_m", pad.sheet_width_m}};
+  for (const models::PadShape& shape : models::PadOutline(pad).shapes()) json["shapes"].push_back(ShapeJson(shape));
+  return json;
 }
 
 }  // namespace

@@ -6,15 +6,15 @@
 #include <cmath>
 #include <string_view>
 
+#include "models/angles.h"
 #include "models/error.h"
+#include "models/landing_pad.h"
 #include "scenarios/util/csv_table.h"
 
 namespace touchdown::report {
 namespace {
 
 using Span = FlightSeries::Span;
-
-constexpr double kMissingFrame = 1.5;  // Of the camera's period, between two frames.
 
 PoseSeries ReadPose(const util::CsvTable& table, const std::string& whose) {
   return {table.Numbers(whose + "x_m"),      table.Numbers(whose + "y_m"),       table.Numbers(whose + "z_m"),
@@ -46,13 +46,14 @@ void UnwrapBy(const std::vector<double>& other_t_s, const Series& other_deg, con
   }
 }
 
-/// Takes of each pose the twin whose yaw is nearer to the truth's, see models::NearerTwin.
-void ChooseTwins(PoseSeries& poses, const Series& true_yaw_deg) {
+/// Resolves each pose's 180-degree yaw ambiguity by the true yaw, as models::ResolveYawAmbiguity does, and unwraps its
+/// yaw towards it.
+void ResolveYawAmbiguities(PoseSeries& poses, const Series& true_yaw_deg) {
   for (std::size_t i = 0; i < true_yaw_deg.size(); ++i) {
     if (!poses.yaw_deg[i] || !true_yaw_deg[i]) continue;
-    const double nearer = Nearest(*poses.yaw_deg[i], *true_yaw_deg[i], 180.0);
-    const bool is_turned = std::remainder(nearer - *poses.yaw_deg[i], 360.0) != 0.0;
-    poses.yaw_deg[i] = nearer;
+    const bool is_turned =
+        models::HalfTurnIsNearer(models::DegToRad(*poses.yaw_deg[i]), models::DegToRad(*true_yaw_deg[i]));
+    poses.yaw_deg[i] = Nearest(*poses.yaw_deg[i] + (is_turned ? 180.0 : 0.0), *true_yaw_deg[i], 360.0);
     if (is_turned && poses.x_m[i]) poses.x_m[i] = -*poses.x_m[i];
     if (is_turned && poses.y_m[i]) poses.y_m[i] = -*poses.y_m[i];
   }
@@ -90,7 +91,7 @@ void ReadTicks(const FlightFiles& files, FlightSeries& flight) {
     flight.command_rad_s[i] = table.Numbers(fmt::format("command{}_rad_s", i));
   }
   Unwrap(flight.truth.yaw_deg);
-  ChooseTwins(flight.estimate, flight.truth.yaw_deg);
+  ResolveYawAmbiguities(flight.estimate, flight.truth.yaw_deg);
   for (std::size_t i = 0; i < table.rows(); ++i) {
     std::optional<double>& yaw = flight.set_point.yaw_deg[i];
     if (yaw && flight.truth.yaw_deg[i]) yaw = Nearest(*yaw, *flight.truth.yaw_deg[i], 180.0);
@@ -117,7 +118,7 @@ void ReadFrames(const FlightFiles& files, double frame_period_s, FlightSeries& f
   flight.frame_truth = ReadPose(table, "true_");
   flight.vision = ReadPose(table, "");
   UnwrapBy(flight.t_s, flight.truth.yaw_deg, flight.frame_t_s, flight.frame_truth.yaw_deg);
-  ChooseTwins(flight.vision, flight.frame_truth.yaw_deg);
+  ResolveYawAmbiguities(flight.vision, flight.frame_truth.yaw_deg);
   const std::vector<std::string_view> statuses = table.Texts("status");
   Remove(flight.vision, statuses, [](std::string_view status) { return status != "ok"; });
   flight.statuses = SpansOf(statuses, flight.frame_t_s, frame_period_s);

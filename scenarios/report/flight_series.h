@@ -10,6 +10,9 @@
 
 namespace touchdown::report {
 
+/// Two frames more than this many camera periods apart have a missing one between them.
+inline constexpr double kMissingFrame = 1.5;
+
 /// A pose over time: position in W in m, Tait-Bryan angles in deg. Yaw runs on beyond +-180 degrees where it turns.
 struct PoseSeries {
   Series x_m, y_m, z_m;

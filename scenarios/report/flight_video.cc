@@ -30,9 +30,9 @@ cv::Size OnboardSize(const models::CameraModel& camera) {
 
 int Even(int px) { return px + px % 2; }
 
-std::string Caption(const runner::FrameRecord& record, double time_s) {
-  return fmt::format("{:6.2f} s   {}   {}   {:.2f} m high", time_s, Name(record.phase), Name(record.status),
-                     record.X_WB.translation().z());
+std::string VideoCaption(const runner::FrameRecord& record, double time_s) {
+  return fmt::format("{:6.2f} s   {}   {}   {:.2f} m high", time_s, Name(record.phase),
+                     estimator::ReasonOrStatus(record.status, record.reason), record.X_WB.translation().z());
 }
 
 }  // namespace
@@ -60,9 +60,10 @@ void FlightVideo::HoldUntil(models::Tick tick) {
   while (writer_->count() * period_ < tick) writer_->Write(picture_);
 }
 
-void FlightVideo::DrawOnboard(const models::ImageView& image, const estimator::FrameTrace& trace,
+void FlightVideo::DrawOnboard(const models::ImageView& image, const estimator::Overlay& overlay,
                               const runner::FrameRecord& record) {
-  FrameAnnotation annotation{.trace = trace, .pad_px = record.pad_px, .X_WC = {}, .axis_length_m = pad_.outer_radius_m};
+  FrameAnnotation annotation{
+      .overlay = overlay, .pad_px = record.pad_px, .X_WC = {}, .axis_length_m = pad_.outer_radius_m};
   if (record.status == estimator::FrameStatus::kOk) annotation.X_WC = record.pose->X_WB * X_BC_;
   const cv::Size size = OnboardSize(camera_);
   const cv::Rect place({0, (kHeight_px - size.height) / 2}, size);
@@ -70,16 +71,16 @@ void FlightVideo::DrawOnboard(const models::ImageView& image, const estimator::F
              size.width < camera_.width_px ? cv::INTER_AREA : cv::INTER_LINEAR);
 }
 
-void FlightVideo::OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate& estimate,
+void FlightVideo::OnFrame(const models::CameraFrame& frame, const estimator::FrameResult& estimate,
                           const runner::FrameRecord& record) {
   if (!writer_) writer_.emplace(file_, picture_.size(), rate_);
   HoldUntil(frame.mid_exposure);
   if (frame.mid_exposure % period_ != 0) return;
-  DrawOnboard(frame.image.View(), estimate.trace, record);
+  DrawOnboard(frame.image.View(), estimate.overlay, record);
   const cv::Mat3b& seen_from_outside = chase_->Render(record.X_WB, record.pad_is_covered);
   seen_from_outside.copyTo(
       picture_(cv::Rect(cv::Point(picture_.cols - seen_from_outside.cols, 0), seen_from_outside.size())));
-  DrawCaption(picture_.rowRange(kHeight_px, picture_.rows), Caption(record, time_.ToSeconds(frame.mid_exposure)),
+  DrawCaption(picture_.rowRange(kHeight_px, picture_.rows), VideoCaption(record, time_.ToSeconds(frame.mid_exposure)),
               CaptionColour(record.status));
   writer_->Write(picture_);
 }

@@ -30,7 +30,7 @@ class FlightVideo final : public runner::FlightObserver {
   void OnStart(const sim::World& world) override;
   void OnImu(const models::ImuSample& sample, bool at_rest) override;
   /// Throws InputError when the file cannot be written.
-  void OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate& estimate,
+  void OnFrame(const models::CameraFrame& frame, const estimator::FrameResult& estimate,
                const runner::FrameRecord& record) override;
 
   /// Completes the file; there is none when there were no frames. Throws InputError as OnFrame does.
@@ -38,7 +38,7 @@ class FlightVideo final : public runner::FlightObserver {
 
  private:
   void HoldUntil(models::Tick tick);
-  void DrawOnboard(const models::ImageView& image, const estimator::FrameTrace& trace,
+  void DrawOnboard(const models::ImageView& image, const estimator::Overlay& overlay,
                    const runner::FrameRecord& record);
 
   std::filesystem::path file_;

@@ -30,15 +30,15 @@ FootageVideo::FootageVideo(const std::filesystem::path& file, const datasets::Fo
       writer_(file, size_, RateOf(facts.frames_per_s)) {}
 
 void FootageVideo::Add(const datasets::FootageFrame& frame, const datasets::FootageEstimate& estimate) {
-  const estimator::FrameEstimate& seen = estimate.seen;
+  const estimator::FrameResult& seen = estimate.seen;
   FrameAnnotation annotation;
-  annotation.trace = seen.trace;
+  annotation.overlay = seen.overlay;
   annotation.pad_px = seen.pad_px;
   annotation.axis_length_m = axis_length_m_;
   if (seen.pose) annotation.X_WC = seen.pose->X_WB * X_BC_;
   cv::Mat3b picture;
   cv::resize(AnnotateFrame(frame.image.View(), camera_, annotation), picture, size_, 0.0, 0.0, cv::INTER_AREA);
-  std::string caption = fmt::format("{}  {}", frame.source, Name(seen.status));
+  std::string caption = fmt::format("{}  {}", frame.source, estimator::ReasonOrStatus(seen.status, seen.reason));
   if (frame.mid_exposure) caption = fmt::format("{:.2f} s  {}", time_.ToSeconds(*frame.mid_exposure), caption);
   DrawCaption(picture.rowRange(0, CaptionHeight(size_)), caption, CaptionColour(seen.status));
   writer_.Write(picture);

@@ -6,10 +6,13 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 #include <stdexcept>
-#include <vector>
+#include <variant>
 
 #include "models/angles.h"
+#include "models/pad_outline.h"
+#include "scenarios/report/cairo_bytes.h"
 
 namespace touchdown::report {
 namespace {
@@ -71,38 +74,38 @@ class Drawing {
   cairo_t* cairo() { return cairo_.get(); }
   double Mm(double length_m) const { return kMmPerMetre * length_m; }
 
+  /// Black on the white of the page. All shapes make one path, so that no seam shows where two black ones touch: the
+  /// white ones go round the other way and cut holes.
   void DrawPad() {
     cairo_save(cairo());
-    cairo_translate(cairo(), 0.5 * page_.width_mm, 0.5 * Mm(pad_.sheet_length_m));
+    const cairo_matrix_t page_from_W = {.xx = 0.0,
+                                        .yx = -kMmPerMetre,
+                                        .xy = -kMmPerMetre,
+                                        .yy = 0.0,
+                                        .x0 = 0.5 * page_.width_mm,
+                                        .y0 = 0.5 * Mm(pad_.sheet_length_m)};
+    cairo_transform(cairo(), &page_from_W);
+    const models::PadOutline outline(pad_);
+    for (const models::PadShape& shape : std::span(outline.shapes()).subspan<1>()) Add(shape);
     cairo_set_source_rgb(cairo(), 0.0, 0.0, 0.0);
-    cairo_arc(cairo(), 0.0, 0.0, Mm(pad_.outer_radius_m), 0.0, 2.0 * models::kPi);
-    cairo_close_path(cairo());
-    cairo_new_sub_path(cairo());
-    cairo_arc_negative(cairo(), 0.0, 0.0, Mm(pad_.inner_radius_m()), 2.0 * models::kPi, 0.0);
-    cairo_close_path(cairo());
-    const double height = Mm(pad_.h_height_m), width = Mm(pad_.h_width_m), stroke = Mm(pad_.h_stroke_m);
-    cairo_rectangle(cairo(), -0.5 * width, -0.5 * height, stroke, height);
-    cairo_rectangle(cairo(), 0.5 * width - stroke, -0.5 * height, stroke, height);
-    cairo_rectangle(cairo(), stroke - 0.5 * width, -0.5 * stroke, width - 2.0 * stroke, stroke);
-    for (const models::PadMark& mark : pad_.marks) AddMark(mark);
     cairo_fill(cairo());
     cairo_restore(cairo());
   }
 
-  /// To the path that holds ring and H, so that no seam shows where they touch.
-  void AddMark(const models::PadMark& mark) {
-    cairo_save(cairo());
-    cairo_translate(cairo(), -Mm(mark.centre_m.y()), -Mm(mark.centre_m.x()));
-    if (mark.shape == models::PadMark::Shape::kDisc) {
-      cairo_new_sub_path(cairo());
-      cairo_arc(cairo(), 0.0, 0.0, 0.5 * Mm(mark.diameter_m), 0.0, 2.0 * models::kPi);
-      cairo_close_path(cairo());
+  /// To the path, in W.
+  void Add(const models::PadShape& shape) {
+    const bool is_black = shape.color == models::PadShape::Color::kBlack;
+    cairo_new_sub_path(cairo());
+    if (const auto* circle = std::get_if<models::Circle>(&shape.outline)) {
+      const Eigen::Vector2d& center = circle->center_m;
+      const auto arc = is_black ? cairo_arc : cairo_arc_negative;
+      arc(cairo(), center.x(), center.y(), circle->radius_m, 0.0, (is_black ? 2.0 : -2.0) * models::kPi);
     } else {
-      cairo_rotate(cairo(), -mark.angle);
-      const double length = Mm(mark.length_m), width = Mm(mark.width_m);
-      cairo_rectangle(cairo(), -0.5 * width, -0.5 * length, width, length);
+      auto corners = std::get<models::Polygon>(shape.outline).corners_m;
+      if (!is_black) std::reverse(corners.begin(), corners.end());
+      for (const Eigen::Vector2d& corner : corners) cairo_line_to(cairo(), corner.x(), corner.y());
     }
-    cairo_restore(cairo());
+    cairo_close_path(cairo());
   }
 
   void DrawCutLine() {
@@ -160,11 +163,6 @@ class Drawing {
   std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cairo_;
 };
 
-cairo_status_t Append(void* bytes, const unsigned char* data, unsigned length) {
-  static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
-  return CAIRO_STATUS_SUCCESS;
-}
-
 }  // namespace
 
 std::string PadSheet(const LandingPad& pad, SheetFormat format) {
@@ -174,7 +172,7 @@ std::string PadSheet(const LandingPad& pad, SheetFormat format) {
       format == SheetFormat::kPdf ? cairo_pdf_surface_create_for_stream : cairo_svg_surface_create_for_stream;
   std::string bytes;
   const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
-      create(Append, &bytes, kPointsPerMm * page.width_mm, kPointsPerMm * page.height_mm), cairo_surface_destroy);
+      create(AppendBytes, &bytes, kPointsPerMm * page.width_mm, kPointsPerMm * page.height_mm), cairo_surface_destroy);
   if (format == SheetFormat::kPdf) {
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, kPadSheetMark);
   }

@@ -6,15 +6,12 @@
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 
+#include "scenarios/report/cairo_bytes.h"
+
 namespace touchdown::report {
 namespace {
 
 using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
-
-cairo_status_t Append(void* bytes, const unsigned char* data, unsigned length) {
-  static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
-  return CAIRO_STATUS_SUCCESS;
-}
 
 cv::Size SizeOf(const std::string& jpeg) {
   const cv::Mat bytes(1, static_cast<int>(jpeg.size()), CV_8UC1, const_cast<char*>(jpeg.data()));
@@ -39,8 +36,9 @@ std::string PicturePdf(const std::string& jpeg, double width_cm) {
   const double scale = kPointsPerCm * width_cm / size.width;
   std::string bytes;
   {
-    const Surface page(cairo_pdf_surface_create_for_stream(Append, &bytes, scale * size.width, scale * size.height),
-                       cairo_surface_destroy);
+    const Surface page(
+        cairo_pdf_surface_create_for_stream(AppendBytes, &bytes, scale * size.width, scale * size.height),
+        cairo_surface_destroy);
     cairo_pdf_surface_set_metadata(page.get(), CAIRO_PDF_METADATA_CREATE_DATE, "1970-01-01T00:00:00Z");
     const Surface picture = JpegSurface(jpeg, size);
     const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cairo(cairo_create(page.get()), cairo_destroy);

@@ -2,7 +2,6 @@
 
 #include "controller/flight_controller.h"
 #include "estimator/make_estimator.h"
-#include "estimator/state_estimator.h"
 #include "scenarios/runner/end_watch.h"
 #include "scenarios/runner/event_player.h"
 #include "scenarios/runner/flight_recorder.h"
@@ -19,12 +18,16 @@
 namespace touchdown::runner {
 namespace {
 
-Eigen::Matrix3d Upright(double yaw) { return models::RotationFromTaitBryan({.roll = 0.0, .pitch = 0.0, .yaw = yaw}); }
+Eigen::Matrix3d Upright(double yaw_deg) {
+  return models::RotationFromTaitBryan({.roll = 0.0, .pitch = 0.0, .yaw = models::DegToRad(yaw_deg)});
+}
 
 Eigen::Isometry3d StartPose(const Start& start, const sim::World& world) {
-  if (!start.airborne) return world.RestingPose(start.position_m.x(), start.position_m.y(), start.yaw);
+  if (!start.airborne) {
+    return world.RestingPose(start.position_m.x(), start.position_m.y(), models::DegToRad(start.yaw_deg));
+  }
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  X_WB.linear() = Upright(start.yaw);
+  X_WB.linear() = Upright(start.yaw_deg);
   X_WB.translation() = start.position_m;
   return X_WB;
 }
@@ -35,11 +38,11 @@ void StandBeforeFlight(const Start& start, const models::TimeBase& time, sim::Im
                        estimator::StateEstimator& estimator, FlightAudience& audience) {
   constexpr double kStanding_s = 2.0;
   sim::TrueState standing;
-  standing.X_WB.linear() = Upright(start.yaw);
+  standing.X_WB.linear() = Upright(start.yaw_deg);
   for (standing.tick = -time.FromSeconds(kStanding_s); standing.tick < 0; ++standing.tick) {
     const auto sample = imu.Sample(standing);
     if (!sample) continue;
-    estimator.TakeImu(*sample, true);
+    estimator.AddImu(*sample, true);
     audience.OnImu(*sample, true);
   }
 }
@@ -57,14 +60,13 @@ FlightLog FlyClosedLoop(const Scenario& s, FlightObservers observers, const util
 
   const models::Vehicle assumed = s.assumed_vehicle();
   VisionTimer vision_timer;
-  estimator::StateEstimator estimator(estimator::MakeEstimator(s.estimator, {.camera = s.assumed_camera(),
-                                                                             .pad = s.pad,
-                                                                             .X_BC = assumed.X_BC(),
-                                                                             .time = s.time,
-                                                                             .on_stage = vision_timer.listener()}),
-                                      {.attitude = s.attitude_estimator, .filter = s.pose_filter}, s.time,
-                                      assumed.X_BU().linear());
-  if (s.start.airborne) StandBeforeFlight(s.start, s.time, imu, estimator, audience);
+  const auto estimator = estimator::MakeEstimator(s.estimator, {.camera = s.assumed_camera(),
+                                                                .pad = s.pad,
+                                                                .X_BC = assumed.X_BC(),
+                                                                .R_BU = assumed.X_BU().linear(),
+                                                                .time = s.time,
+                                                                .on_stage = vision_timer.listener()});
+  if (s.start.airborne) StandBeforeFlight(s.start, s.time, imu, *estimator, audience);
   std::optional<sim::Hand> hand;
   std::optional<controller::FlightController> controller;
   if (s.hand.carries) {
@@ -93,7 +95,7 @@ FlightLog FlyClosedLoop(const Scenario& s, FlightObservers observers, const util
 
       if (const auto frame = camera.Sample(truth); frame && !events.frames_are_lost()) {
         vision_timer.Start();
-        const estimator::FrameEstimate seen = estimator.TakeFrame(frame->image.View(), frame->mid_exposure);
+        const estimator::FrameResult seen = estimator->AddFrame(frame->image.View(), frame->mid_exposure);
         const FrameRecord& record = recorder.OnFrame(seen, camera.render_ms(), vision_timer.Stop());
         audience.OnFrame(*frame, seen, record);
       }
@@ -101,10 +103,14 @@ FlightLog FlyClosedLoop(const Scenario& s, FlightObservers observers, const util
 
       if (const auto sample = imu.Sample(truth)) {
         const bool at_rest = hand ? hand->Stands(truth.tick) : controller->phase() == controller::Phase::kStandby;
-        estimator.TakeImu(*sample, at_rest);
+        estimator->AddImu(*sample, at_rest);
         audience.OnImu(*sample, at_rest);
-        const models::VehicleEstimate estimate = estimator.At(truth.tick);
-        if (controller) control = controller->Update(estimate);
+        const models::VehicleEstimate estimate =
+            estimator->StateAt(truth.tick).value_or(models::VehicleEstimate{.tick = truth.tick});
+        if (controller) {
+          control = controller->Update(estimate);
+          estimator->AddCommand(truth.tick, control.thrust_n / assumed.mass_kg);
+        }
         recorder.OnControl(estimate, control);
         if (stop_requested && stop_requested()) throw util::Interrupted();
       }

@@ -19,7 +19,7 @@ void FlightAudience::OnImu(const models::ImuSample& sample, bool at_rest) {
   TellAll([&](FlightObserver& observer) { observer.OnImu(sample, at_rest); });
 }
 
-void FlightAudience::OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate& estimate,
+void FlightAudience::OnFrame(const models::CameraFrame& frame, const estimator::FrameResult& estimate,
                              const FrameRecord& record) {
   TellAll([&](FlightObserver& observer) { observer.OnFrame(frame, estimate, record); });
 }

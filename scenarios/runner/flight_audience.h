@@ -15,7 +15,7 @@ class FlightAudience final : public FlightObserver {
 
   void OnStart(const sim::World& world) override;
   void OnImu(const models::ImuSample& sample, bool at_rest) override;
-  void OnFrame(const models::CameraFrame& frame, const estimator::FrameEstimate& estimate,
+  void OnFrame(const models::CameraFrame& frame, const estimator::FrameResult& estimate,
                const FrameRecord& record) override;
 
   double seconds() const { return seconds_; }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "controller/flight_controller.h"
-#include "estimator/estimator.h"
+#include "estimator/frame_result.h"
 #include "models/signals.h"
 #include "models/time.h"
 #include "scenarios/runner/scenario.h"
@@ -27,7 +27,8 @@ struct FrameRecord {
   models::Tick delivered = 0;
   models::Tick mid_exposure = 0;
   controller::Phase phase = controller::Phase::kStandby;  ///< When it was delivered.
-  estimator::FrameStatus status = estimator::FrameStatus::kNoComponent;
+  estimator::FrameStatus status = estimator::FrameStatus::kNotFound;
+  std::string reason;                         ///< FrameResult::reason.
   std::optional<estimator::VisionPose> pose;  ///< Unfiltered.
   std::optional<Eigen::Vector2d> pad_px;      ///< As detected.
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "estimator/estimator.h"
+#include "estimator/frame_result.h"
 #include "models/signals.h"
 #include "scenarios/runner/flight_log.h"
 #include "sim/dynamics/world.h"
@@ -21,7 +21,7 @@ class FlightObserver {
   virtual void OnImu(const models::ImuSample& /*sample*/, bool /*at_rest*/) {}
 
   /// A frame that is delivered now, with what the estimator made of it, and what there is to tell of it.
-  virtual void OnFrame(const models::CameraFrame& /*frame*/, const estimator::FrameEstimate& /*estimate*/,
+  virtual void OnFrame(const models::CameraFrame& /*frame*/, const estimator::FrameResult& /*estimate*/,
                        const FrameRecord& /*record*/) {}
 };
 

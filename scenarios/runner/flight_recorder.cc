@@ -12,7 +12,7 @@ FlightRecorder::FlightRecorder(const Scenario& scenario)
     : camera_(scenario.camera.model),
       pad_(scenario.pad),
       has_pad_(scenario.scene.pad),
-      history_ticks_(scenario.time.FromSeconds(scenario.camera.latency_s + scenario.camera.exposure_s) + 2) {
+      history_ticks_(scenario.time.FromSeconds(scenario.camera.latency_s() + scenario.camera.exposure_s()) + 2) {
   log_.time = scenario.time;
 }
 
@@ -39,7 +39,7 @@ const FlightRecorder::Instant& FlightRecorder::At(models::Tick tick) const {
   return history_[history_.size() - 1 - static_cast<std::size_t>(age)];
 }
 
-const FrameRecord& FlightRecorder::OnFrame(const estimator::FrameEstimate& estimate, double render_ms,
+const FrameRecord& FlightRecorder::OnFrame(const estimator::FrameResult& estimate, double render_ms,
                                            const VisionTime& vision) {
   const Instant& instant = At(estimate.mid_exposure);
   FrameRecord record;
@@ -47,6 +47,7 @@ const FrameRecord& FlightRecorder::OnFrame(const estimator::FrameEstimate& estim
   record.mid_exposure = estimate.mid_exposure;
   record.phase = phase_;
   record.status = estimate.status;
+  record.reason = estimate.reason;
   record.pose = estimate.pose;
   record.pad_px = estimate.pad_px;
   record.X_WB = instant.truth.X_WB;

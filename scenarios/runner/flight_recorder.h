@@ -17,7 +17,7 @@ class FlightRecorder {
   void OnTruth(const sim::TrueState& truth, const Eigen::Isometry3d& X_WC, bool pad_is_covered,
                controller::Phase phase);
   /// What the estimator made of a frame that is delivered now. Returns the frame's record.
-  const FrameRecord& OnFrame(const estimator::FrameEstimate& estimate, double render_ms, const VisionTime& vision);
+  const FrameRecord& OnFrame(const estimator::FrameResult& estimate, double render_ms, const VisionTime& vision);
   void OnTracking(const models::TrackedPose& tracked);
   void OnControl(const models::VehicleEstimate& estimate, const controller::ControlOutput& control);
 

@@ -60,7 +60,7 @@ void PutTicks(const FlightLog& log, util::CsvWriter& table) {
 void PutFrames(const FlightLog& log, util::CsvWriter& table) {
   for (const FrameRecord& frame : log.frames) {
     table << frame.mid_exposure << log.time.ToSeconds(frame.mid_exposure) << frame.delivered << Name(frame.phase)
-          << Name(frame.status);
+          << estimator::ReasonOrStatus(frame.status, frame.reason);
     frame.pose ? table.Pose(frame.pose->X_WB) : table.Empty(6);
     table.Pose(frame.X_WB) << static_cast<int>(frame.ring_in_view);
     table.Pixel(frame.pad_px).Pixel(frame.true_pad_px);

@@ -140,7 +140,7 @@ Metrics PoseErrors(std::span<const FrameRecord> frames) {
   for (const FrameRecord& frame : frames) {
     if (frame.status != estimator::FrameStatus::kOk) continue;
     const models::TaitBryan truth = models::TaitBryanFromRotation(frame.X_WB.linear());
-    const Eigen::Isometry3d X_WB = models::NearerTwin(frame.pose.value().X_WB, truth.yaw);
+    const Eigen::Isometry3d X_WB = models::ResolveYawAmbiguity(frame.pose.value().X_WB, truth.yaw);
     const models::TaitBryan angles = models::TaitBryanFromRotation(X_WB.linear());
     const Eigen::Vector3d error = X_WB.translation() - frame.X_WB.translation();
     xy.Add(error.head<2>().squaredNorm());

@@ -1,8 +1,8 @@
 #include "scenarios/runner/scenario.h"
 
-#include "scenarios/config/camera_info.h"
 #include "scenarios/config/config_reader.h"
 #include "scenarios/config/config_writer.h"
+#include "scenarios/config/file_format.h"
 #include "scenarios/runner/scenario_schema.h"
 
 namespace touchdown::runner {
@@ -10,32 +10,28 @@ namespace {
 
 Scenario ReadScenario(const config::ConfigNode& root, const std::string& default_name,
                       std::span<const Override> overrides) {
+  std::vector<config::ConfigNode> layers = {root};
+  for (const Override& change : overrides) {
+    layers.push_back(config::ParseOverride(change.assignment, change.place, change.folder));
+  }
   Scenario scenario;
   scenario.name = default_name;
   config::OriginByPath origins;
-  const auto read = [&](const config::ConfigNode& node) {
-    config::ConfigReader reader(node, origins);
+  for (const config::ConfigNode& layer : layers) {
+    config::ConfigReader reader(layer, origins);
     Describe(reader, scenario);
     reader.Finish();
-  };
-  const auto read_all = [&] {
-    read(root);
-    for (const Override& change : overrides)
-      read(config::ParseOverride(change.assignment, change.place, change.folder));
-  };
-  read_all();
-  // Keys that a calibration leaves out are the truth's, which is known only now.
+  }
+  // Keys that a calibration leaves out are the truth's, which only the last override completes.
   scenario.calibration = {};
-  read_all();
-  config::ConfigChecker checker(origins, root.origin);
+  for (const config::ConfigNode& layer : layers) {
+    config::ConfigReader reader(layer, origins);
+    DescribeCalibration(reader, scenario);
+  }
+  config::OriginChecker checker(origins, root.origin);
   Describe(checker, scenario);
   scenario.expect = scenario.expected_outcome();
   return scenario;
-}
-
-/// As reading its own text gives it.
-Scenario Resolved(const Scenario& written, const std::string& name) {
-  return ReadScenario(config::ParseConfig(ScenarioYaml(written), "resolved " + name, {}), written.name, {});
 }
 
 }  // namespace
@@ -56,11 +52,11 @@ models::Vehicle Scenario::assumed_vehicle() const {
 Scenario ParseScenario(const std::string& text, const std::string& name, const std::filesystem::path& folder,
                        std::span<const Override> overrides) {
   const std::string stem = std::filesystem::path(name).stem().string();
-  return Resolved(ReadScenario(config::ParseConfig(text, name, folder), stem, overrides), name);
+  return ReadScenario(config::ParseConfig(text, name, folder), stem, overrides);
 }
 
 Scenario LoadScenario(const std::filesystem::path& file, std::span<const Override> overrides) {
-  return Resolved(ReadScenario(config::ReadConfigFile(file), file.stem().string(), overrides), file.string());
+  return ReadScenario(config::ReadConfigFile(file), file.stem().string(), overrides);
 }
 
 std::string ScenarioYaml(const Scenario& scenario) {
@@ -71,9 +67,8 @@ std::string ScenarioYaml(const Scenario& scenario) {
 }
 
 models::CameraModel LoadCameraModel(const std::filesystem::path& file) {
-  config::ConfigNode root = config::ReadConfigFile(file);
-  return config::ReadAlone<models::CameraModel>(config::IsCameraInfo(root) ? config::CameraModelFromCameraInfo(root)
-                                                                           : std::move(root));
+  return config::ReadAlone<models::CameraModel>(
+      config::SectionKeys(config::ReadConfigFile(file), models::kCameraModelFile));
 }
 
 Calibration LoadCalibration(const std::filesystem::path& file) {

@@ -43,9 +43,9 @@ constexpr std::string_view Name(Outcome outcome) { return kOutcomeNames[static_c
 
 /// Where the vehicle is at tick 0, at rest.
 struct Start {
-  bool airborne = false;                                        ///< Otherwise on its feet, with its motors off.
-  Eigen::Vector3d position_m = Eigen::Vector3d(0.0, 0.0, 1.0);  ///< p_WB; on its feet, the height is not used.
-  double yaw = 0.0;
+  bool airborne = false;
+  Eigen::Vector3d position_m = Eigen::Vector3d(0.0, 0.0, 1.0);  ///< p_WB; on the ground, the height is not used.
+  double yaw_deg = 0.0;
 };
 
 /// Something that happens to the vehicle or its surroundings, starting at a time.
@@ -61,9 +61,9 @@ struct Event {
   Kind kind = Kind::kPush;
   double at_s = 0.0;
   double duration_s = 0.0;
-  Eigen::Vector3d force_n = Eigen::Vector3d::Zero();       ///< In W, at the body's origin.
-  Eigen::Vector3d torque_n_m = Eigen::Vector3d::Zero();    ///< In W.
-  Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  ///< Of the wind, in W.
+  Eigen::Vector3d force_n = Eigen::Vector3d::Zero();
+  Eigen::Vector3d torque_n_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();
 };
 
 /// A bound on a metric, which the flight must keep to pass.
@@ -73,26 +73,24 @@ struct Criterion {
   std::optional<double> max;
 };
 
-/// What estimator and autopilot are told of the sensors (Sec. III-D), where it is not the truth: what a calibration
-/// found, or what is wrong with it.
+/// Camera and mountings as estimator and controller assume them (Sec. III-D), where they differ from the truth: the
+/// result of a calibration, or an error of one.
 struct Calibration {
   std::optional<models::CameraModel> camera_model;
-  std::optional<models::Mounting> camera;  ///< How the camera is mounted.
+  std::optional<models::Mounting> camera;
   std::optional<models::Mounting> imu;
 };
 
-/// Everything that decides how a flight goes and how it is judged.
+/// Everything that decides how a flight goes and how it is judged. scenario_schema.cc describes the keys.
 struct Scenario {
   std::string name;
   std::string description;
   std::uint64_t seed = 1;
   double time_limit_s = 120.0;
-  /// The right end of this flight, any but an error. When not given: landed after a script that ends with a landing,
-  /// else hovered.
   std::optional<Outcome> expect;
   Start start;
   sim::HandConfig hand;
-  std::vector<controller::Manoeuvre> script;  ///< Empty when a hand carries the vehicle.
+  std::vector<controller::Manoeuvre> script;
   std::vector<Event> events;
   std::vector<Criterion> criteria;
 
@@ -106,8 +104,6 @@ struct Scenario {
   sim::WorldConfig world;
   Calibration calibration;
   estimator::EstimatorConfig estimator;
-  estimator::AttitudeEstimatorConfig attitude_estimator;
-  estimator::PoseFilterConfig pose_filter;
   controller::FlightControllerConfig controller;
 
   Outcome expected_outcome() const;
@@ -134,8 +130,8 @@ struct Override {
 /// Reads a scenario's file and applies overrides over it, in their order. Throws InputError, naming file,
 /// line and key, for anything that is not as docs/scenarios.md has it.
 ///
-/// The result is as reading its own ScenarioYaml gives it, to the last bit, so that a flight can be flown again from
-/// the scenario.yaml beside its results.
+/// Reading the ScenarioYaml of the result gives the same scenario, to the last bit, so that a flight can be flown again
+/// from the scenario.yaml beside its results.
 Scenario LoadScenario(const std::filesystem::path& file, std::span<const Override> overrides = {});
 
 /// The same of text; `name` stands for the file in messages, and files are looked for in `folder`.
@@ -151,7 +147,7 @@ std::vector<config::KeyRow> ScenarioReference();
 /// A camera's calibration from a file: ROS `camera_info` YAML or the keys of `camera.model`. Throws InputError.
 models::CameraModel LoadCameraModel(const std::filesystem::path& file);
 
-/// A calibration from a file with the keys of `calibration`, in which mountings are told whole or not at all. Throws
+/// A calibration from a file with the keys of `calibration`, in which a mounting is given whole or not at all. Throws
 /// InputError.
 Calibration LoadCalibration(const std::filesystem::path& file);
 

@@ -28,7 +28,7 @@ void RequireInRoom(const Scenario& s, const Eigen::Vector3d& p_WB) {
   }
 }
 
-void CheckPlaces(config::ConfigVisitor& v, const Scenario& s) {
+void CheckPlaces(models::ConfigVisitor& v, const Scenario& s) {
   if (s.start.airborne) {
     v.Check("start.position_m", [&s] { RequireInRoom(s, s.start.position_m); });
   } else {
@@ -63,7 +63,7 @@ void RequireEffect(const Scenario& s, const Event& event) {
   }
 }
 
-void CheckEvents(config::ConfigVisitor& v, const Scenario& s) {
+void CheckEvents(models::ConfigVisitor& v, const Scenario& s) {
   for (std::size_t i = 0; i < s.events.size(); ++i) {
     const Event& event = s.events[i];
     v.Check(fmt::format("events.{}.at_s", i), [&] {
@@ -75,10 +75,10 @@ void CheckEvents(config::ConfigVisitor& v, const Scenario& s) {
 
 }  // namespace
 
-void CheckScenario(config::ConfigVisitor& v, const Scenario& s) {
+void CheckScenario(models::ConfigVisitor& v, const Scenario& s) {
   v.Check("camera.latency_ms", [&s] {
-    const double oldest_s = s.camera.latency_s + 1.0 / s.camera.rate_hz;
-    if (oldest_s >= s.controller.vision_fresh_s || s.camera.latency_s >= s.attitude_estimator.history_s) {
+    const double oldest_s = s.camera.latency_s() + 1.0 / s.camera.rate_hz;
+    if (oldest_s >= s.controller.vision_fresh_s || s.camera.latency_s() >= s.estimator.filters.attitude.history_s) {
       throw InputError(
           "with a frame's period on top must stay below controller.vision_fresh_s, and below "
           "attitude_estimator.history_s: the frames would come too late to be used");

@@ -1,43 +1,20 @@
 #pragma once
 
-#include "scenarios/config/config_visitor.h"
+#include "models/describe.h"
 #include "scenarios/runner/scenario.h"
 
-namespace touchdown::config {
+namespace touchdown::runner {
 
-/// Each shows `v` every key of a struct, its meaning, unit, range and place. There is no other list of them.
-void Describe(ConfigVisitor& v, runner::Scenario& scenario);
+void Describe(models::ConfigVisitor& v, Scenario& scenario);
+void Describe(models::ConfigVisitor& v, Start& start);
+void Describe(models::ConfigVisitor& v, Event& event);
+void Describe(models::ConfigVisitor& v, Criterion& criterion);
 
-void Describe(ConfigVisitor& v, runner::Start& start);
-void Describe(ConfigVisitor& v, controller::Manoeuvre& manoeuvre);
-void Describe(ConfigVisitor& v, runner::Event& event);
-void Describe(ConfigVisitor& v, runner::Criterion& criterion);
+/// The key `calibration` of a scenario. Keys that it leaves out are those of the scenario's camera and vehicle, so they
+/// must be final before it is read.
+void DescribeCalibration(models::ConfigVisitor& v, Scenario& scenario);
 
-/// What `calibration` leaves out are the truth's keys: of the camera and the vehicle.
-void DescribeCalibration(ConfigVisitor& v, runner::Calibration& calibration, const models::CameraModel& camera,
-                         const models::Vehicle& vehicle);
+/// The keys of a calibration that is read alone. Keys that a section leaves out have their defaults.
+void Describe(models::ConfigVisitor& v, Calibration& calibration);
 
-/// The same of a file that is read by itself: what a section leaves out is the default.
-void Describe(ConfigVisitor& v, runner::Calibration& calibration);
-
-void Describe(ConfigVisitor& v, models::Vehicle& vehicle);
-void Describe(ConfigVisitor& v, models::Mounting& mounting);
-void Describe(ConfigVisitor& v, models::CameraModel& model);
-void Describe(ConfigVisitor& v, models::LandingPad& pad);
-void Describe(ConfigVisitor& v, models::PadMark& mark);
-void Describe(ConfigVisitor& v, sim::ImuConfig& config);
-void Describe(ConfigVisitor& v, sim::TrackingSystemConfig& config);
-void Describe(ConfigVisitor& v, sim::HandConfig& config);
-void Describe(ConfigVisitor& v, sim::SceneConfig& config);
-void Describe(ConfigVisitor& v, sim::WorldConfig& config);
-void DescribeCamera(ConfigVisitor& v, sim::CameraConfig& config, const models::TimeBase& time);
-
-void Describe(ConfigVisitor& v, estimator::EstimatorConfig& config);
-void Describe(ConfigVisitor& v, estimator::AttitudeEstimatorConfig& config);
-void Describe(ConfigVisitor& v, estimator::PoseFilterConfig& config);
-void Describe(ConfigVisitor& v, controller::GuidanceConfig& config);
-void Describe(ConfigVisitor& v, controller::PositionControllerConfig& config);
-void Describe(ConfigVisitor& v, controller::AttitudeControllerConfig& config);
-void Describe(ConfigVisitor& v, controller::FlightControllerConfig& config);
-
-}  // namespace touchdown::config
+}  // namespace touchdown::runner

@@ -3,7 +3,7 @@
 #include <functional>
 #include <optional>
 
-#include "estimator/estimator.h"
+#include "estimator/estimator_setup.h"
 #include "scenarios/util/stopwatch.h"
 
 namespace touchdown::runner {

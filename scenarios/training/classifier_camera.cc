@@ -3,11 +3,9 @@
 #include <array>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
-#include <vector>
 
 #include "sim/dynamics/mujoco_model.h"
-#include "sim/render/renderer.h"
-#include "sim/sensors/image_noise.h"
+#include "sim/sensors/imager.h"
 
 namespace touchdown::training {
 namespace {
@@ -24,26 +22,22 @@ sim::MujocoModel Painted(const sim::Scene& scene) {
 }  // namespace
 
 struct SceneCamera::Impl {
-  Impl(const sim::Scene& scene, sim::CameraOptics& optics_in)
+  Impl(const sim::Scene& scene, const sim::CameraOptics& optics, std::span<const double> noise_sigmas,
+       std::uint64_t seed)
       : model(Painted(scene)),
         data(sim::MakeData(*model)),
-        optics(optics_in),
-        renderer(*model, optics.pinhole_view()) {}
+        imager(*model, optics, {noise_sigmas.begin(), noise_sigmas.end()}, seed) {}
 
   sim::MujocoModel model;
   sim::MujocoData data;
-  sim::CameraOptics& optics;
-  sim::Renderer renderer;
-  std::vector<sim::ImageNoise> noises;
+  sim::Imager imager;
   sim::FineImage exposed;  ///< The view taken last, without noise ...
   int noise_level = -1;    ///< ... and which noise is its.
 };
 
-SceneCamera::SceneCamera(const sim::Scene& scene, sim::CameraOptics& optics, std::span<const double> noise_sigmas,
+SceneCamera::SceneCamera(const sim::Scene& scene, const sim::CameraOptics& optics, std::span<const double> noise_sigmas,
                          std::uint64_t seed)
-    : impl_(std::make_unique<Impl>(scene, optics)) {
-  for (const double sigma : noise_sigmas) impl_->noises.emplace_back(sigma, seed);
-}
+    : impl_(std::make_unique<Impl>(scene, optics, noise_sigmas, seed)) {}
 
 SceneCamera::~SceneCamera() = default;
 
@@ -51,7 +45,7 @@ models::Image SceneCamera::Take(const View& view) {
   const double half_s = 0.5 * view.exposure_s;
   const std::array<Eigen::Isometry3d, 3> path{view.PoseAt(-half_s), view.X_WC, view.PoseAt(half_s)};
   sim::FineImage& frame = impl_->exposed;
-  frame = impl_->optics.Expose(impl_->renderer.Render(*impl_->data, view.X_WC), path);
+  frame = impl_->imager.Expose(*impl_->data, path);
   cv::Mat_<std::uint16_t> levels(frame.height, frame.width, frame.pixels.data());
   if (view.defocus_px > 0.0) cv::GaussianBlur(levels, levels, {}, view.defocus_px);
   levels.convertTo(levels, CV_16U, view.contrast, view.brightness * kFineLevels);
@@ -61,7 +55,7 @@ models::Image SceneCamera::Take(const View& view) {
 
 models::Image SceneCamera::TakeAgain() {
   if (impl_->noise_level < 0) throw std::logic_error("no view was taken before");
-  return impl_->noises.at(static_cast<std::size_t>(impl_->noise_level)).Apply(impl_->exposed);
+  return impl_->imager.AddNoise(impl_->exposed, static_cast<std::size_t>(impl_->noise_level));
 }
 
 }  // namespace touchdown::training

@@ -11,14 +11,13 @@
 
 namespace touchdown::training {
 
-/// Takes frames of a scene from any place, by the means of the flight's camera: renderer, distortion, exposure blur,
-/// noise; and, beside them, lens blur and weak contrast.
+/// Takes frames of a scene from any place, with the flight's imager: renderer, distortion, exposure blur, noise; and,
+/// beside them, lens blur and weak contrast.
 class SceneCamera {
  public:
-  /// Builds the scene's model and its GL context. `optics` must outlive it. `noise_sigmas`, of 255, are the levels of
-  /// noise that View::noise_level chooses from; `seed` is the noise's. Throws std::runtime_error when there is no
-  /// context.
-  SceneCamera(const sim::Scene& scene, sim::CameraOptics& optics, std::span<const double> noise_sigmas,
+  /// Builds the scene's model and its GL context. `noise_sigmas`, of 255, are the levels of noise that
+  /// View::noise_level chooses from; `seed` is the noise's. Throws std::runtime_error when there is no context.
+  SceneCamera(const sim::Scene& scene, const sim::CameraOptics& optics, std::span<const double> noise_sigmas,
               std::uint64_t seed);
   ~SceneCamera();
   SceneCamera(const SceneCamera&) = delete;

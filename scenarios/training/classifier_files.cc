@@ -9,16 +9,16 @@
 namespace touchdown::training {
 namespace {
 
-using estimator::FrameTrace;
+using estimator::paper::ComponentClass;
 using models::PadLetter;
 
-constexpr std::array kLabels{FrameTrace::Label::kCircle, FrameTrace::Label::kH, FrameTrace::Label::kOther};
+constexpr std::array kLabels{ComponentClass::kCircle, ComponentClass::kH, ComponentClass::kOther};
 
 std::string WeightsFile(PadLetter letter) {
   return letter == PadLetter::kRectangle ? "classifier_weights_rectangle.c" : "classifier_weights.c";
 }
 
-std::string PatternFile(FrameTrace::Label label, PadLetter letter) {
+std::string PatternFile(ComponentClass label, PadLetter letter) {
   return std::string(ClassName(label, letter)) + ".png";
 }
 

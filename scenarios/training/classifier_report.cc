@@ -10,7 +10,7 @@
 namespace touchdown::training {
 namespace {
 
-using estimator::FrameTrace;
+using estimator::paper::ComponentClass;
 using models::PadLetter;
 
 std::array<std::string_view, kClasses> NamesFor(PadLetter letter) {
@@ -19,13 +19,13 @@ std::array<std::string_view, kClasses> NamesFor(PadLetter letter) {
 
 }  // namespace
 
-std::string_view ClassName(FrameTrace::Label label, PadLetter letter) {
+std::string_view ClassName(ComponentClass label, PadLetter letter) {
   return NamesFor(letter)[static_cast<std::size_t>(label)];
 }
 
-FrameTrace::Label LabelOf(const Perceptron& network, const estimator::paper::Pattern& pattern) {
+ComponentClass LabelOf(const Perceptron& network, const estimator::paper::Pattern& pattern) {
   const std::vector<double> posterior = network.Posteriors(pattern);
-  return static_cast<FrameTrace::Label>(std::max_element(posterior.begin(), posterior.end()) - posterior.begin());
+  return static_cast<ComponentClass>(std::max_element(posterior.begin(), posterior.end()) - posterior.begin());
 }
 
 int ConfusionMatrix::Total(int true_class) const {
@@ -87,7 +87,7 @@ std::string ToJson(const ConfusionMatrix& matrix, PadLetter letter) {
   return json.dump(2) + "\n";
 }
 
-cv::Mat1b PatternSheet(std::span<const LabelledPattern> patterns, FrameTrace::Label label, int columns, int rows) {
+cv::Mat1b PatternSheet(std::span<const LabelledPattern> patterns, ComponentClass label, int columns, int rows) {
   constexpr int kScale = 3, kPitch = estimator::paper::kPatternSide * kScale + 4;
   cv::Mat1b sheet(rows * kPitch, columns * kPitch, std::uint8_t{128});
   int placed = 0;

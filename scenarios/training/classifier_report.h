@@ -15,12 +15,12 @@ namespace touchdown::training {
 inline constexpr int kClasses = 3;
 
 /// "circle", "h" (or "rectangle") or "other".
-std::string_view ClassName(estimator::FrameTrace::Label label, models::PadLetter letter);
+std::string_view ClassName(estimator::paper::ComponentClass label, models::PadLetter letter);
 
 /// The class of the network's largest posterior.
-estimator::FrameTrace::Label LabelOf(const Perceptron& network, const estimator::paper::Pattern& pattern);
+estimator::paper::ComponentClass LabelOf(const Perceptron& network, const estimator::paper::Pattern& pattern);
 
-/// How many patterns of each true class (row) were given each class (column), in the order of FrameTrace::Label.
+/// How many patterns of each true class (row) were given each class (column), in the order of ComponentClass.
 struct ConfusionMatrix {
   std::array<std::array<int, kClasses>, kClasses> count{};
 
@@ -39,7 +39,7 @@ std::string ToText(const ConfusionMatrix& matrix, models::PadLetter letter);
 std::string ToJson(const ConfusionMatrix& matrix, models::PadLetter letter);
 
 /// The first patterns of a class as a sheet of `columns` x `rows` enlarged pictures.
-cv::Mat1b PatternSheet(std::span<const LabelledPattern> patterns, estimator::FrameTrace::Label label, int columns,
+cv::Mat1b PatternSheet(std::span<const LabelledPattern> patterns, estimator::paper::ComponentClass label, int columns,
                        int rows);
 
 }  // namespace touchdown::training

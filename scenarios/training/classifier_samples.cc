@@ -11,11 +11,11 @@
 namespace touchdown::training {
 namespace {
 
-using estimator::FrameTrace;
 using estimator::paper::Component;
+using estimator::paper::ComponentClass;
 using estimator::paper::ComponentSet;
 using models::RandomStream;
-using Labels = std::vector<std::optional<FrameTrace::Label>>;
+using Labels = std::vector<std::optional<ComponentClass>>;
 
 constexpr double kPadViews = 0.4;
 
@@ -39,10 +39,10 @@ sim::Scene DrawScene(const SceneSamplesConfig& config, RandomStream& random) {
   return drawn;
 }
 
-cv::Scalar Colour(const std::optional<FrameTrace::Label>& label) {
+cv::Scalar Colour(const std::optional<ComponentClass>& label) {
   if (!label) return {0, 220, 255};
-  if (*label == FrameTrace::Label::kCircle) return {0, 200, 0};
-  return *label == FrameTrace::Label::kH ? cv::Scalar(255, 80, 0) : cv::Scalar(0, 0, 230);
+  if (*label == ComponentClass::kCircle) return {0, 200, 0};
+  return *label == ComponentClass::kH ? cv::Scalar(255, 80, 0) : cv::Scalar(0, 0, 230);
 }
 
 cv::Mat3b Picture(models::Image& image, const ComponentSet& set, const Labels& labels) {
@@ -62,7 +62,7 @@ void AddPatterns(const ComponentSet& set, const Labels& labels, int most_clutter
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (!labels[i]) {
       ++samples.unclear;
-    } else if (*labels[i] == FrameTrace::Label::kOther) {
+    } else if (*labels[i] == ComponentClass::kOther) {
       clutter.push_back(i);
     } else {
       samples.patterns.push_back({estimator::paper::PatternOf(set, set.components[i]), *labels[i]});
@@ -71,7 +71,7 @@ void AddPatterns(const ComponentSet& set, const Labels& labels, int most_clutter
   for (int n = 0; n < most_clutter && !clutter.empty(); ++n) {
     const auto pick = static_cast<std::size_t>(random.UniformInt(0, static_cast<int>(clutter.size()) - 1));
     samples.patterns.push_back(
-        {estimator::paper::PatternOf(set, set.components[clutter[pick]]), FrameTrace::Label::kOther});
+        {estimator::paper::PatternOf(set, set.components[clutter[pick]]), ComponentClass::kOther});
     clutter[pick] = clutter.back();
     clutter.pop_back();
   }
@@ -101,7 +101,7 @@ models::LandingPad DrawPad(models::PadLetter letter, RandomStream& random) {
   return pad;
 }
 
-SceneSamples CollectSceneSamples(const SceneSamplesConfig& config, sim::CameraOptics& optics, std::uint64_t seed,
+SceneSamples CollectSceneSamples(const SceneSamplesConfig& config, const sim::CameraOptics& optics, std::uint64_t seed,
                                  int pictures) {
   config.Validate();
   RandomStream random(seed, "classifier.scene");

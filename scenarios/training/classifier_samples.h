@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "estimator/estimator.h"
 #include "estimator/paper/classifier.h"
 #include "models/camera_model.h"
 #include "models/landing_pad.h"
@@ -20,7 +19,7 @@ namespace touchdown::training {
 /// A component as the classifier sees it, and what it is.
 struct LabelledPattern {
   estimator::paper::Pattern pattern{};
-  estimator::FrameTrace::Label label = estimator::FrameTrace::Label::kOther;
+  estimator::paper::ComponentClass label = estimator::paper::ComponentClass::kOther;
 };
 
 /// What one scene gives.
@@ -51,7 +50,7 @@ models::LandingPad DrawPad(models::PadLetter letter, models::RandomStream& rando
 /// truth. Four views in ten look for the pad, the others for a lone ring or letter. Among lone rectangles every third
 /// is an H instead: clutter. The same seed gives the same samples. `optics` are config.camera's. `pictures` is how many
 /// annotated frames to keep.
-SceneSamples CollectSceneSamples(const SceneSamplesConfig& config, sim::CameraOptics& optics, std::uint64_t seed,
+SceneSamples CollectSceneSamples(const SceneSamplesConfig& config, const sim::CameraOptics& optics, std::uint64_t seed,
                                  int pictures);
 
 }  // namespace touchdown::training

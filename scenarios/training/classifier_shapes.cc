@@ -4,12 +4,13 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "models/pad_outline.h"
 #include "sim/scene/prints.h"
 
 namespace touchdown::training {
 namespace {
 
-using estimator::FrameTrace;
+using estimator::paper::ComponentClass;
 
 constexpr double kTexelsPerMetre = 1000.0;
 
@@ -47,7 +48,7 @@ double LargestDisc(const cv::Mat1b& texels) {
   return 2.0 * largest / kTexelsPerMetre;
 }
 
-GroundShape ShapeOf(FrameTrace::Label label, const Sheet& sheet) {
+GroundShape ShapeOf(ComponentClass label, const Sheet& sheet) {
   std::vector<cv::Point> texels, hull;
   cv::findNonZero(sheet.ink, texels);
   cv::convexHull(texels, hull);
@@ -70,11 +71,12 @@ Sheet PadSheet(const models::LandingPad& pad, bool ring) {
   sheet.size_m = {pad.sheet_length_m, pad.sheet_width_m};
   const cv::Size size = Texels(sheet.size_m);
   sheet.ink = cv::Mat1b::zeros(size);
+  const models::PadOutline outline(pad);
   for (int row = 0; row < size.height; ++row) {
     for (int column = 0; column < size.width; ++column) {
       const Eigen::Vector2d p_W = sheet.PointAt(column + 0.5, row + 0.5);
-      const bool on_ring = p_W.norm() >= pad.inner_radius_m() && pad.IsBlack(p_W);
-      if (ring ? on_ring : pad.IsLetter(p_W)) sheet.ink(row, column) = 255;
+      const bool on_ring = p_W.norm() >= pad.inner_radius_m() && outline.IsBlack(p_W);
+      if (ring ? on_ring : outline.IsLetter(p_W)) sheet.ink(row, column) = 255;
     }
   }
   return sheet;
@@ -98,15 +100,15 @@ Sheet LoneSheet(const sim::SceneItem& item) {
 std::vector<GroundShape> ShapesOf(const sim::Scene& scene) {
   std::vector<GroundShape> shapes;
   if (scene.config.pad) {
-    shapes.push_back(ShapeOf(FrameTrace::Label::kCircle, PadSheet(scene.pad, true)));
-    shapes.push_back(ShapeOf(FrameTrace::Label::kH, PadSheet(scene.pad, false)));
+    shapes.push_back(ShapeOf(ComponentClass::kCircle, PadSheet(scene.pad, true)));
+    shapes.push_back(ShapeOf(ComponentClass::kH, PadSheet(scene.pad, false)));
   }
   const bool solid = scene.pad.letter() == models::PadLetter::kRectangle;
   const auto letter_kind = solid ? sim::SceneItem::Kind::kRectangle : sim::SceneItem::Kind::kLetterH;
   for (const sim::SceneItem& item : scene.items) {
     const bool ring = item.kind == sim::SceneItem::Kind::kRing;
     if (!ring && item.kind != letter_kind) continue;
-    shapes.push_back(ShapeOf(ring ? FrameTrace::Label::kCircle : FrameTrace::Label::kH, LoneSheet(item)));
+    shapes.push_back(ShapeOf(ring ? ComponentClass::kCircle : ComponentClass::kH, LoneSheet(item)));
   }
   return shapes;
 }

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "estimator/estimator.h"
+#include "estimator/paper/classifier.h"
 #include "models/camera_model.h"
 #include "sim/scene/scene.h"
 
@@ -14,7 +14,7 @@ namespace touchdown::training {
 
 /// A ring or a letter as the pad's printed on the floor, as the truth has it.
 struct GroundShape {
-  estimator::FrameTrace::Label label = estimator::FrameTrace::Label::kOther;
+  estimator::paper::ComponentClass label = estimator::paper::ComponentClass::kOther;
   Eigen::Vector2d position_m = Eigen::Vector2d::Zero();  ///< Centre of its ink's bounding box, in W.
   double yaw = 0.0;                                      ///< Of its axes, from W's.
   double radius_m = 0.0;                                 ///< From there to the farthest ink.

@@ -12,7 +12,7 @@
 namespace touchdown::training {
 namespace {
 
-using estimator::FrameTrace;
+using estimator::paper::ComponentClass;
 using models::RandomStream;
 using Patterns = std::vector<LabelledPattern>;
 
@@ -53,7 +53,7 @@ struct Pool {
 /// What the part's scenes give, the first frame of each of the first scenes kept as a picture.
 Pool Collect(const ClassifierStudyConfig& config, std::uint64_t seed, const std::string& part, int scenes,
              Count& count) {
-  sim::CameraOptics optics(config.scene.camera);
+  const sim::CameraOptics optics(config.scene.camera);
   Pool pool;
   for (int scene = 0; scene < scenes; ++scene) {
     const int pictures = scene < kPictures ? 1 : 0;
@@ -66,7 +66,7 @@ Pool Collect(const ClassifierStudyConfig& config, std::uint64_t seed, const std:
   return pool;
 }
 
-Patterns OfClass(const Patterns& patterns, FrameTrace::Label label) {
+Patterns OfClass(const Patterns& patterns, ComponentClass label) {
   Patterns result;
   std::copy_if(patterns.begin(), patterns.end(), std::back_inserter(result),
                [&](const LabelledPattern& each) { return each.label == label; });
@@ -96,7 +96,7 @@ std::vector<TrainingSample> SamplesOf(const Patterns& patterns) {
 
 /// The clutter that `network` finds least like clutter comes first.
 void SortByHardness(Patterns& clutter, const Perceptron& network) {
-  constexpr auto kOther = static_cast<std::size_t>(FrameTrace::Label::kOther);
+  constexpr auto kOther = static_cast<std::size_t>(ComponentClass::kOther);
   std::vector<double> posterior;
   for (const LabelledPattern& each : clutter) posterior.push_back(network.Posteriors(each.pattern)[kOther]);
   std::vector<std::size_t> order(clutter.size());
@@ -112,9 +112,9 @@ void SortByHardness(Patterns& clutter, const Perceptron& network) {
 Patterns ChooseTrainingSet(const ClassifierStudyConfig& config, const Patterns& pool, const Patterns& validation,
                            std::uint64_t seed) {
   RandomStream random(seed, "classifier.choice");
-  Patterns shapes = Some(OfClass(pool, FrameTrace::Label::kCircle), config.circles, random);
-  Append(shapes, Some(OfClass(pool, FrameTrace::Label::kH), config.letters, random));
-  Patterns clutter = OfClass(pool, FrameTrace::Label::kOther);
+  Patterns shapes = Some(OfClass(pool, ComponentClass::kCircle), config.circles, random);
+  Append(shapes, Some(OfClass(pool, ComponentClass::kH), config.letters, random));
+  Patterns clutter = OfClass(pool, ComponentClass::kOther);
 
   Patterns first = shapes;
   Append(first, Some(clutter, config.clutter, random));

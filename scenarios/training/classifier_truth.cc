@@ -8,8 +8,8 @@
 namespace touchdown::training {
 namespace {
 
-using estimator::FrameTrace;
 using estimator::paper::Component;
+using estimator::paper::ComponentClass;
 using estimator::paper::ComponentSet;
 
 enum class Match { kNone, kUnclear, kFragment, kShape };
@@ -79,18 +79,18 @@ Match MatchOf(const Component& component, const ProjectedShape& shape, const cv:
 
 }  // namespace
 
-std::vector<std::optional<FrameTrace::Label>> LabelComponents(
-    const ComponentSet& set, std::span<const GroundShape> shapes,
-    std::span<const std::optional<ProjectedShape>> projections, const cv::Size& image, double blur_px,
-    const TruthConfig& config) {
-  std::vector<std::optional<FrameTrace::Label>> labels;
+std::vector<std::optional<ComponentClass>> LabelComponents(const ComponentSet& set, std::span<const GroundShape> shapes,
+                                                           std::span<const std::optional<ProjectedShape>> projections,
+                                                           const cv::Size& image, double blur_px,
+                                                           const TruthConfig& config) {
+  std::vector<std::optional<ComponentClass>> labels;
   for (const Component& component : set.components) {
-    std::optional<FrameTrace::Label> label = FrameTrace::Label::kOther;
+    std::optional<ComponentClass> label = ComponentClass::kOther;
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       const Match match = projections[i] ? MatchOf(component, *projections[i], image, blur_px, config) : Match::kNone;
       if (match == Match::kUnclear) label.reset();
       if (match == Match::kShape) {
-        const bool melted = shapes[i].label == FrameTrace::Label::kCircle && !Hollow(set, component);
+        const bool melted = shapes[i].label == ComponentClass::kCircle && !Hollow(set, component);
         label = melted ? std::nullopt : std::optional(shapes[i].label);
         break;
       }

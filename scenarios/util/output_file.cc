@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-InputError Unusable(const fs::path& place, std::string_view why) {
+InputError UnusableFile(const fs::path& place, std::string_view why) {
   return InputError(fmt::format("output file {}: {}", place.string(), why));
 }
 
@@ -40,10 +40,10 @@ void Sync(const fs::path& place) {
 void CheckOutputFile(const fs::path& place, std::string_view mark) {
   std::error_code error;
   const fs::file_status status = fs::status(place, error);
-  if (!place.has_filename()) throw Unusable(place, "is no place for a file");
+  if (!place.has_filename()) throw UnusableFile(place, "is no place for a file");
   if (!fs::exists(status)) return;
-  if (!fs::is_regular_file(status)) throw Unusable(place, "is something else than a file");
-  if (!Holds(place, mark)) throw Unusable(place, "is there already, and something else; nothing was written");
+  if (!fs::is_regular_file(status)) throw UnusableFile(place, "is something else than a file");
+  if (!Holds(place, mark)) throw UnusableFile(place, "is there already, and something else; nothing was written");
 }
 
 void WriteOutputFile(const fs::path& place, std::string_view content, std::string_view mark) {
@@ -51,7 +51,7 @@ void WriteOutputFile(const fs::path& place, std::string_view content, std::strin
   CheckOutputFile(place, mark);
   std::error_code error;
   if (place.has_parent_path()) fs::create_directories(place.parent_path(), error);
-  if (error) throw Unusable(place, error.message());
+  if (error) throw UnusableFile(place, error.message());
   const fs::path temporary = place.parent_path() / fmt::format(".{}.partial-{}", place.filename().string(), getpid());
   std::ofstream file(temporary, std::ios::binary);
   file.write(content.data(), static_cast<std::streamsize>(content.size()));
@@ -64,7 +64,7 @@ void WriteOutputFile(const fs::path& place, std::string_view content, std::strin
   if (!file || error) {
     std::error_code ignored;
     fs::remove(temporary, ignored);
-    throw Unusable(place, "cannot be written");
+    throw UnusableFile(place, "cannot be written");
   }
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-InputError Unusable(const fs::path& place, std::string_view why) {
+InputError UnusableFolder(const fs::path& place, std::string_view why) {
   return InputError(fmt::format("output folder {}: {}", place.string(), why));
 }
 
@@ -28,7 +28,7 @@ OutputFolder::OutputFolder(const fs::path& place, FolderKind kind) : kind_(std::
     if (!error && place_.has_parent_path() && place_ != place_.root_path()) {
       place_ = place_.parent_path();
     } else {
-      throw Unusable(place, "is no place for a folder");
+      throw UnusableFolder(place, "is no place for a folder");
     }
   }
   CheckPlace();
@@ -39,15 +39,15 @@ void OutputFolder::CheckPlace() const {
   std::error_code error;
   const fs::file_status status = fs::status(place_, error);
   if (!fs::exists(status)) return;
-  if (!fs::is_directory(status)) throw Unusable(place_, "is a file");
+  if (!fs::is_directory(status)) throw UnusableFolder(place_, "is a file");
   if (fs::equivalent(place_, fs::current_path(error), error)) {
-    throw Unusable(place_, "is the folder you are in; name another");
+    throw UnusableFolder(place_, "is the folder you are in; name another");
   }
   const bool empty = fs::is_empty(place_, error);
-  if (error) throw Unusable(place_, error.message());
+  if (error) throw UnusableFolder(place_, error.message());
   if (!empty && !IsOfKind()) {
-    throw Unusable(place_, fmt::format("holds other files (and no {} of an earlier run); nothing was written",
-                                       kind_.files.front()));
+    throw UnusableFolder(place_, fmt::format("holds other files (and no {} of an earlier run); nothing was written",
+                                             kind_.files.front()));
   }
   CheckSubfolders();
 }
@@ -60,10 +60,10 @@ void OutputFolder::CheckSubfolders() const {
     for (fs::recursive_directory_iterator entry(inside, error), end; !error && entry != end; entry.increment(error)) {
       const fs::path file = entry->path().lexically_relative(inside);
       if (entry->is_directory() || subfolder.holds(file)) continue;
-      throw Unusable(place_, fmt::format("{} is no file of an earlier run; nothing was written",
-                                         (subfolder.name / file).string()));
+      throw UnusableFolder(place_, fmt::format("{} is no file of an earlier run; nothing was written",
+                                               (subfolder.name / file).string()));
     }
-    if (error) throw Unusable(inside, error.message());
+    if (error) throw UnusableFolder(inside, error.message());
   }
 }
 
@@ -88,7 +88,7 @@ void OutputFolder::MakeFolders() {
   if (error) {
     const std::string why = error.message();
     for (auto parent = made_.rbegin(); parent != made_.rend(); ++parent) fs::remove(*parent, error);
-    throw Unusable(place_, why);
+    throw UnusableFolder(place_, why);
   }
 }
 
@@ -103,7 +103,7 @@ void OutputFolder::Write(std::string_view name, std::string_view content) {
   std::ofstream file(PathOf(name), std::ios::binary);
   file.write(content.data(), static_cast<std::streamsize>(content.size()));
   file.close();
-  if (!file) throw Unusable(place_, fmt::format("{} cannot be written", name));
+  if (!file) throw UnusableFolder(place_, fmt::format("{} cannot be written", name));
 }
 
 void OutputFolder::Commit() {
@@ -111,9 +111,9 @@ void OutputFolder::Commit() {
   if (temporary_.parent_path() == place_) {
     ReplaceFiles();
   } else {
-    if (fs::exists(place_, error)) throw Unusable(place_, "has come into being meanwhile");
+    if (fs::exists(place_, error)) throw UnusableFolder(place_, "has come into being meanwhile");
     fs::rename(temporary_, place_, error);
-    if (error) throw Unusable(place_, error.message());
+    if (error) throw UnusableFolder(place_, error.message());
   }
   committed_ = true;
 }
@@ -123,11 +123,11 @@ void OutputFolder::ReplaceFiles() const {
   std::error_code error;
   for (const std::string& name : kind_.files) {
     fs::remove(place_ / name, error);
-    if (error) throw Unusable(place_, fmt::format("{}: {}", name, error.message()));
+    if (error) throw UnusableFolder(place_, fmt::format("{}: {}", name, error.message()));
   }
   for (const SubfolderKind& subfolder : kind_.subfolders) {
     fs::remove_all(place_ / subfolder.name, error);
-    if (error) throw Unusable(place_, fmt::format("{}: {}", subfolder.name, error.message()));
+    if (error) throw UnusableFolder(place_, fmt::format("{}: {}", subfolder.name, error.message()));
   }
   for (const SubfolderKind& subfolder : kind_.subfolders) MoveIn(subfolder.name);
   for (auto name = kind_.files.rbegin(); name != kind_.files.rend(); ++name) MoveIn(*name);
@@ -137,7 +137,7 @@ void OutputFolder::MoveIn(const std::string& name) const {
   std::error_code error;
   if (!fs::exists(temporary_ / name, error)) return;
   fs::rename(temporary_ / name, place_ / name, error);
-  if (error) throw Unusable(place_, fmt::format("{}: {}", name, error.message()));
+  if (error) throw UnusableFolder(place_, fmt::format("{}: {}", name, error.message()));
 }
 
 }  // namespace touchdown::util

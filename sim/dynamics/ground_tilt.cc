@@ -11,16 +11,21 @@ namespace {
 
 constexpr double kSteepest = models::DegToRad(15.0);
 
+models::TaitBryan Angles(const GroundTilt& ground) {
+  return {.roll = models::DegToRad(ground.roll_deg), .pitch = models::DegToRad(ground.pitch_deg), .yaw = 0.0};
+}
+
 }  // namespace
 
 void GroundTilt::Validate() const {
+  const auto [roll, pitch, yaw] = Angles(*this);
   if (!(std::cos(roll) * std::cos(pitch) >= std::cos(kSteepest))) {
     throw InputError("the ground must not be steeper than 15 degrees");
   }
 }
 
 Eigen::Vector3d GroundTilt::Gravity() const {
-  const Eigen::Matrix3d R_LW = models::RotationFromTaitBryan({.roll = roll, .pitch = pitch, .yaw = 0.0});
+  const Eigen::Matrix3d R_LW = models::RotationFromTaitBryan(Angles(*this));
   return R_LW.transpose() * Eigen::Vector3d(0.0, 0.0, -models::kGravity_m_s2);
 }
 

@@ -9,8 +9,8 @@ namespace touchdown::sim {
 /// L is the level frame that W becomes when the ground is levelled: R_LW = Ry(pitch) Rx(roll). A positive roll lowers
 /// the ground towards -Y, a positive pitch towards +X.
 struct GroundTilt {
-  double roll = 0.0;
-  double pitch = 0.0;
+  double roll_deg = 0.0;
+  double pitch_deg = 0.0;
 
   /// Throws InputError when an angle is not finite or the ground is steeper than 15 degrees.
   void Validate() const;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "models/angles.h"
-#include "models/error.h"
 
 namespace touchdown::sim {
 namespace {
@@ -15,10 +14,6 @@ constexpr double kLowest_m = 0.35;
 constexpr double kLift_s = 2.5;  // To the first of its heights.
 constexpr double kOff = 0.25;    // Of the height: how far off the pad, along each axis.
 
-void RequireWithin(double value, double low, double high, const char* what) {
-  if (!(value >= low && value <= high)) throw InputError(std::string("the hand's ") + what + " is out of its range");
-}
-
 /// From 0 to 1 over [0, 1], at rest at both ends.
 double LeastJerk(double s) {
   s = std::clamp(s, 0.0, 1.0);
@@ -27,15 +22,23 @@ double LeastJerk(double s) {
 
 }  // namespace
 
-void HandConfig::Validate() const {
-  RequireWithin(duration_s, 10.0, 600.0, "duration");
-  RequireWithin(max_height_m, 0.5, 3.0, "height");
-  RequireWithin(max_tilt_rad, 0.0, 0.7, "tilt");
-  RequireWithin(max_yaw_rad, 0.0, 1.4, "yaw");
-  RequireWithin(tremor_m, 0.0, 0.01, "tremor");
-  RequireWithin(tremor_rad, 0.0, 0.01, "tremor");
-  RequireWithin(tremor_hz, 0.1, 30.0, "tremor's frequency");
+void Describe(models::ConfigVisitor& v, HandConfig& c) {
+  using namespace models;
+  v.Boolean({"carries", "Whether a hand carries the vehicle, which then starts on the ground and has no script."},
+            c.carries);
+  v.Number({"duration_s", "Time from lifting the vehicle to the end."}, c.duration_s, kSecond, Between(10.0, 600.0));
+  v.Number({"max_height_m", "Largest height of the body's origin, reached at least once."}, c.max_height_m, kMeter,
+           Between(0.5, 3.0));
+  v.Number({"max_tilt_deg", "Largest roll and largest pitch, each reached at least once."}, c.max_tilt_deg, kDegree,
+           Between(0.0, 40.0));
+  v.Number({"max_yaw_deg", "Largest yaw to either side, reached at least once."}, c.max_yaw_deg, kDegree,
+           Between(0.0, 80.0));
+  v.Number({"tremor_m", "Amplitude of the hand's tremor along each axis."}, c.tremor_m, kMeter, Between(0.0, 0.01));
+  v.Number({"tremor_deg", "Amplitude of the hand's tremor about each axis."}, c.tremor_deg, kDegree, Between(0.0, 0.5));
+  v.Number({"tremor_hz", "Frequency of the hand's tremor."}, c.tremor_hz, kHertz, Between(0.1, 30.0));
 }
+
+void HandConfig::Validate() const { models::ValidateConfig(*this); }
 
 Hand::Wander::Wander(double start, double middle, double reach, double duration_s, models::RandomStream& random)
     : times_s_{0.0}, values_{start} {
@@ -68,8 +71,8 @@ Hand::Hand(const HandConfig& config, const Eigen::Isometry3d& X_WB, const models
   };
   const double half_range_m = 0.5 * (config.max_height_m - kLowest_m);
   wander(X_WB.translation().z(), kLowest_m + half_range_m, half_range_m);
-  for (int i = 0; i < 2; ++i) wander(0.0, 0.0, config.max_tilt_rad);
-  wander(models::TaitBryanFromRotation(X_WB.linear()).yaw, 0.0, config.max_yaw_rad);
+  for (int i = 0; i < 2; ++i) wander(0.0, 0.0, models::DegToRad(config.max_tilt_deg));
+  wander(models::TaitBryanFromRotation(X_WB.linear()).yaw, 0.0, models::DegToRad(config.max_yaw_deg));
   for (int i = 0; i < 2; ++i) wander(0.0, 0.0, kOff);
   for (int i = 0; i < 6; ++i) tremor_phases_.push_back(random.Uniform(-models::kPi, models::kPi));
 }
@@ -91,7 +94,7 @@ Eigen::Isometry3d Hand::PoseAt(double t_s) const {
   X_WB.translation() = value(0) * Vector3d(value(4), value(5), 1.0);
   X_WB.translation().head<2>() += (1.0 - grip) * X_WB_standing_.translation().head<2>();
   X_WB.translation() += tremor(0, config_.tremor_m);
-  X_WB.linear() *= models::RotationExp(tremor(3, config_.tremor_rad));
+  X_WB.linear() *= models::RotationExp(tremor(3, models::DegToRad(config_.tremor_deg)));
   return X_WB;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "models/describe.h"
 #include "models/random_stream.h"
 #include "models/time.h"
 
@@ -12,19 +13,20 @@ namespace touchdown::sim {
 
 /// A hand that lifts the vehicle off the pad and moves and tilts it above the pad, motors off (Sec. VI-B.1).
 struct HandConfig {
-  bool carries = false;  ///< Otherwise the vehicle flies.
+  bool carries = false;
   double duration_s = 45.0;
-  double max_height_m = 1.5;   ///< Of the body's origin, reached once at least.
-  double max_tilt_rad = 0.45;  ///< Of roll and of pitch, each reached once at least: 26 degrees.
-  double max_yaw_rad = 0.70;   ///< 40 degrees.
-  double tremor_m = 0.0002;    ///< Amplitude of the hand's tremor, along each axis ...
-  double tremor_rad = 0.0008;  ///< ... and about each.
-  double tremor_hz = 9.0;      ///< Physiological tremor has 8 to 12 Hz.
+  double max_height_m = 1.5;
+  double max_tilt_deg = 25.783100780887047;
+  double max_yaw_deg = 40.10704565915762;
+  double tremor_m = 0.0002;
+  double tremor_deg = 0.04583662361046586;
+  double tremor_hz = 9.0;  // Physiological tremor has 8 to 12 Hz.
 
-  /// Throws InputError when a number is not finite or out of its range: the duration [10, 600] s, the height [0.5, 3]
-  /// m, tilt and yaw [0, 0.7] and [0, 1.4] rad, tremors [0, 0.01], its frequency (0, 30] Hz.
+  /// Throws InputError for a value out of its range (see Describe).
   void Validate() const;
 };
+
+void Describe(models::ConfigVisitor& v, HandConfig& config);
 
 /// A body's pose and velocities.
 struct BodyMotion {

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "models/angles.h"
-#include "models/error.h"
 #include "models/random_stream.h"
 
 namespace touchdown::sim {
@@ -28,11 +27,13 @@ void AddForceAt(const Eigen::Vector3d& p_B, const Eigen::Vector3d& force, Wrench
 
 }  // namespace
 
-void VibrationConfig::Validate() const {
-  if (!std::isfinite(imbalance_kg_m) || imbalance_kg_m < 0.0) {
-    throw InputError("the rotors' imbalance must be finite and not negative");
-  }
+void Describe(models::ConfigVisitor& v, VibrationConfig& c) {
+  v.Number({"imbalance_kg_m",
+            "Imbalance of each rotor, mass times eccentricity, within 20 %. Larger shakes IMU and camera more."},
+           c.imbalance_kg_m, {"kg m"}, models::Between(0.0, 1.0));
 }
+
+void VibrationConfig::Validate() const { models::ValidateConfig(*this); }
 
 Rotors::Rotors(const models::Vehicle& vehicle, const VibrationConfig& vibration, const models::TimeBase& time,
                std::uint64_t seed)

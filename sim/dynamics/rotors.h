@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "models/describe.h"
 #include "models/signals.h"
 #include "models/time.h"
 #include "models/vehicle.h"
@@ -12,11 +13,13 @@ namespace touchdown::sim {
 
 /// Rotor imbalance (Sec. VI-B.2: "motion blur from the vibration of the quadrotor").
 struct VibrationConfig {
-  double imbalance_kg_m = 1.0e-6;  ///< Of each rotor, +-20 %: mass times eccentricity.
+  double imbalance_kg_m = 1.0e-6;
 
-  /// Throws InputError when the imbalance is negative or not finite.
+  /// Throws InputError for a value out of its range (see Describe).
   void Validate() const;
 };
+
+void Describe(models::ConfigVisitor& v, VibrationConfig& config);
 
 /// Force and torque on the body at its origin, in B.
 struct Wrench {

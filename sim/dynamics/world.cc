@@ -34,11 +34,18 @@ Eigen::Isometry3d UprightPose(const Vector3d& p_WB, double yaw) {
 
 }  // namespace
 
-void WorldConfig::Validate() const {
-  vibration.Validate();
-  ground_tilt.Validate();
-  if (!wind_m_s.allFinite()) throw InputError("the wind must be finite");
+void Describe(models::ConfigVisitor& v, WorldConfig& c) {
+  v.Vector3({"wind_m_s", "Mean wind in W, until an event changes it."}, c.wind_m_s, models::kMeterPerSecond,
+            models::Between(-50.0, 50.0));
+  v.Numbers({"ground_tilt_deg",
+             "Roll and pitch of the ground, and of W with it, against level. The slope is at most 15 "
+             "degrees."},
+            {&c.ground_tilt.roll_deg, &c.ground_tilt.pitch_deg}, models::kDegree, models::Between(-15.0, 15.0));
+  Describe(v, c.vibration);
+  v.Check("ground_tilt_deg", [&c] { c.ground_tilt.Validate(); });
 }
+
+void WorldConfig::Validate() const { models::ValidateConfig(*this); }
 
 World::World(const WorldConfig& config, const models::Vehicle& vehicle, const Scene& scene,
              const models::TimeBase& time, std::uint64_t seed)

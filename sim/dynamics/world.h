@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "models/describe.h"
 #include "models/signals.h"
 #include "models/time.h"
 #include "models/vehicle.h"
@@ -19,13 +20,15 @@ namespace touchdown::sim {
 
 struct WorldConfig {
   VibrationConfig vibration;
-  Eigen::Vector3d wind_m_s = Eigen::Vector3d::Zero();  ///< Mean wind in W.
+  Eigen::Vector3d wind_m_s = Eigen::Vector3d::Zero();
   GroundTilt ground_tilt = {};
   bool paint_textures = true;  ///< Only a renderer needs them, and they take most of the start.
 
-  /// Throws InputError when a number is not finite, the imbalance negative or the ground too steep.
+  /// Throws InputError for a value out of its range (see Describe), or when the ground is too steep.
   void Validate() const;
 };
+
+void Describe(models::ConfigVisitor& v, WorldConfig& config);
 
 /// MuJoCo flies the vehicle over the scene: rotors, drag, wind, gravity, contact. One Step is one tick.
 ///

@@ -43,7 +43,7 @@ class CameraOptics {
   const FineImage& Expose(const models::Image& pinhole, ExposurePath X_WC);
 
   /// How many views the exposure is the mean of: 1 as long as no pixel moves by more than a quarter of a pixel, else as
-  /// many as keep them 0.75 px apart or closer, up to kMaxTaps.
+  /// many as keep them 1 px apart or closer, up to kMaxTaps.
   int TapsFor(ExposurePath X_WC) const;
 
  private:

@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kMaxGeoms = 400;
 /// 24 bits of depth from 2 cm to 40 m tell sheets 0.2 mm apart up to 8 m away.
-constexpr double kNear_m = 0.02;
-constexpr double kFar_m = 40.0;
+constexpr double kNearPlane_m = 0.02;
+constexpr double kFarPlane_m = 40.0;
 
 /// OpenGL's camera looks along its -Z and has Y up. The frustum is cut so that the principal point falls where the view
 /// wants it, to the fraction of a pixel.
@@ -25,12 +25,12 @@ mjvGLCamera CameraFor(const PinholeView& view, const Eigen::Isometry3d& X_WC) {
     camera.forward[i] = static_cast<float>(X_WC.linear()(i, 2));
     camera.up[i] = static_cast<float>(-X_WC.linear()(i, 1));
   }
-  const double metres_per_px = kNear_m / view.focal_px;
+  const double metres_per_px = kNearPlane_m / view.focal_px;
   camera.frustum_center = static_cast<float>((0.5 * (view.width_px - 1) - view.cx_px) * metres_per_px);
   camera.frustum_top = static_cast<float>((view.cy_px + 0.5) * metres_per_px);
   camera.frustum_bottom = static_cast<float>((view.cy_px + 0.5 - view.height_px) * metres_per_px);
-  camera.frustum_near = static_cast<float>(kNear_m);
-  camera.frustum_far = static_cast<float>(kFar_m);
+  camera.frustum_near = static_cast<float>(kNearPlane_m);
+  camera.frustum_far = static_cast<float>(kFarPlane_m);
   return camera;
 }
 

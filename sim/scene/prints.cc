@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "models/angles.h"
+#include "models/pad_outline.h"
 #include "models/random_stream.h"
 
 namespace touchdown::sim {
@@ -205,8 +206,9 @@ cv::Mat1b PaintStone(const SceneItem& item, int face_width) {
 
 cv::Mat1b PrintPad(const models::LandingPad& pad, int width, int height) {
   constexpr int kSide = 5;
+  const models::PadOutline outline(pad);
   const auto black = [&](double column, double row) {
-    return pad.IsBlack({(column / width - 0.5) * pad.sheet_length_m, (0.5 - row / height) * pad.sheet_width_m});
+    return outline.IsBlack({(column / width - 0.5) * pad.sheet_length_m, (0.5 - row / height) * pad.sheet_width_m});
   };
   cv::Mat1b at_corners(height + 1, width + 1);
   for (int j = 0; j <= height; ++j) {

@@ -13,7 +13,7 @@ namespace touchdown::sim {
 inline constexpr double kPaper = 225.0;
 inline constexpr double kInk = 25.0;
 
-/// The landing pad's sheet, each texel the mean of 25 samples of LandingPad::IsBlack where an edge crosses it.
+/// The landing pad's sheet, each texel the mean of 25 samples of PadOutline::IsBlack where an edge crosses it.
 cv::Mat1b PrintPad(const models::LandingPad& pad, int width, int height);
 
 /// A ring, a letter H, a rectangle or a poster, drawn from the item's texture_seed for its aspect. Throws

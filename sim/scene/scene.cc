@@ -104,28 +104,35 @@ class Layout {
   SceneItem pad_sheet_;
 };
 
-void CheckCount(int count, const char* name) {
-  if (count < 0 || count > 40) throw InputError(std::string("scene: ") + name + " must be between 0 and 40");
-}
-
 }  // namespace
 
-void SceneConfig::Validate() const {
-  if (!(floor_size_m >= 4.0 && floor_size_m <= 30.0)) {
-    throw InputError("scene: floor_size_m must be between 4 and 30");
-  }
-  CheckCount(posters, "posters");
-  CheckCount(lone_circles, "lone_circles");
-  CheckCount(lone_letters, "lone_letters");
-  CheckCount(objects, "objects");
-  if (posters + lone_circles + lone_letters + objects > 80) {
-    throw InputError("scene: posters, lone_circles, lone_letters and objects must be at most 80 together");
-  }
-  if (!(illumination > 0.0 && illumination <= 4.0)) {
-    throw InputError("scene: illumination must be above 0 and at most 4");
-  }
-  sun.Validate();
+void Describe(models::ConfigVisitor& v, SceneConfig& c) {
+  using namespace models;
+  constexpr Range kCount = Between(0, 40);
+  v.Choice(
+      {"setting",
+       "Surroundings: indoor is a floor between four walls, outdoor a meadow with a path past the pad, in the sun."},
+      c.setting, SceneConfig::kSettingNames);
+  v.Number({"floor_size_m", "Side of the square floor. The room is a cube of this size."}, c.floor_size_m, kMeter,
+           Between(4.0, 30.0));
+  v.Integer({"posters", "Number of flat sheets rich in texture."}, c.posters, kCount);
+  v.Integer({"lone_circles", "Number of rings without an H."}, c.lone_circles, kCount);
+  v.Integer({"lone_letters", "Number of letters without a ring: an H, or a rectangle where the pad has one."},
+            c.lone_letters, kCount);
+  v.Integer({"objects", "Number of solid objects: boxes and cylinders, outdoors also stones and balls."}, c.objects,
+            kCount);
+  v.Number({"illumination", "Gain of the light; 1 is nominal. White paper saturates the image above about 1.13."},
+           c.illumination, kNoUnit, PositiveUpTo(4.0));
+  v.Boolean({"pad", "Whether the landing pad is in the scene."}, c.pad);
+  v.Keys({"sun", "The sun and its shadows (outdoor only)."}, c.sun);
+  v.Check("", [&c] {
+    if (c.posters + c.lone_circles + c.lone_letters + c.objects > 80) {
+      throw InputError("scene: posters, lone_circles, lone_letters and objects must be at most 80 together");
+    }
+  });
 }
+
+void SceneConfig::Validate() const { models::ValidateConfig(*this); }
 
 std::array<Eigen::Vector2d, 4> SceneItem::Corners() const {
   const Eigen::Vector2d half_x = 0.5 * size_m.x() * AxisX(yaw);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "models/describe.h"
 #include "models/landing_pad.h"
 #include "sim/scene/sun.h"
 
@@ -24,20 +25,22 @@ struct SceneConfig {
 
   Setting setting = Setting::kIndoor;
   double floor_size_m = 10.0;
-  int posters = 14;           ///< Sheets rich in texture.
-  int lone_circles = 6;       ///< Rings without an H inside.
-  int lone_letters = 6;       ///< Letters as the pad's, H or rectangle, without a ring.
-  int objects = 8;            ///< Solid boxes and cylinders, outdoors stones and balls too.
-  double illumination = 1.0;  ///< Gain of the light, 1: nominal. Paper saturates the image at about 1.13.
-  bool pad = true;            ///< Whether the landing pad is there at all.
-  Sun sun = {};               ///< Outdoors.
+  int posters = 14;
+  int lone_circles = 6;
+  int lone_letters = 6;
+  int objects = 8;
+  double illumination = 1.0;
+  bool pad = true;
+  Sun sun = {};
 
   bool IsOutdoor() const { return setting == Setting::kOutdoor; }
 
-  /// Throws InputError, without a file name, for a floor outside [4, 30] m, a count outside [0, 40], more than 80
-  /// things in all, an illumination outside (0, 4], or a sun that is not valid.
+  /// Throws InputError, without a file name, for a value out of its range (see Describe), or for more than 80 things in
+  /// all.
   void Validate() const;
 };
+
+void Describe(models::ConfigVisitor& v, SceneConfig& config);
 
 /// A flat, printed thing on the floor, or a solid one, at its pose on the floor.
 struct SceneItem {
@@ -76,7 +79,7 @@ inline constexpr char kPadCoverName[] = "pad_cover";
 /// The light of an outdoor scene. Its ambient part is the sky's.
 inline constexpr char kSunName[] = "sun";
 
-/// The whole MJCF: options, assets, floor, pad, items, lights, and `vehicle_body` (a <body> element) among them.
+/// The whole MJCF: options, assets, floor, pad, items, lights, and `vehicle_body` (a `<body>` element) among them.
 ///
 /// The pad's sheet lies at z = 0, other prints and the visible floor a fraction of a millimetre below it; the solid
 /// floor "floor" is an invisible plane at z = 0. GeomGroup says who sees what. The sheet kPadCoverName above the pad is

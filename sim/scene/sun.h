@@ -2,20 +2,17 @@
 
 #include <Eigen/Core>
 
-#include "models/angles.h"
+#include "models/describe.h"
 
 namespace touchdown::sim {
 
 /// The sun over the ground outdoors. Places and angles are of W, so that on tilted ground they are the ground's.
 struct Sun {
-  double elevation = models::DegToRad(45.0);  ///< Over the ground's plane.
-  double azimuth = models::DegToRad(60.0);    ///< Where it stands, from X towards Y.
-  /// Its light on the ground over the sky's: 0 is overcast and without shadows, thin cloud leaves some 0.5, a clear
-  /// sky 4.
+  double elevation_deg = 45.0;
+  double azimuth_deg = 60.0;
   double to_sky = 0.5;
 
-  /// Throws InputError, without a file name, for an elevation outside [10, 90] degrees, a ratio outside [0, 20] or an
-  /// azimuth that is not finite.
+  /// Throws InputError, without a file name, for a value out of its range (see Describe).
   void Validate() const;
 
   /// Unit vector in W towards it.
@@ -24,5 +21,7 @@ struct Sun {
   /// What the ground keeps of its light where the sun does not reach.
   double Shade() const { return 1.0 / (1.0 + to_sky); }
 };
+
+void Describe(models::ConfigVisitor& v, Sun& sun);
 
 }  // namespace touchdown::sim

@@ -12,29 +12,40 @@
 namespace touchdown::sim {
 namespace {
 
-constexpr double kMaxLatency_s = 1.0;
-constexpr double kMaxCompliance_rad_s2_m = 0.05;
 constexpr models::Tick kMostNodes = 64;
 
-bool Within(double value, double low, double high) { return value >= low && value <= high; }
+void RequireConsistent(const CameraConfig& c) {
+  if (c.exposure_s() > 1.0 / c.rate_hz) {
+    throw InputError("camera: the exposure must be within 0 and the time between two frames");
+  }
+  if (c.latency_ms < 0.5 * c.exposure_ms) {
+    throw InputError("camera: the latency must be within half the exposure and 1 s");
+  }
+}
 
 }  // namespace
 
+void Describe(models::ConfigVisitor& v, CameraConfig& c) {
+  using namespace models;
+  v.Keys({"model", "Image size, lens and distortion: in place, or the name of a ROS camera_info file."}, c.model,
+         kCameraModelFile);
+  v.Integer({"rate_hz", "Frames per second. Must divide time.ticks_per_s."}, c.rate_hz, kRate_hz);
+  v.Number({"noise_sigma", "Standard deviation of each pixel's noise, in gray levels of 255."}, c.noise_sigma, kNoUnit,
+           Between(0.0, ImageNoise::kMaxSigma));
+  v.Number({"exposure_ms", "Exposure time, at most the time between two frames. Longer blurs motion more."},
+           c.exposure_ms, kMillisecond, Between(0.0, 1000.0));
+  v.Number({"latency_ms", "Time from mid-exposure to the delivery of a frame, at least half the exposure time."},
+           c.latency_ms, kMillisecond, Between(0.0, 1000.0));
+  v.Number({"vibration_rad_s2_m",
+            "Compliance of the camera's mount: its tilt per acceleration of the rotors' vibration across the optical "
+            "axis. 0 is rigid; larger blurs the frames more."},
+           c.vibration_rad_s2_m, {"rad s^2/m"}, Between(0.0, 0.05));
+  v.Check("", [&c] { RequireConsistent(c); });
+}
+
 void CameraConfig::Validate(const models::TimeBase& time) const {
-  model.Validate();
+  models::ValidateConfig(*this);
   time.PeriodOf(rate_hz);
-  if (!Within(noise_sigma, 0.0, ImageNoise::kMaxSigma)) {
-    throw InputError("camera: the noise must be within 0 and 24 grey levels");
-  }
-  if (!Within(exposure_s, 0.0, 1.0 / rate_hz)) {
-    throw InputError("camera: the exposure must be within 0 and the time between two frames");
-  }
-  if (!Within(latency_s, 0.5 * exposure_s, kMaxLatency_s)) {
-    throw InputError("camera: the latency must be within half the exposure and 1 s");
-  }
-  if (!Within(vibration_rad_s2_m, 0.0, kMaxCompliance_rad_s2_m)) {
-    throw InputError("camera: the mount's compliance must be within 0 and 0.05 rad per m/s^2");
-  }
 }
 
 Camera::Camera(const CameraConfig& config, const Eigen::Isometry3d& X_BC, World& world, const models::TimeBase& time,
@@ -43,10 +54,10 @@ Camera::Camera(const CameraConfig& config, const Eigen::Isometry3d& X_BC, World&
       X_BC_(X_BC),
       world_(world),
       period_(time.PeriodOf(config.rate_hz)),
-      half_exposure_(0.5 * config.exposure_s * time.ticks_per_s),
+      half_exposure_(0.5 * config.exposure_s() * time.ticks_per_s),
       reach_(static_cast<models::Tick>(std::ceil(half_exposure_))),
-      imager_(world.model(), config.model, config.noise_sigma, seed) {
-  latency_ = std::max(time.FromSeconds(config.latency_s), reach_);
+      imager_(world.model(), CameraOptics(config.model), {config.noise_sigma}, seed) {
+  latency_ = std::max(time.FromSeconds(config.latency_s()), reach_);
 }
 
 Eigen::Isometry3d Camera::X_WC(const TrueState& truth) const {
@@ -97,7 +108,7 @@ std::vector<Eigen::Isometry3d> Camera::ExposedPath() const {
 
 models::CameraFrame Camera::Expose(models::Tick mid_exposure) {
   const auto begin = std::chrono::steady_clock::now();
-  models::CameraFrame frame{.mid_exposure = mid_exposure, .image = imager_.Expose(world_.data(), ExposedPath())};
+  models::CameraFrame frame{.mid_exposure = mid_exposure, .image = imager_.Take(world_.data(), ExposedPath())};
   render_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   return frame;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "models/camera_model.h"
+#include "models/describe.h"
 #include "models/signals.h"
 #include "models/time.h"
 #include "sim/dynamics/true_state.h"
@@ -19,17 +20,20 @@ namespace touchdown::sim {
 struct CameraConfig {
   models::CameraModel model;
   int rate_hz = 60;
-  double noise_sigma = 3.0;  ///< Of 255, per pixel; up to 24.
-  double exposure_s = 0.004;
-  double latency_s = 0.020;  ///< From mid-exposure to delivery; at least half the exposure.
-  /// Compliance of the camera's mount: its tilt per m/s^2 of vibration across the optical axis. At the default a hover
-  /// shakes the image by some tenths of a pixel within an exposure (Sec. VI-B.2). 0: rigid.
-  double vibration_rad_s2_m = 0.002;
+  double noise_sigma = 3.0;
+  double exposure_ms = 4.0;
+  double latency_ms = 20.0;
+  double vibration_rad_s2_m = 0.002;  // In a hover, some tenths of a pixel within an exposure (Sec. VI-B.2).
 
-  /// Throws InputError, without a file name, when the camera is not valid, the rate does not divide the ticks, or a
-  /// value is not finite or out of its range.
+  double exposure_s() const { return exposure_ms / 1000.0; }
+  double latency_s() const { return latency_ms / 1000.0; }
+
+  /// Throws InputError, without a file name, for a value out of its range (see Describe), or when the camera model is
+  /// not valid, the rate does not divide the ticks, or exposure, latency and rate contradict each other.
   void Validate(const models::TimeBase& time) const;
 };
+
+void Describe(models::ConfigVisitor& v, CameraConfig& config);
 
 /// The downward camera: renders at mid-exposure, blurs over the exposure, distorts, adds noise, delivers late.
 class Camera {

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
-#include "models/camera_model.h"
 #include "models/signals.h"
 #include "sim/render/camera_optics.h"
 #include "sim/render/renderer.h"
@@ -14,16 +15,29 @@ namespace touchdown::sim {
 /// room can be taken with it.
 class Imager {
  public:
-  /// `model` must outlive it. Throws InputError when the camera or the noise is not valid.
-  Imager(const mjModel_& model, const models::CameraModel& camera, double noise_sigma, std::uint64_t seed);
+  /// `model` must outlive it. `noise_sigmas`, grey levels of 255, are the noise levels to choose from; each draws from
+  /// a stream of its own, all of them from `seed`. With `oversampling` above 1 the pinhole view is rendered on a grid
+  /// that many times finer and averaged over the pixels, as the edges of solid shapes need it; the finer view is at
+  /// most 8192 px wide. Throws InputError when a noise level is not valid, std::runtime_error when there is no GL
+  /// context.
+  Imager(const mjModel_& model, CameraOptics optics, const std::vector<double>& noise_sigmas, std::uint64_t seed,
+         int oversampling = 1);
 
-  /// The frame of an exposure along X_WC. `data` must have its kinematics computed, as for Renderer::Render.
-  models::Image Expose(mjData_& data, ExposurePath X_WC);
+  /// The frame of an exposure along X_WC, with the first noise level. `data` must have its kinematics computed, as for
+  /// Renderer::Render.
+  models::Image Take(mjData_& data, ExposurePath X_WC) { return AddNoise(Expose(data, X_WC)); }
+
+  /// The first half of Take: what falls on the sensor. Valid until the next call.
+  const FineImage& Expose(mjData_& data, ExposurePath X_WC);
+
+  /// The second half of Take. Each call draws new noise. Throws std::out_of_range when there is no such level.
+  models::Image AddNoise(const FineImage& exposed, std::size_t noise_level = 0);
 
  private:
   CameraOptics optics_;
   Renderer renderer_;
-  ImageNoise noise_;
+  models::Image averaged_;  ///< The oversampled view on the grid of the optics; else empty.
+  std::vector<ImageNoise> noises_;
 };
 
 }  // namespace touchdown::sim

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "models/error.h"
+#include "models/angles.h"
 
 namespace touchdown::sim {
 namespace {
@@ -15,17 +15,27 @@ Vector3d DrawnBias(models::RandomStream& random, double sigma) { return sigma * 
 
 }  // namespace
 
+void Describe(models::ConfigVisitor& v, ImuConfig& c) {
+  using namespace models;
+  v.Integer({"rate_hz", "Samples per second, and the rate of the attitude loop. Must divide time.ticks_per_s."},
+            c.rate_hz, kRate_hz);
+  v.Number({"gyro_noise_rad_s_sqrt_hz", "Density of the gyro's white noise."}, c.gyro_noise_rad_s_sqrt_hz,
+           kRadianPerSecondRootHertz, kNotNegative);
+  v.Number({"accelerometer_noise_m_s2_sqrt_hz", "Density of the accelerometer's white noise."},
+           c.accelerometer_noise_m_s2_sqrt_hz, kMeterPerSecond2RootHertz, kNotNegative);
+  v.Number({"gyro_bias_sigma_deg_s", "Standard deviation of the gyro's turn-on bias, per axis."},
+           c.gyro_bias_sigma_deg_s, kDegreePerSecond, kNotNegative);
+  v.Number({"accelerometer_bias_sigma_m_s2", "Standard deviation of the accelerometer's turn-on bias, per axis."},
+           c.accelerometer_bias_sigma_m_s2, kMeterPerSecond2, kNotNegative);
+  v.Number({"gyro_range_deg_s", "Largest rate that the gyro measures. It saturates beyond."}, c.gyro_range_deg_s,
+           kDegreePerSecond, kPositive);
+  v.Number({"accelerometer_range_m_s2", "Largest specific force that the accelerometer measures. It saturates beyond."},
+           c.accelerometer_range_m_s2, kMeterPerSecond2, kPositive);
+}
+
 void ImuConfig::Validate(const models::TimeBase& time) const {
+  models::ValidateConfig(*this);
   time.PeriodOf(rate_hz);
-  for (const double sigma : {gyro_noise_rad_s_sqrt_hz, accelerometer_noise_m_s2_sqrt_hz, gyro_bias_sigma_rad_s,
-                             accelerometer_bias_sigma_m_s2}) {
-    if (!std::isfinite(sigma) || sigma < 0.0) {
-      throw InputError("the IMU's noise and bias must be finite and not negative");
-    }
-  }
-  for (const double range : {gyro_range_rad_s, accelerometer_range_m_s2}) {
-    if (!std::isfinite(range) || range <= 0.0) throw InputError("the IMU's ranges must be finite and positive");
-  }
 }
 
 Imu::Imu(const ImuConfig& config, const Eigen::Isometry3d& X_BU, const models::TimeBase& time, std::uint64_t seed,
@@ -38,7 +48,7 @@ Imu::Imu(const ImuConfig& config, const Eigen::Isometry3d& X_BU, const models::T
       noise_(seed, "imu.noise") {
   config.Validate(time);
   models::RandomStream random(seed, "imu.bias");
-  gyro_bias_ = DrawnBias(random, config.gyro_bias_sigma_rad_s);
+  gyro_bias_ = DrawnBias(random, models::DegToRad(config.gyro_bias_sigma_deg_s));
   accelerometer_bias_ = DrawnBias(random, config.accelerometer_bias_sigma_m_s2);
 }
 
@@ -56,7 +66,7 @@ std::optional<models::ImuSample> Imu::Sample(const TrueState& truth) {
   count_ = 0;
   return models::ImuSample{.tick = truth.tick,
                            .specific_force_U = Saturated(specific_force, config_.accelerometer_range_m_s2),
-                           .w_WU_U = Saturated(rate, config_.gyro_range_rad_s)};
+                           .w_WU_U = Saturated(rate, models::DegToRad(config_.gyro_range_deg_s))};
 }
 
 /// Adds the last tick's means, with attitude and rate as they were at its middle.

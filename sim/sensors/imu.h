@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "models/describe.h"
 #include "models/random_stream.h"
 #include "models/signals.h"
 #include "sim/dynamics/ground_tilt.h"
@@ -17,15 +18,16 @@ struct ImuConfig {
   int rate_hz = 200;
   double gyro_noise_rad_s_sqrt_hz = 1.7e-4;
   double accelerometer_noise_m_s2_sqrt_hz = 2.0e-3;
-  double gyro_bias_sigma_rad_s = 0.0087;         ///< Turn-on, per axis: 0.5 deg/s.
-  double accelerometer_bias_sigma_m_s2 = 0.196;  ///< Turn-on, per axis: 0.02 g.
-  double gyro_range_rad_s = 8.7266;              ///< +-500 deg/s.
-  double accelerometer_range_m_s2 = 58.86;       ///< +-6 g.
+  double gyro_bias_sigma_deg_s = 0.49847328176381617;
+  double accelerometer_bias_sigma_m_s2 = 0.196;  // 0.02 g.
+  double gyro_range_deg_s = 499.9973494988642;
+  double accelerometer_range_m_s2 = 58.86;  // 6 g.
 
-  /// Throws InputError when the rate does not divide `time`'s, a noise is negative or a range not positive, or a number
-  /// is not finite.
+  /// Throws InputError for a value out of its range (see Describe), or when the rate does not divide `time`'s.
   void Validate(const models::TimeBase& time) const;
 };
+
+void Describe(models::ConfigVisitor& v, ImuConfig& config);
 
 /// Accelerometer and gyro at U. A sample is the mean of specific force and body rate over the ticks since the last
 /// sample, as the low-pass filter of a real one has it (so that the rotors' vibration is damped, not merely aliased,

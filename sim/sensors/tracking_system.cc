@@ -14,16 +14,34 @@ double Exponential(models::RandomStream& random, double mean) { return -mean * s
 
 }  // namespace
 
-void TrackingSystemConfig::Validate(const models::TimeBase& time) const {
-  time.PeriodOf(rate_hz);
-  for (const double value : {position_noise_m, rotation_noise_rad, occlusions_per_s, occlusion_duration_s,
-                             outlier_probability, outlier_position_m, outlier_rotation_rad}) {
-    if (!std::isfinite(value) || value < 0.0) {
-      throw InputError("the tracking system's numbers must be finite and not negative");
+void Describe(models::ConfigVisitor& v, TrackingSystemConfig& c) {
+  using namespace models;
+  v.Integer({"rate_hz", "Poses per second. Must divide time.ticks_per_s."}, c.rate_hz, kRate_hz);
+  v.Number({"position_noise_m", "Standard deviation of the position noise, per axis."}, c.position_noise_m, kMeter,
+           kNotNegative);
+  v.Number({"rotation_noise_deg", "Standard deviation of the rotation noise, per axis."}, c.rotation_noise_deg, kDegree,
+           kNotNegative);
+  v.Number({"occlusions_per_s", "Mean rate at which occlusions of the markers begin; at most rate_hz."},
+           c.occlusions_per_s, kPerSecond, kNotNegative);
+  v.Number({"occlusion_duration_s", "Mean duration of an occlusion."}, c.occlusion_duration_s, kSecond, kTime);
+  v.Number({"outlier_probability", "Probability that an occlusion gives outliers. Otherwise it gives a gap."},
+           c.outlier_probability, kNoUnit, kFraction);
+  v.Number({"outlier_position_m",
+            "Standard deviation of an outlier's position offset, per axis. The offset is constant over the occlusion."},
+           c.outlier_position_m, kMeter, kNotNegative);
+  v.Number({"outlier_rotation_deg",
+            "Standard deviation of an outlier's rotation offset, per axis. The offset is constant over the occlusion."},
+           c.outlier_rotation_deg, kDegree, kNotNegative);
+  v.Check("", [&c] {
+    if (c.occlusions_per_s > c.rate_hz) {
+      throw InputError("the tracking system's occlusions must not outnumber its poses");
     }
-  }
-  if (occlusions_per_s > rate_hz) throw InputError("the tracking system's occlusions must not outnumber its poses");
-  if (outlier_probability > 1.0) throw InputError("the tracking system's outlier probability must not exceed 1");
+  });
+}
+
+void TrackingSystemConfig::Validate(const models::TimeBase& time) const {
+  models::ValidateConfig(*this);
+  time.PeriodOf(rate_hz);
 }
 
 TrackingSystem::TrackingSystem(const TrackingSystemConfig& config, const models::TimeBase& time, std::uint64_t seed)
@@ -42,7 +60,7 @@ std::optional<models::TrackedPose> TrackingSystem::Sample(const TrueState& truth
   while (next_ && next_->end_s <= now_s) next_ = OcclusionAfter(next_->end_s);
 
   Vector3d position_error = config_.position_noise_m * noise_.NormalVector3();
-  Vector3d rotation_error = config_.rotation_noise_rad * noise_.NormalVector3();
+  Vector3d rotation_error = models::DegToRad(config_.rotation_noise_deg) * noise_.NormalVector3();
   if (next_ && next_->begin_s <= now_s) {
     if (next_->gap) return std::nullopt;
     position_error += next_->position_offset;
@@ -61,7 +79,7 @@ std::optional<TrackingSystem::Occlusion> TrackingSystem::OcclusionAfter(double t
   occlusion.end_s = occlusion.begin_s + Exponential(occlusion_random_, config_.occlusion_duration_s);
   occlusion.gap = !occlusion_random_.Chance(config_.outlier_probability);
   occlusion.position_offset = config_.outlier_position_m * occlusion_random_.NormalVector3();
-  occlusion.rotation_offset = config_.outlier_rotation_rad * occlusion_random_.NormalVector3();
+  occlusion.rotation_offset = models::DegToRad(config_.outlier_rotation_deg) * occlusion_random_.NormalVector3();
   return occlusion;
 }
 

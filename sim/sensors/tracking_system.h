@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "models/describe.h"
 #include "models/random_stream.h"
 #include "models/signals.h"
 #include "sim/dynamics/true_state.h"
@@ -15,18 +16,20 @@ namespace touchdown::sim {
 /// give outliers or gaps (Sec. VI-B.1).
 struct TrackingSystemConfig {
   int rate_hz = 100;
-  double position_noise_m = 0.002;     ///< 1-sigma, per axis.
-  double rotation_noise_rad = 0.0087;  ///< 1-sigma, per axis.
-  double occlusions_per_s = 0.05;      ///< Mean rate at which an occlusion begins.
-  double occlusion_duration_s = 0.2;   ///< Mean length.
-  double outlier_probability = 0.5;    ///< That an occlusion gives outliers; otherwise a gap.
-  double outlier_position_m = 0.15;    ///< 1-sigma per axis of an outlier's offset, constant over the occlusion.
-  double outlier_rotation_rad = 0.2;
+  double position_noise_m = 0.002;
+  double rotation_noise_deg = 0.49847328176381617;
+  double occlusions_per_s = 0.05;
+  double occlusion_duration_s = 0.2;
+  double outlier_probability = 0.5;
+  double outlier_position_m = 0.15;
+  double outlier_rotation_deg = 11.459155902616464;
 
-  /// Throws InputError when the rate does not divide `time`'s, a number is negative or not finite, the
-  /// probability exceeds 1, or more occlusions than poses are asked for.
+  /// Throws InputError for a value out of its range (see Describe), or when the rate does not divide `time`'s or there
+  /// are more occlusions than poses.
   void Validate(const models::TimeBase& time) const;
 };
+
+void Describe(models::ConfigVisitor& v, TrackingSystemConfig& config);
 
 /// White noise on position and rotation. Occlusions begin as a Poisson process (while none lasts) and have
 /// exponentially distributed lengths.

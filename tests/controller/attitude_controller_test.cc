@@ -9,6 +9,7 @@
 
 #include "controller/mixer.h"
 #include "models/error.h"
+#include "tests/support/nominal.h"
 #include "tests/support/quadrotor_ode.h"
 
 namespace touchdown::controller {
@@ -17,9 +18,8 @@ namespace {
 using Eigen::Vector3d;
 using models::DegToRad;
 using models::TaitBryan;
-
-constexpr double kPeriod_s = 0.005;
-const models::Vehicle kVehicle;
+using tests::kPeriod_s;
+using tests::kVehicle;
 
 struct LoopConfig {
   models::Vehicle truth;
@@ -89,7 +89,7 @@ TEST(AttitudeLoop, TurnsToAFarYawAtALimitedRateWhileItStaysLevel) {
     tilt = std::max({tilt, std::abs(attitude.roll), std::abs(attitude.pitch)});
     last = attitude.yaw;
   });
-  EXPECT_NEAR(fastest, AttitudeControllerConfig{}.max_yaw_rate_rad_s, 0.15);
+  EXPECT_NEAR(fastest, DegToRad(AttitudeControllerConfig{}.max_yaw_rate_deg_s), 0.15);
   EXPECT_LT(tilt, DegToRad(1.0));
   EXPECT_NEAR(last, 0.0, DegToRad(1.0));
 }
@@ -166,7 +166,7 @@ TEST(AttitudeControllerConfig, RefusesNumbersThatMakeNoController) {
   nothing.derivative_cutoff_hz = 0.0;
   EXPECT_THROW(nothing.Validate(), InputError);
   AttitudeControllerConfig endless;
-  endless.max_yaw_rate_rad_s = INFINITY;
+  endless.max_yaw_rate_deg_s = INFINITY;
   EXPECT_THROW(endless.Validate(), InputError);
 }
 

@@ -6,6 +6,7 @@
 
 #include "models/error.h"
 #include "tests/support/flight_rig.h"
+#include "tests/support/nominal.h"
 
 namespace touchdown::controller {
 namespace {
@@ -13,12 +14,11 @@ namespace {
 using Eigen::Vector3d;
 using tests::Fly;
 using tests::HoverAt;
+using tests::kTime;
 using tests::Land;
 using tests::RigConfig;
 using tests::RigResult;
 using tests::TakeoffTo;
-
-const models::TimeBase kTime;
 
 models::VehicleEstimate At(double time_s, const Vector3d& p_m) {
   const models::Tick tick = kTime.FromSeconds(time_s);

@@ -136,7 +136,8 @@ TEST(Guidance, StartsInTheAirInAHoldUntilThePadIsFound) {
 
 TEST(Guidance, StepsDownOnlyAfterT0InTheCone) {
   Flight flight({kLand}, true);
-  const double cone_m = kConfig.cone_radius_m + (1.5 - kBlindHeight_m) * std::tan(kConfig.cone_half_angle_rad);
+  const double cone_m =
+      kConfig.cone_radius_m + (1.5 - kBlindHeight_m) * std::tan(models::DegToRad(kConfig.cone_half_angle_deg));
   flight.p.x() = 1.02 * cone_m;
   flight.Run(2.0);
   EXPECT_DOUBLE_EQ(flight.output.p_m.z(), 1.5);
@@ -176,7 +177,7 @@ TEST(Guidance, NarrowsTheConeTowardsThePad) {
   flight.Run(0.5);
   flight.follows = false;
   // Follows in height, at an offset that only the upper part of Q' allows.
-  const double offset_m = kConfig.cone_radius_m + 0.5 * std::tan(kConfig.cone_half_angle_rad);
+  const double offset_m = kConfig.cone_radius_m + 0.5 * std::tan(models::DegToRad(kConfig.cone_half_angle_deg));
   for (int i = 0; i < 4000; ++i) {
     flight.p = {offset_m, 0.0, flight.output.p_m.z()};
     flight.Step();
@@ -244,7 +245,7 @@ TEST(GuidanceConfig, RefusesNumbersThatContradictEachOther) {
   refuses([](GuidanceConfig& c) { c.h_land_clearance_m = c.blind_clearance_m; });
   refuses([](GuidanceConfig& c) { c.vision_floor_clearance_m = c.blind_clearance_m + 0.01; });
   refuses([](GuidanceConfig& c) { c.max_thrust_ratio = c.start_thrust_ratio - 0.1; });
-  refuses([](GuidanceConfig& c) { c.cone_half_angle_rad = 1.6; });
+  refuses([](GuidanceConfig& c) { c.cone_half_angle_deg = 91.0; });
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "models/random_stream.h"
+#include "tests/support/nominal.h"
 #include "tests/support/quadrotor_ode.h"
 
 namespace touchdown::controller {
@@ -13,9 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 using models::Vehicle;
-
-const Vehicle kVehicle;
-const double kWeight_n = kVehicle.mass_kg * models::kGravity_m_s2;
+using tests::kVehicle;
+using tests::kWeight_n;
 
 Wrench Wanted(double thrust_n, const Vector3d& torque_n_m) { return {.thrust_n = thrust_n, .torque_n_m = torque_n_m}; }
 

@@ -2,16 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/nominal.h"
 #include "tests/support/quadrotor_ode.h"
 
 namespace touchdown::controller {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kPeriod_s = 0.005;
-const models::Vehicle kVehicle;
-const double kWeight_n = kVehicle.mass_kg * models::kGravity_m_s2;
+using tests::kPeriod_s;
+using tests::kVehicle;
+using tests::kWeight_n;
 
 TEST(MotionPredictor, CoastsWhenThrustBalancesWeight) {
   MotionPredictor predictor(kVehicle, kPeriod_s, kWeight_n);

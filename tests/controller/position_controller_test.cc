@@ -9,6 +9,7 @@
 #include "controller/attitude_controller.h"
 #include "controller/mixer.h"
 #include "models/error.h"
+#include "tests/support/nominal.h"
 #include "tests/support/quadrotor_ode.h"
 
 namespace touchdown::controller {
@@ -19,10 +20,9 @@ using models::DegToRad;
 using models::TaitBryan;
 using Motion = models::VehicleEstimate::Motion;
 using Target = PositionController::Target;
-
-constexpr double kPeriod_s = 0.005;
-const models::Vehicle kVehicle;
-const double kWeight_n = kVehicle.mass_kg * models::kGravity_m_s2;
+using tests::kPeriod_s;
+using tests::kVehicle;
+using tests::kWeight_n;
 
 PositionController Fresh() { return {PositionControllerConfig{}, kVehicle, kPeriod_s}; }
 
@@ -61,7 +61,7 @@ TEST(PositionController, KeepsItsTiltAndAccelerationLimits) {
     PositionController controller = Fresh();
     const auto demand = controller.Update({.p_m = {100.0, 100.0, z}, .v_m_s = {20.0, 20.0, z}}, Motion{}, {});
     const Eigen::Matrix3d R = models::RotationFromTaitBryan({.roll = demand.roll, .pitch = demand.pitch});
-    EXPECT_LE(std::acos(R(2, 2)), config.max_tilt_rad + 1e-9);
+    EXPECT_LE(std::acos(R(2, 2)), DegToRad(config.max_tilt_deg) + 1e-9);
     EXPECT_NEAR(
         demand.thrust_n,
         kVehicle.mass_kg * (9.81 + std::clamp(z, -config.max_z_acceleration_m_s2, config.max_z_acceleration_m_s2)),
@@ -112,7 +112,7 @@ TEST(PositionController, HoldsTheStanceInWhichItStood) {
   EXPECT_NEAR(demand.pitch, stance.pitch, 1e-4);
 }
 
-struct Flight {
+struct PositionFlight {
   models::Vehicle truth;
   Vector3d wind_m_s = Vector3d::Zero();
   TaitBryan level_error = {};
@@ -121,7 +121,8 @@ struct Flight {
 };
 
 /// Both loops around the rigid body, with true position and an attitude that is off by level_error.
-void FlyPosition(const Flight& flight, double duration_s, const std::function<void(double, const Vector3d&)>& observe) {
+void FlyPosition(const PositionFlight& flight, double duration_s,
+                 const std::function<void(double, const Vector3d&)>& observe) {
   tests::QuadrotorOde truth(flight.truth);
   truth.StartRotorsAtHover();
   truth.wind = flight.wind_m_s;
@@ -180,7 +181,7 @@ TEST(PositionLoop, LearnsTheTrimAgainstALevelErrorAndAWrongMass) {
 TEST(PositionControllerConfig, RefusesNumbersThatMakeNoController) {
   EXPECT_NO_THROW(PositionControllerConfig{}.Validate());
   PositionControllerConfig upside_down;
-  upside_down.max_tilt_rad = DegToRad(90.0);
+  upside_down.max_tilt_deg = 90.0;
   EXPECT_THROW(upside_down.Validate(), InputError);
   PositionControllerConfig falling;
   falling.max_z_acceleration_m_s2 = 10.0;

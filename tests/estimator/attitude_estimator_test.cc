@@ -6,6 +6,7 @@
 
 #include "models/error.h"
 #include "models/random_stream.h"
+#include "tests/support/nominal.h"
 
 namespace touchdown::estimator {
 namespace {
@@ -15,10 +16,10 @@ using Eigen::Vector3d;
 using models::DegToRad;
 using models::TaitBryan;
 using models::Tick;
+using tests::kPeriod_s;
+using tests::kTime;
 
-const models::TimeBase kTime;
 constexpr Tick kPeriod = 6;
-constexpr double kPeriod_s = 0.005;
 
 /// A body whose attitude the test turns, with an IMU of its own.
 class Body {
@@ -48,7 +49,7 @@ class Body {
   models::RandomStream random_{3, "attitude_estimator_test"};
 };
 
-AttitudeEstimator Fresh(const Matrix3d& R_BU = Matrix3d::Identity()) {
+AttitudeEstimator FreshAttitude(const Matrix3d& R_BU = Matrix3d::Identity()) {
   return {AttitudeEstimatorConfig{}, kTime, R_BU};
 }
 
@@ -65,7 +66,7 @@ TEST(AttitudeEstimator, StartsWithTheFirstSampleThatShowsWhereDownIs) {
   const TaitBryan truth{.roll = 0.3, .pitch = -0.2};
   Body body(truth);
   body.a_WB.z() = -0.95 * models::kGravity_m_s2;
-  AttitudeEstimator estimator = Fresh();
+  AttitudeEstimator estimator = FreshAttitude();
   estimator.Update(body.Step(), false);
   EXPECT_EQ(estimator.GravityAt(body.tick), Vector3d(0.0, 0.0, -1.0));
   body.a_WB.setZero();
@@ -75,7 +76,7 @@ TEST(AttitudeEstimator, StartsWithTheFirstSampleThatShowsWhereDownIs) {
 }
 
 TEST(AttitudeEstimator, GivesTheRateOfASampleBeforeItHasStarted) {
-  AttitudeEstimator estimator = Fresh();
+  AttitudeEstimator estimator = FreshAttitude();
   estimator.Update({.tick = 6, .specific_force_U = Vector3d::Zero(), .w_WU_U = {0.1, 0.2, 0.3}}, false);
   EXPECT_EQ(estimator.w_WB_B(), Vector3d(0.1, 0.2, 0.3));
 }
@@ -83,7 +84,7 @@ TEST(AttitudeEstimator, GivesTheRateOfASampleBeforeItHasStarted) {
 TEST(AttitudeEstimator, TakesTheTiltFromTheFirstSample) {
   const TaitBryan truth{.roll = 0.3, .pitch = -0.2};
   Body body(truth);
-  AttitudeEstimator estimator = Fresh();
+  AttitudeEstimator estimator = FreshAttitude();
   estimator.Update(body.Step(), false);
   EXPECT_NEAR(estimator.attitude().roll, truth.roll, 1e-9);
   EXPECT_NEAR(estimator.attitude().pitch, truth.pitch, 1e-9);
@@ -93,7 +94,7 @@ TEST(AttitudeEstimator, TakesTheTiltFromTheFirstSample) {
 TEST(AttitudeEstimator, KnowsTheMountingOfTheImu) {
   const Matrix3d R_BU = models::RotationFromTaitBryan({.roll = 0.05, .pitch = -0.04, .yaw = 0.7});
   Body body({.roll = 0.2, .pitch = 0.1});
-  AttitudeEstimator estimator = Fresh(R_BU);
+  AttitudeEstimator estimator = FreshAttitude(R_BU);
   const Vector3d w_WB_B(0.3, -0.4, 0.5);
   for (int i = 0; i < 200; ++i) estimator.Update(body.Step(w_WB_B, R_BU), false);
   EXPECT_LT(TiltError(estimator, body), DegToRad(0.1));
@@ -102,7 +103,7 @@ TEST(AttitudeEstimator, KnowsTheMountingOfTheImu) {
 
 TEST(AttitudeEstimator, FollowsAFastTurnByTheGyro) {
   Body body;
-  AttitudeEstimator estimator = Fresh();
+  AttitudeEstimator estimator = FreshAttitude();
   Feed(estimator, body, 1.0, true);
   double yaw = 0.0;
   for (int i = 0; i < 400; ++i) {
@@ -120,7 +121,7 @@ TEST(AttitudeEstimator, LearnsTheGyrosBiasWithinASecondAtRest) {
   body.gyro_bias = {0.0087, -0.0087, 0.005};
   body.gyro_noise = 0.0123;  // The upper end of the class: 8.7e-4 rad/s/sqrt(Hz).
   body.accelerometer_noise = 0.09;
-  AttitudeEstimator estimator = Fresh();
+  AttitudeEstimator estimator = FreshAttitude();
   Feed(estimator, body, 1.0, true);
   EXPECT_NEAR((estimator.gyro_bias_B() - body.gyro_bias).norm(), 0.0, DegToRad(0.15));
   EXPECT_LT(TiltError(estimator, body), DegToRad(0.25));
@@ -131,7 +132,7 @@ TEST(AttitudeEstimator, LearnsTheGyrosBiasInTheAirAfterAWhile) {
   body.gyro_bias = {0.0087, -0.0087, 0.0};
   body.gyro_noise = 0.0024;
   body.accelerometer_noise = 0.3;
-  AttitudeEstimator estimator = Fresh();
+  AttitudeEstimator estimator = FreshAttitude();
   double worst = 0.0;
   for (int i = 0; i < 4000; ++i) {
     estimator.Update(body.Step(), false);
@@ -144,7 +145,7 @@ TEST(AttitudeEstimator, LearnsTheGyrosBiasInTheAirAfterAWhile) {
 
 TEST(AttitudeEstimator, IsNotPulledFarByAManoeuvre) {
   Body body;
-  AttitudeEstimator estimator = Fresh();
+  AttitudeEstimator estimator = FreshAttitude();
   Feed(estimator, body, 1.0, true);
   // A quadrotor that tilts 10 degrees to accelerate: the accelerometer sees thrust along the body's Z only.
   const double tilt = DegToRad(10.0);
@@ -160,7 +161,7 @@ TEST(AttitudeEstimator, IsNotPulledFarByAManoeuvre) {
 
 TEST(AttitudeEstimator, IgnoresAnAccelerometerThatIsFarFromG) {
   Body body;
-  AttitudeEstimator estimator = Fresh();
+  AttitudeEstimator estimator = FreshAttitude();
   Feed(estimator, body, 1.0, true);
   body.a_WB = {8.0, 0.0, 0.0};  // |f| is 1.29 g.
   Feed(estimator, body, 0.5, false);
@@ -171,7 +172,7 @@ TEST(AttitudeEstimator, LearnsTheAccelerometersBiasOnLevelGround) {
   Body body;
   body.accelerometer_bias = {0.196, -0.3, 0.2};
   body.accelerometer_noise = 0.09;
-  AttitudeEstimator estimator = Fresh();
+  AttitudeEstimator estimator = FreshAttitude();
   Feed(estimator, body, 1.0, true);
   EXPECT_LT(TiltError(estimator, body), DegToRad(0.1));
   Feed(estimator, body, 0.2, false, {0.5, 0.3, 0.2});
@@ -182,14 +183,14 @@ TEST(AttitudeEstimator, LearnsTheAccelerometersBiasOnLevelGround) {
 TEST(AttitudeEstimator, TakesASlopeForASlope) {
   Body body({.roll = DegToRad(6.0), .pitch = DegToRad(-3.0)});
   body.accelerometer_noise = 0.09;
-  AttitudeEstimator estimator = Fresh();
+  AttitudeEstimator estimator = FreshAttitude();
   Feed(estimator, body, 1.0, true);
   EXPECT_LT(TiltError(estimator, body), DegToRad(0.3));
 }
 
 TEST(AttitudeEstimator, TakesEveryGroundForASlopeWhenToldSo) {
   AttitudeEstimatorConfig config;
-  config.level_ground_tolerance_rad = 0.0;
+  config.level_ground_tolerance_deg = 0.0;
   AttitudeEstimator estimator(config, kTime, Matrix3d::Identity());
   Body body({.roll = DegToRad(2.0)});
   Feed(estimator, body, 1.0, true);
@@ -199,14 +200,14 @@ TEST(AttitudeEstimator, TakesEveryGroundForASlopeWhenToldSo) {
 TEST(AttitudeEstimator, KeepsALevelErrorAsLargeAsTheAccelerometersBiasInTheAir) {
   Body body;
   body.accelerometer_bias = {0.196, 0.0, 0.0};
-  AttitudeEstimator estimator = Fresh();
+  AttitudeEstimator estimator = FreshAttitude();
   Feed(estimator, body, 30.0, false);
   EXPECT_NEAR(TiltError(estimator, body), std::atan(0.196 / models::kGravity_m_s2), DegToRad(0.05));
 }
 
 TEST(AttitudeEstimator, SetsYawByTheFirstFrameAndThenFollowsSlowly) {
   Body body({.yaw = 0.5});
-  AttitudeEstimator estimator = Fresh();
+  AttitudeEstimator estimator = FreshAttitude();
   Feed(estimator, body, 0.2, false);
   estimator.CorrectYaw(body.tick - 24, 0.5);
   EXPECT_NEAR(estimator.attitude().yaw, 0.5, 1e-3);
@@ -222,7 +223,7 @@ TEST(AttitudeEstimator, SetsYawByTheFirstFrameAndThenFollowsSlowly) {
 
 TEST(AttitudeEstimator, ComparesALateFramesYawWithTheYawOfItsTime) {
   Body body;
-  AttitudeEstimator estimator = Fresh();
+  AttitudeEstimator estimator = FreshAttitude();
   const Vector3d turning(0.0, 0.0, 2.0);
   Feed(estimator, body, 0.1, false);
   for (int i = 0; i < 200; ++i) {
@@ -236,7 +237,7 @@ TEST(AttitudeEstimator, ComparesALateFramesYawWithTheYawOfItsTime) {
 
 TEST(AttitudeEstimator, ReadsTheYawOfAnHModulo180Degrees) {
   Body body({.yaw = 0.2});
-  AttitudeEstimator estimator = Fresh();
+  AttitudeEstimator estimator = FreshAttitude();
   Feed(estimator, body, 0.1, false);
   estimator.CorrectYaw(body.tick, 0.2);
   for (int i = 0; i < 300; ++i) {
@@ -249,7 +250,7 @@ TEST(AttitudeEstimator, ReadsTheYawOfAnHModulo180Degrees) {
 TEST(AttitudeEstimator, LearnsTheYawGyrosBiasFromVision) {
   Body body;
   body.gyro_bias.z() = 0.0087;
-  AttitudeEstimator estimator = Fresh();
+  AttitudeEstimator estimator = FreshAttitude();
   for (int i = 0; i < 12000; ++i) {
     estimator.Update(body.Step(), false);
     if (i % 3 == 0) estimator.CorrectYaw(body.tick, 0.0);
@@ -259,7 +260,7 @@ TEST(AttitudeEstimator, LearnsTheYawGyrosBiasFromVision) {
 
 TEST(AttitudeEstimator, IgnoresAFrameOlderThanItsHistory) {
   Body body;
-  AttitudeEstimator estimator = Fresh();
+  AttitudeEstimator estimator = FreshAttitude();
   Feed(estimator, body, 2.0, false);
   estimator.CorrectYaw(body.tick - kTime.FromSeconds(1.0), 1.0);
   EXPECT_NEAR(estimator.attitude().yaw, 0.0, 1e-6);
@@ -267,7 +268,7 @@ TEST(AttitudeEstimator, IgnoresAFrameOlderThanItsHistory) {
 
 TEST(AttitudeEstimator, TellsGravityAtAnEarlierTick) {
   Body body;
-  AttitudeEstimator estimator = Fresh();
+  AttitudeEstimator estimator = FreshAttitude();
   EXPECT_EQ(estimator.GravityAt(0), -Vector3d::UnitZ());
   Feed(estimator, body, 0.5, false);
   const Vector3d before = body.gravity_B();
@@ -284,7 +285,7 @@ TEST(AttitudeEstimatorConfig, RefusesNumbersThatMakeNoFilter) {
   config.history_s = 0.0;
   EXPECT_THROW(config.Validate(), InputError);
   config = {};
-  config.level_ground_tolerance_rad = -0.1;
+  config.level_ground_tolerance_deg = -0.1;
   EXPECT_THROW(config.Validate(), InputError);
   config = {};
   config.gyro_bias_time_constant_s = config.accelerometer_time_constant_s;

@@ -41,14 +41,25 @@ TEST(MakeEstimator, RefusesACameraAndAPadThatCannotBe) {
   EXPECT_THROW(MakeEstimator({}, no_pad), InputError);
 }
 
+TEST(MakeEstimator, RefusesASquareHWhereNothingButItsEllipseGivesItsDirection) {
+  EstimatorSetup square = NominalSetup();
+  square.pad.h_width_m = square.pad.h_height_m;
+  EstimatorConfig config;
+  EXPECT_NE(MakeEstimator(config, square), nullptr);
+  config.paper.verify = paper::Verify::kNone;
+  EXPECT_THROW(MakeEstimator(config, square), InputError);
+}
+
 TEST(FrameStatus, HasANameForEveryValue) {
   EXPECT_EQ(Name(FrameStatus::kOk), "ok");
-  EXPECT_EQ(Name(FrameStatus::kNoComponent), "no_component");
-  EXPECT_EQ(Name(FrameStatus::kNoCircle), "no_circle");
-  EXPECT_EQ(Name(FrameStatus::kNoH), "no_h");
-  EXPECT_EQ(Name(FrameStatus::kNoPair), "no_pair");
-  EXPECT_EQ(Name(FrameStatus::kNoEllipse), "no_ellipse");
-  EXPECT_EQ(Name(FrameStatus::kOutlier), "outlier");
+  EXPECT_EQ(Name(FrameStatus::kNotFound), "not_found");
+  EXPECT_EQ(Name(FrameStatus::kRejected), "rejected");
+}
+
+TEST(FrameStatus, GivesWayToTheStrategysReasonInTables) {
+  EXPECT_EQ(ReasonOrStatus(FrameStatus::kOk, ""), "ok");
+  EXPECT_EQ(ReasonOrStatus(FrameStatus::kNotFound, "no_circle"), "no_circle");
+  EXPECT_EQ(ReasonOrStatus(FrameStatus::kRejected, ""), "rejected");
 }
 
 }  // namespace

@@ -59,13 +59,13 @@ cv::Mat3b Picture(const Photograph& photo) {
 
 void Save(const std::string& folder, std::uint64_t seed, const Photograph& photo, const tests::PhotoScore& score) {
   cv::Mat3b picture = Picture(photo);
-  for (const auto& c : score.estimate.trace.components) {
-    const cv::Scalar colour = c.label == estimator::FrameTrace::Label::kCircle ? cv::Scalar(0, 200, 0)
-                              : c.label == estimator::FrameTrace::Label::kH    ? cv::Scalar(255, 80, 0)
-                                                                               : cv::Scalar(0, 0, 230);
-    cv::rectangle(picture, cv::Rect(c.u, c.v, c.width, c.height), colour);
+  for (const auto& c : score.estimate.overlay.boxes) {
+    const cv::Scalar colour = c.name == "circle" ? cv::Scalar(0, 200, 0)
+                              : c.name == "h"    ? cv::Scalar(255, 80, 0)
+                                                 : cv::Scalar(0, 0, 230);
+    cv::rectangle(picture, cv::Rect(c.box.u, c.box.v, c.box.width, c.box.height), colour);
   }
-  const std::string status(estimator::Name(score.estimate.status));
+  const std::string status(estimator::ReasonOrStatus(score.estimate.status, score.estimate.reason));
   std::string subject = photo.subject;
   std::replace(subject.begin(), subject.end(), ' ', '_');
   cv::imwrite(folder + "/" + subject + "_" + std::to_string(seed) + "_" + status + ".png", picture);
@@ -120,7 +120,7 @@ int main(int argc, char** argv) {
   for (int i = 0; i < pads; ++i) {
     const Photograph photo = tests::PhotographPad(first + i);
     const tests::PhotoScore score = tests::Score(photo);
-    std::string failure(estimator::Name(score.estimate.status));
+    std::string failure(estimator::ReasonOrStatus(score.estimate.status, score.estimate.reason));
     if (score.estimate.pose) failure = "wrong_place";
     auto factors = FactorsOf(photo);
     factors["all"] = "";
@@ -138,7 +138,9 @@ int main(int argc, char** argv) {
     for (const std::string& kind : {photo.subject, std::string("~ all")}) {
       Count& count = by_kind[""][kind];
       ++count.all;
-      score.claims_pad ? ++count.failures[std::string(estimator::Name(score.estimate.status))] : ++count.right;
+      score.claims_pad
+          ? ++count.failures[std::string(estimator::ReasonOrStatus(score.estimate.status, score.estimate.reason))]
+          : ++count.right;
     }
     if (score.claims_pad && !folder.empty()) Save(folder, first + i, photo, score);
   }

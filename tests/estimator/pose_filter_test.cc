@@ -6,25 +6,25 @@
 
 #include "models/error.h"
 #include "models/random_stream.h"
+#include "tests/support/nominal.h"
 
 namespace touchdown::estimator {
 namespace {
 
 using Eigen::Vector3d;
 using Motion = models::VehicleEstimate::Motion;
+using tests::kTime;
 
-const models::TimeBase kTime;
-
-PoseFilter Fresh() { return {PoseFilterConfig{}, kTime}; }
+PoseFilter FreshFilter() { return {PoseFilterConfig{}, kTime}; }
 
 TEST(PoseFilter, KnowsNothingBeforeTheFirstPosition) {
-  const PoseFilter filter = Fresh();
+  const PoseFilter filter = FreshFilter();
   EXPECT_FALSE(filter.At(100).has_value());
   EXPECT_FALSE(filter.newest().has_value());
 }
 
 TEST(PoseFilter, TakesTheFirstPositionAsItIs) {
-  PoseFilter filter = Fresh();
+  PoseFilter filter = FreshFilter();
   filter.Update(40, {1.0, 2.0, 3.0});
   const auto motion = filter.At(60);
   ASSERT_TRUE(motion.has_value());
@@ -34,7 +34,7 @@ TEST(PoseFilter, TakesTheFirstPositionAsItIs) {
 }
 
 TEST(PoseFilter, ConvergesToAConstantVelocityAtAnySpacingOfTheFrames) {
-  PoseFilter filter = Fresh();
+  PoseFilter filter = FreshFilter();
   models::RandomStream random(1, "pose_filter_test");
   const Vector3d p0(0.3, -0.2, 1.0), v(0.2, -0.1, 0.05);
   models::Tick tick = 0;
@@ -50,7 +50,7 @@ TEST(PoseFilter, ConvergesToAConstantVelocityAtAnySpacingOfTheFrames) {
 
 /// RMSE of (position, velocity) when positions with white noise come at 60 Hz.
 Eigen::Vector2d ErrorsAtRest(double height_m, const Vector3d& noise) {
-  PoseFilter filter = Fresh();
+  PoseFilter filter = FreshFilter();
   models::RandomStream random(7, "pose_filter_test.noise");
   double p_sum = 0.0, v_sum = 0.0;
   constexpr int kFrames = 4000, kWarmUp = 100;
@@ -76,7 +76,7 @@ TEST(PoseFilter, TrustsHorizontalPositionsTheMoreTheLowerTheVehicleIs) {
 }
 
 TEST(PoseFilter, FollowsAnAccelerationWithASmallLag) {
-  PoseFilter filter = Fresh();
+  PoseFilter filter = FreshFilter();
   const double a = 1.0;
   for (int i = 0; i <= 120; ++i) {
     const double t = i / 60.0;
@@ -88,7 +88,7 @@ TEST(PoseFilter, FollowsAnAccelerationWithASmallLag) {
 }
 
 TEST(PoseFilter, RegainsAVehicleThatMovedWhileUnseen) {
-  PoseFilter filter = Fresh();
+  PoseFilter filter = FreshFilter();
   for (int i = 0; i < 60; ++i) filter.Update(20 * i, {0.0, 0.0, 1.0});
   const models::Tick again = 20 * 60 + 2400;
   for (int i = 0; i < 30; ++i) filter.Update(again + 20 * i, {0.6, 0.0, 1.2});
@@ -97,7 +97,7 @@ TEST(PoseFilter, RegainsAVehicleThatMovedWhileUnseen) {
 }
 
 TEST(PoseFilter, IgnoresAFrameThatIsNotNewer) {
-  PoseFilter filter = Fresh();
+  PoseFilter filter = FreshFilter();
   filter.Update(40, {0.0, 0.0, 1.0});
   filter.Update(40, {5.0, 0.0, 1.0});
   filter.Update(20, {5.0, 0.0, 1.0});

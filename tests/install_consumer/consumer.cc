@@ -5,35 +5,42 @@
 #include <string>
 
 #include <touchdown/controller/flight_controller.h>
+#include <touchdown/controller/mixer.h>
 #include <touchdown/estimator/make_estimator.h>
-#include <touchdown/estimator/state_estimator.h>
 #include <touchdown/models/vehicle.h>
+
+#include "controller/mixer.h"
 
 using touchdown::controller::Phase;
 
 int main() {
   const touchdown::models::Vehicle vehicle;
+  const touchdown::controller::Mixer mixer(vehicle);
+  const consumer::Mixer motors(vehicle.rotor.max_speed_rad_s);
   const touchdown::models::TimeBase time;
   constexpr int kImu_hz = 200, kCamera_hz = 50;
   const touchdown::models::Tick imu_period = time.PeriodOf(kImu_hz), camera_period = time.PeriodOf(kCamera_hz);
 
   touchdown::estimator::EstimatorSetup setup;
   setup.X_BC = vehicle.X_BC();
-  touchdown::estimator::StateEstimator estimator(touchdown::estimator::MakeEstimator({}, setup), {}, time,
-                                                 vehicle.X_BU().linear());
+  setup.R_BU = vehicle.X_BU().linear();
+  const auto estimator = touchdown::estimator::MakeEstimator({}, setup);
   touchdown::controller::FlightController controller({}, vehicle, time, kImu_hz,
                                                      {{.kind = touchdown::controller::ManoeuvreKind::kTakeoff}}, false);
 
   const touchdown::models::Image blank(setup.camera.width_px, setup.camera.height_px, 200);
   const Eigen::Vector3d at_rest(0.0, 0.0, touchdown::models::kGravity_m_s2);
-  touchdown::estimator::FrameStatus status = touchdown::estimator::FrameStatus::kOk;
+  touchdown::estimator::FrameResult seen;
   touchdown::controller::ControlOutput control;
   for (touchdown::models::Tick tick = 0; tick < time.FromSeconds(0.5); tick += imu_period) {
-    if (tick % camera_period == 0) status = estimator.TakeFrame(blank.View(), tick).status;
-    estimator.TakeImu({tick, at_rest, Eigen::Vector3d::Zero()}, controller.phase() == Phase::kStandby);
-    control = controller.Update(estimator.At(tick));
+    if (tick % camera_period == 0) seen = estimator->AddFrame(blank.View(), tick);
+    estimator->AddImu({tick, at_rest, Eigen::Vector3d::Zero()}, controller.phase() == Phase::kStandby);
+    control = controller.Update(estimator->StateAt(tick).value());
+    estimator->AddCommand(tick, control.thrust_n / vehicle.mass_kg);
   }
-  std::printf("%s, %s\n", std::string(Name(status)).c_str(), std::string(Name(control.phase)).c_str());
-  const bool stands = control.phase == Phase::kStandby && control.rotors.speed_rad_s[0] == 0.0;
-  return stands && status == touchdown::estimator::FrameStatus::kNoComponent ? 0 : 1;
+  std::printf("%s (%s), %s\n", std::string(Name(seen.status)).c_str(), seen.reason.c_str(),
+              std::string(Name(control.phase)).c_str());
+  const bool stands = control.phase == Phase::kStandby && motors.Fractions(control.rotors.speed_rad_s)[0] == 0.0 &&
+                      mixer.WrenchOf(control.rotors).thrust_n == 0.0;
+  return stands && seen.reason == "no_component" ? 0 : 1;
 }

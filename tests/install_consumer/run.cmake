@@ -1,4 +1,5 @@
-# Installs the flight libraries into a folder of its own, builds a program outside the tree against them, and runs it.
+# Installs the project into a folder of its own, builds a program outside the tree against the flight libraries, and runs
+# both programs.
 #   cmake -D BUILD_DIR=... -D SOURCE_DIR=... -D WORK_DIR=... -D BUILD_TYPE=... -D CXX_FLAGS=... -P run.cmake
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
@@ -10,6 +11,9 @@ run(${CMAKE_COMMAND} -G Ninja -S ${SOURCE_DIR} -B ${WORK_DIR}/build -D CMAKE_PRE
   -D CMAKE_BUILD_TYPE=${BUILD_TYPE} -D CMAKE_CXX_FLAGS=${CXX_FLAGS})
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
 run(${WORK_DIR}/build/consumer)
+if(EXISTS ${BUILD_DIR}/touchdown)
+  run(${WORK_DIR}/prefix/bin/touchdown --version)
+endif()
 
 execute_process(COMMAND ldd ${WORK_DIR}/build/consumer OUTPUT_VARIABLE libraries COMMAND_ERROR_IS_FATAL ANY)
 if(libraries MATCHES "mujoco|OSMesa|yaml")

@@ -21,54 +21,6 @@ TEST(LandingPad, IsAnA4SheetWithARingOfNinetyMillimetres) {
   EXPECT_EQ(pad.sheet_width_m, 0.210);
 }
 
-TEST(LandingPad, IsBlackOnItsRingAllTheWayRound) {
-  const LandingPad pad;
-  for (double angle = 0.0; angle < 2.0 * kPi; angle += 0.1) {
-    const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
-    EXPECT_FALSE(pad.IsBlack((pad.inner_radius_m() - 1e-6) * direction));
-    EXPECT_TRUE(pad.IsBlack((pad.inner_radius_m() + 1e-6) * direction));
-    EXPECT_TRUE(pad.IsBlack((pad.outer_radius_m - 1e-6) * direction));
-    EXPECT_FALSE(pad.IsBlack((pad.outer_radius_m + 1e-6) * direction));
-  }
-}
-
-TEST(LandingPad, HasTheLongStrokesOfItsHAlongX) {
-  const LandingPad pad;
-  const double stroke_y = (pad.h_width_m - pad.h_stroke_m) / 2.0;
-  for (const double side : {-1.0, 1.0}) {
-    EXPECT_TRUE(pad.IsBlack({pad.h_height_m / 2.0 - 1e-6, side * stroke_y}));
-    EXPECT_TRUE(pad.IsBlack({-pad.h_height_m / 2.0 + 1e-6, side * stroke_y}));
-    EXPECT_FALSE(pad.IsBlack({pad.h_height_m / 2.0 + 1e-6, side * stroke_y}));
-  }
-  EXPECT_TRUE(pad.IsBlack({0.0, 0.0})) << "the cross-bar";
-  EXPECT_FALSE(pad.IsBlack({pad.h_stroke_m / 2.0 + 1e-6, 0.0})) << "white between the strokes";
-  EXPECT_FALSE(pad.IsBlack({0.0, pad.h_width_m / 2.0 + 1e-6})) << "white beside the H";
-}
-
-TEST(LandingPad, LooksTheSameTurnedByHalfATurn) {
-  const LandingPad pad;
-  for (double x = -0.1; x <= 0.1; x += 0.0037) {
-    for (double y = -0.1; y <= 0.1; y += 0.0037) {
-      EXPECT_EQ(pad.IsBlack({x, y}), pad.IsBlack({-x, -y}));
-      EXPECT_EQ(pad.IsBlack({x, y}), pad.IsBlack({x, -y}));
-    }
-  }
-}
-
-TEST(LandingPad, HasTheInkOfRingAndH) {
-  const LandingPad pad;
-  constexpr double kStep_m = 0.0005;
-  double black = 0.0;
-  for (double x = -0.1 + kStep_m / 2.0; x < 0.1; x += kStep_m) {
-    for (double y = -0.1 + kStep_m / 2.0; y < 0.1; y += kStep_m) {
-      if (pad.IsBlack({x, y})) black += kStep_m * kStep_m;
-    }
-  }
-  const double ring = kPi * (0.090 * 0.090 - 0.074 * 0.074);
-  const double letter = 2.0 * 0.100 * 0.016 + (0.056 - 2.0 * 0.016) * 0.016;
-  EXPECT_NEAR(black, ring + letter, 0.01 * (ring + letter));
-}
-
 /// A disc beside the H, and a bar that lies over the end of one of its strokes.
 LandingPad MarkedPad() {
   LandingPad pad;
@@ -77,49 +29,12 @@ LandingPad MarkedPad() {
   return pad;
 }
 
-TEST(LandingPad, IsBlackOnItsMarksToo) {
-  const LandingPad pad = MarkedPad(), plain;
-  EXPECT_NO_THROW(pad.Validate());
-  EXPECT_NE(pad, plain);
-  for (double x = -0.1; x <= 0.1; x += 0.0007) {
-    for (double y = -0.1; y <= 0.1; y += 0.0007) {
-      const Eigen::Vector2d p(x, y);
-      const bool on_mark = (p - Eigen::Vector2d(0.02, 0.05)).norm() <= 0.005 ||
-                           (std::abs(x - 0.05) <= 0.015 && std::abs(y - 0.02) <= 0.002);
-      EXPECT_EQ(pad.IsBlack(p), plain.IsBlack(p) || on_mark) << p.transpose();
-    }
-  }
-}
-
-TEST(LandingPad, TellsItsLetterFromRingAndMarks) {
-  const LandingPad pad = MarkedPad(), plain;
-  EXPECT_TRUE(pad.IsLetter({0.0, 0.0}));
-  EXPECT_TRUE(pad.IsLetter({0.049, 0.02})) << "under the bar";
-  EXPECT_FALSE(pad.IsLetter({0.051, 0.02})) << "on the bar alone";
-  EXPECT_FALSE(pad.IsLetter({0.02, 0.05})) << "on the disc";
-  EXPECT_FALSE(pad.IsLetter({0.08, 0.0})) << "on the ring";
-  for (double x = -0.05; x <= 0.05; x += 0.0037) {
-    for (double y = -0.05; y <= 0.05; y += 0.0037) EXPECT_EQ(pad.IsLetter({x, y}), plain.IsBlack({x, y}));
-  }
-}
-
-LandingPad PadWithRectangle() {
-  LandingPad pad;
-  pad.h_stroke_m = 0.028;
-  return pad;
-}
-
 TEST(LandingPad, HasARectangleWhereItsStrokesMeet) {
   EXPECT_EQ(LandingPad().letter(), PadLetter::kH);
-  const LandingPad pad = PadWithRectangle();
+  LandingPad pad;
+  pad.h_stroke_m = 0.028;
   EXPECT_NO_THROW(pad.Validate());
   EXPECT_EQ(pad.letter(), PadLetter::kRectangle);
-  for (double x = -0.06; x <= 0.06; x += 0.0005) {
-    for (double y = -0.06; y <= 0.06; y += 0.0005) {
-      EXPECT_EQ(pad.IsLetter({x, y}), std::abs(x) <= 0.050 && std::abs(y) <= 0.028) << x << " " << y;
-    }
-  }
-  EXPECT_TRUE(pad.IsLetter({0.049, 0.0})) << "where the strokes meet";
 }
 
 TEST(LandingPad, HasARectangleOfAnyWidthWhoseHalfIsRounded) {
@@ -130,7 +45,6 @@ TEST(LandingPad, HasARectangleOfAnyWidthWhoseHalfIsRounded) {
       pad.h_stroke_m = half;
       EXPECT_EQ(pad.letter(), PadLetter::kRectangle);
       EXPECT_NO_THROW(pad.Validate());
-      EXPECT_TRUE(pad.IsLetter({0.049, 0.0}));
     }
     pad.h_stroke_m = 0.5 * (pad.h_width_m - 1e-6);
     EXPECT_EQ(pad.letter(), PadLetter::kH) << "a micrometre apart";
@@ -169,17 +83,25 @@ TEST(LandingPadValidate, RefusesWhatCannotBePrinted) {
   }
 }
 
-TEST(NearerTwin, TurnsThePoseAboutThePadWhenItsYawIsHalfATurnAway) {
+TEST(ResolveYawAmbiguity, TurnsThePoseAboutThePadWhenItsYawIsHalfATurnAway) {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   X_WB.translation() << 0.3, -0.2, 1.0;
   X_WB.linear() = RotationFromTaitBryan({0.1, -0.05, DegToRad(80)});
-  EXPECT_TRUE(NearerTwin(X_WB, DegToRad(20)).isApprox(X_WB));
-  const Eigen::Isometry3d twin = NearerTwin(X_WB, DegToRad(-95));
+  EXPECT_TRUE(ResolveYawAmbiguity(X_WB, DegToRad(20)).isApprox(X_WB));
+  const Eigen::Isometry3d twin = ResolveYawAmbiguity(X_WB, DegToRad(-95));
   EXPECT_TRUE(twin.translation().isApprox(Eigen::Vector3d(-0.3, 0.2, 1.0)));
   const TaitBryan angles = TaitBryanFromRotation(twin.linear());
   EXPECT_NEAR(angles.roll, 0.1, 1e-12);
   EXPECT_NEAR(angles.pitch, -0.05, 1e-12);
   EXPECT_NEAR(RadToDeg(angles.yaw), -100.0, 1e-9);
+}
+
+TEST(HalfTurnIsNearer, ComparesYawsOnTheCircle) {
+  for (const double turns : {-720.0, 0.0, 360.0}) {
+    EXPECT_FALSE(HalfTurnIsNearer(DegToRad(170.0 + turns), DegToRad(-110.0)));
+    EXPECT_TRUE(HalfTurnIsNearer(DegToRad(170.0 + turns), DegToRad(-90.0)));
+    EXPECT_TRUE(HalfTurnIsNearer(DegToRad(10.0), DegToRad(170.0 + turns)));
+  }
 }
 
 }  // namespace

@@ -68,8 +68,8 @@ TEST(Vehicle, CarriesACameraThatLooksDownWithTheImagesUpForward) {
 
 TEST(Vehicle, TurnsASensorByItsMisalignmentInTheBody) {
   Vehicle vehicle;
-  vehicle.camera.misalignment.pitch = 0.1;
-  vehicle.imu = {.position_m = {0.01, 0.02, 0.03}, .misalignment = {.roll = 0.2}};
+  vehicle.camera.misalignment_deg.pitch = RadToDeg(0.1);
+  vehicle.imu = {.position_m = {0.01, 0.02, 0.03}, .misalignment_deg = {.roll = RadToDeg(0.2)}};
   const Vector3d optical_axis = vehicle.X_BC().linear() * Vector3d::UnitZ();
   EXPECT_TRUE(optical_axis.isApprox(Vector3d(-std::sin(0.1), 0.0, -std::cos(0.1)), 1e-12));
   EXPECT_TRUE(vehicle.X_BU().linear().isApprox(RotationFromTaitBryan({.roll = 0.2}), 1e-15));
@@ -114,9 +114,9 @@ TEST(VehicleValidate, RefusesNumbersThatAreNotFinite) {
       [](Vehicle& v) -> double& { return v.linear_drag_n_s_m.y(); },
       [](Vehicle& v) -> double& { return v.quadratic_drag_n_s2_m2.z(); },
       [](Vehicle& v) -> double& { return v.camera.position_m.x(); },
-      [](Vehicle& v) -> double& { return v.camera.misalignment.yaw; },
+      [](Vehicle& v) -> double& { return v.camera.misalignment_deg.yaw; },
       [](Vehicle& v) -> double& { return v.imu.position_m.z(); },
-      [](Vehicle& v) -> double& { return v.imu.misalignment.roll; },
+      [](Vehicle& v) -> double& { return v.imu.misalignment_deg.roll; },
   };
   for (std::size_t i = 0; i < quantities.size(); ++i) {
     for (const double value : {kNan, kInfinity, -kInfinity}) {
@@ -149,14 +149,14 @@ TEST(VehicleValidate, RefusesWhatCannotFly) {
 
 TEST(Vehicle, TellsTheMountingOfASensorsPose) {
   Vehicle vehicle;
-  vehicle.camera = {.position_m = {0.03, -0.01, -0.04}, .misalignment = {0.1, -0.2, 2.0}};
-  vehicle.imu = {.position_m = {0.01, 0.02, 0.03}, .misalignment = {-0.3, 0.1, -1.0}};
+  vehicle.camera = {.position_m = {0.03, -0.01, -0.04}, .misalignment_deg = {6.0, -12.0, 115.0}};
+  vehicle.imu = {.position_m = {0.01, 0.02, 0.03}, .misalignment_deg = {-17.0, 6.0, -57.0}};
   Vehicle again;
   again.camera = CameraMountingOf(vehicle.X_BC());
   again.imu = ImuMountingOf(vehicle.X_BU());
   EXPECT_TRUE(again.X_BC().isApprox(vehicle.X_BC(), 1e-14));
   EXPECT_TRUE(again.X_BU().isApprox(vehicle.X_BU(), 1e-14));
-  EXPECT_NEAR(again.camera.misalignment.yaw, 2.0, 1e-14);
+  EXPECT_NEAR(again.camera.misalignment_deg.yaw, 115.0, 1e-12);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ cv::Mat FilmAt(const fs::path& file, double time_s) {
 constexpr double kSamePicture = 8.0;
 
 /// The README's picture is this flight's contact sheet, made smaller, and the tour's one of its film. To remake them:
-///   TOUCHDOWN_WRITE_DOCS=1 build/release/tests/scenarios/scenarios_flights_test --gtest_filter=*README*
+///   TOUCHDOWN_WRITE_DOCS=1 build/release/tests/scenarios/shipped_flights_slow_tests --gtest_filter=*README*
 TEST(Flights, TakeoffHoverLandPassesAndLooksAsInTheREADME) {
   const fs::path place = fs::path(::testing::TempDir()) / "flights_test_takeoff_hover_land";
   fs::remove_all(place);

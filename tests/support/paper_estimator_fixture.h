@@ -29,11 +29,11 @@ class PaperEstimatorFixture : public testing::Test {
     return RenderPad(setup_.camera, setup_.pad, X_WB * setup_.X_BC, picture, &random_);
   }
 
-  estimator::FrameEstimate See(const Eigen::Isometry3d& X_WB, PadPicture picture = {.noise_sigma = 3.0}) {
+  estimator::FrameResult See(const Eigen::Isometry3d& X_WB, PadPicture picture = {.noise_sigma = 3.0}) {
     return estimator_->Estimate(Picture(X_WB, std::move(picture)).View(), tick_ += kFrame, GravityIn(X_WB));
   }
 
-  estimator::FrameEstimate SeeImage(const models::Image& image, const Eigen::Isometry3d& X_WB) {
+  estimator::FrameResult SeeImage(const models::Image& image, const Eigen::Isometry3d& X_WB) {
     return estimator_->Estimate(image.View(), tick_ += kFrame, GravityIn(X_WB));
   }
 

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector2d;
 
 /// The box, in the photograph, of an ellipse given in undistorted pixels.
-cv::Rect2d BoxOf(const estimator::FrameTrace::Ellipse& ellipse, const models::CameraModel& camera) {
+cv::Rect2d BoxOf(const estimator::Overlay::Ellipse& ellipse, const models::CameraModel& camera) {
   Eigen::Array2d low = Eigen::Array2d::Constant(1e9), high = -low;
   for (int i = 0; i < 180; ++i) {
     const double t = 2.0 * M_PI * i / 180.0;
@@ -43,8 +43,9 @@ PhotoScore Score(const Photograph& photo) {
   PhotoScore score;
   score.estimate = estimator.Estimate(photo.image.View(), 0, GravityIn(X_WB));
   score.claims_pad = score.estimate.pad_px.has_value();
-  if (!score.estimate.pose || !score.estimate.trace.ring_outer) return score;
-  const cv::Rect2d box = BoxOf(*score.estimate.trace.ring_outer, photo.camera);
+  const estimator::Overlay::Ellipse* const ring = score.estimate.overlay.FindEllipse("ring_outer");
+  if (!score.estimate.pose || ring == nullptr) return score;
+  const cv::Rect2d box = BoxOf(*ring, photo.camera);
   const double reach = 0.05 * std::max(photo.ring_box.width, photo.ring_box.height) + 2.0;
   score.found = photo.subject == "pad" && (*score.estimate.pad_px - photo.center_px).norm() < reach &&
                 Overlap(box, photo.ring_box) > 0.8;

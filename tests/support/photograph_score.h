@@ -1,13 +1,13 @@
 #pragma once
 
-#include "estimator/estimator.h"
+#include "estimator/frame_result.h"
 #include "tests/support/photographed_pad.h"
 
 namespace touchdown::tests {
 
 /// What the estimator `paper` made of a photograph.
 struct PhotoScore {
-  estimator::FrameEstimate estimate;
+  estimator::FrameResult estimate;
   bool claims_pad = false;      ///< It told where a pad is.
   bool found = false;           ///< A pose, and centre and ring box are those of the pad.
   double distance_error = 0.0;  ///< Of the camera from the pad, over the true distance; where there is a pose.

@@ -9,6 +9,7 @@
 #include "models/vehicle.h"
 #include "sim/dynamics/mujoco_model.h"
 #include "sim/scene/scene.h"
+#include "tests/support/empty_room.h"
 
 namespace touchdown::tests {
 
@@ -27,9 +28,6 @@ struct Room {
   sim::MujocoData data;
 };
 
-/// A floor with nothing but the pad.
-inline sim::SceneConfig OnlyThePad() { return {.posters = 0, .lone_circles = 0, .lone_letters = 0, .objects = 0}; }
-
 /// X_WC of a camera that looks straight down when all angles are 0, the image's up along X_W.
 inline Eigen::Isometry3d CameraAt(const Eigen::Vector3d& p_WC, const models::TaitBryan& tilt = {}) {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
@@ -41,7 +39,8 @@ inline Eigen::Isometry3d CameraAt(const Eigen::Vector3d& p_WC, const models::Tai
   return X_WC;
 }
 
-inline double LevelAt(const models::Image& image, const Eigen::Vector2d& pixel) {
+/// Grey value at a place of the image, px, interpolated bilinearly.
+inline double GreyAt(const models::Image& image, const Eigen::Vector2d& pixel) {
   const int u = static_cast<int>(std::floor(pixel.x())), v = static_cast<int>(std::floor(pixel.y()));
   const double wu = pixel.x() - u, wv = pixel.y() - v;
   const models::ImageView view = image.View();
@@ -62,7 +61,7 @@ inline Eigen::Isometry3d CameraTowards(const Eigen::Vector3d& p_WC, const Eigen:
 /// would lie: exact for any symmetric blur, wherever the pixels fall.
 inline double EdgeOffset(const models::Image& image, const Eigen::Vector2d& edge, const Eigen::Vector2d& direction) {
   constexpr double kReach = 3.0, kStep = 0.01;
-  const auto level = [&](double offset) { return LevelAt(image, edge + offset * direction); };
+  const auto level = [&](double offset) { return GreyAt(image, edge + offset * direction); };
   const double behind = 0.5 * (level(-kReach) + level(-kReach - 1.0)),
                ahead = 0.5 * (level(kReach) + level(kReach + 1.0));
   double area = 0.0;

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <vector>
 
+#include "models/pad_outline.h"
+
 namespace touchdown::tests {
 namespace {
 
@@ -16,11 +18,12 @@ bool OnSheet(const models::LandingPad& pad, const Vector2d& p) {
   return std::abs(p.x()) <= pad.sheet_length_m / 2.0 && std::abs(p.y()) <= pad.sheet_width_m / 2.0;
 }
 
-double GreyAt(const models::LandingPad& pad, const PadPicture& picture, const Vector2d& p) {
+double GreyAt(const models::LandingPad& pad, const models::PadOutline& outline, const PadPicture& picture,
+              const Vector2d& p) {
   if (picture.paint) {
     if (const auto painted = picture.paint(p)) return *painted;
   }
-  if (pad.IsBlack(p)) {
+  if (outline.IsBlack(p)) {
     const bool in_ring = p.norm() >= pad.inner_radius_m();
     if (in_ring ? picture.ring : picture.letter) return picture.black;
   }
@@ -55,12 +58,12 @@ std::optional<Vector2d> OnFloor(const Eigen::Isometry3d& X_WC, const std::option
 /// The pixel's mean over its square; where its corners and its centre are of one grey, that grey. The floor's point is
 /// interpolated between the pixel's corners, which is exact to some 1e-4 px; `corners` are those at (u, v) - 0.5 and so
 /// on, row by row.
-double PixelMean(const models::LandingPad& pad, const PadPicture& picture,
+double PixelMean(const models::LandingPad& pad, const models::PadOutline& outline, const PadPicture& picture,
                  const std::array<std::optional<Vector2d>, 4>& corners) {
   for (const auto& corner : corners) {
     if (!corner) return picture.floor;
   }
-  const auto grey_at = [&](const Vector2d& p) { return GreyAt(pad, picture, p); };
+  const auto grey_at = [&](const Vector2d& p) { return GreyAt(pad, outline, picture, p); };
   const double center = grey_at(0.25 * (*corners[0] + *corners[1] + *corners[2] + *corners[3]));
   if (std::all_of(corners.begin(), corners.end(), [&](const auto& corner) { return grey_at(*corner) == center; })) {
     return center;
@@ -141,13 +144,14 @@ Eigen::Isometry3d CameraAbovePad(const Vector3d& p_WC, double yaw, double tilt, 
 models::Image RenderPad(const models::CameraModel& camera, const models::LandingPad& pad, const Eigen::Isometry3d& X_WC,
                         const PadPicture& picture, models::RandomStream* random) {
   const int width = camera.width_px, height = camera.height_px;
+  const models::PadOutline outline(pad);
   std::vector<std::optional<Vector2d>> corners;
   for (const auto& ray_C : CornerRays(camera)) corners.push_back(OnFloor(X_WC, ray_C));
   std::vector<double> grey;
   for (int v = 0; v < height; ++v) {
     const auto upper = corners.begin() + static_cast<std::ptrdiff_t>(v) * (width + 1), lower = upper + (width + 1);
     for (int u = 0; u < width; ++u) {
-      grey.push_back(PixelMean(pad, picture, {upper[u], upper[u + 1], lower[u], lower[u + 1]}));
+      grey.push_back(PixelMean(pad, outline, picture, {upper[u], upper[u + 1], lower[u], lower[u + 1]}));
     }
   }
   if (picture.lens_blur_sigma_px > 0.0) Blur(grey, width, height, picture.lens_blur_sigma_px);

@@ -34,7 +34,7 @@ struct PadPicture {
 Eigen::Isometry3d CameraAbovePad(const Eigen::Vector3d& p_WC, double yaw = 0.0, double tilt = 0.0,
                                  double tilt_direction = 0.0);
 
-/// The nominal mounting of design.md: the camera looks down, the image's up towards body forward.
+/// R_BC of the default mounting: the camera looks down, the image's up towards body forward.
 Eigen::Matrix3d NominalR_BC();
 
 /// A picture of the pad by ray casting through `camera`, each pixel the mean over its own square, with the pad's plane

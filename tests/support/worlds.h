@@ -2,15 +2,9 @@
 
 #include "models/vehicle.h"
 #include "sim/dynamics/world.h"
-#include "sim/scene/scene.h"
+#include "tests/support/empty_room.h"
 
 namespace touchdown::tests {
-
-/// A bare floor with the pad on it.
-inline sim::Scene EmptyRoom() {
-  const sim::SceneConfig config{.posters = 0, .lone_circles = 0, .lone_letters = 0, .objects = 0};
-  return sim::MakeScene(config, models::LandingPad{}, 1);
-}
 
 inline models::Vehicle VehicleWithoutDrag() {
   models::Vehicle vehicle;
@@ -39,7 +33,8 @@ inline sim::World QuietWorld(const models::Vehicle& vehicle) {
   return sim::World(StillAndBalanced(), vehicle, EmptyRoom(), models::TimeBase{}, 1);
 }
 
-inline Eigen::Isometry3d LevelAt(double x_m, double y_m, double z_m) {
+/// X_WB of a level body that heads along X_W.
+inline Eigen::Isometry3d LevelPose(double x_m, double y_m, double z_m) {
   return Eigen::Isometry3d(Eigen::Translation3d(x_m, y_m, z_m));
 }
 

@@ -46,22 +46,10 @@ function dotsAt(xs, ys) {
   return xs.map((x, i) => (x === null ? "" : `M${number(x)} ${number(ys[i])}h0`)).join("");
 }
 
-function markShape({ shape, x_m: x, y_m: y, diameter_m: diameter, length_m: length, width_m: width, angle_deg: angle }) {
-  if (shape === "disc") return svg("circle", { class: "mark", cx: x, cy: y, r: diameter / 2 });
-  return svg("rect", { class: "mark", x: -length / 2, y: -width / 2, width: length, height: width, transform: `translate(${x} ${y}) rotate(${angle})` });
-}
-
-function padShapes(pad) {
-  const { sheet_length_m: length, sheet_width_m: width, h_stroke_m: stroke } = pad;
-  const [x, y] = [pad.h_height_m / 2, pad.h_width_m / 2];
-  const bar = stroke / 2;
-  const letter = `M${-x} ${y}H${x}V${y - stroke}H${bar}V${stroke - y}H${x}V${-y}H${-x}V${stroke - y}H${-bar}V${y - stroke}H${-x}Z`;
-  return [
-    svg("rect", { class: "sheet", x: -length / 2, y: -width / 2, width: length, height: width }),
-    svg("circle", { class: "ring", r: pad.outer_radius_m - pad.ring_width_m / 2, "stroke-width": pad.ring_width_m }),
-    svg("path", { class: "letter", d: letter }),
-    ...pad.marks.map(markShape),
-  ];
+/** A circle or a polygon of the pad, black or white. */
+function padShape({ color, center_m: center, radius_m: radius, corners_m: corners }) {
+  if (center) return svg("circle", { class: color, cx: center[0], cy: center[1], r: radius });
+  return svg("polygon", { class: color, points: corners.join(" ") });
 }
 
 /** The true way, a path for each phase. */
@@ -122,7 +110,7 @@ export function drawTopView(place, flight, view) {
   const vehicle = svg("path", { class: "vehicle", d: `M${arrow} 0L${-0.7 * arrow} ${0.6 * arrow}L${-0.35 * arrow} 0L${-0.7 * arrow} ${-0.6 * arrow}Z`, visibility: "hidden" });
   const start = xs.findIndex((x) => x !== null);
   const scene = svg("g", { transform: "scale(1 -1)" },
-    ...(flight.pad ? padShapes(flight.pad) : []),
+    ...(flight.pad ? flight.pad.shapes.map(padShape) : []),
     gridOf(box),
     svg("path", { class: "vision", d: dotsAt(seen_xs, seen_ys) }),
     svg("path", { class: "set-point", d: pathThrough(set_xs, set_ys) }),

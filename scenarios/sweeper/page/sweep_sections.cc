@@ -6,6 +6,7 @@
 
 #include "models/error.h"
 #include "scenarios/sweeper/analysis/compare.h"
+#include "scenarios/sweeper/page/figure_text.h"
 #include "scenarios/sweeper/page/metric_figures.h"
 #include "scenarios/sweeper/page/pass_rate_figures.h"
 #include "scenarios/util/text.h"
@@ -13,7 +14,6 @@
 namespace touchdown::sweeper {
 namespace {
 
-constexpr double kPercent = 100.0;
 constexpr const char* kTouchdownError = "flight.touchdown_xy_error_m";
 
 std::string Short(double value) { return fmt::format("{:.4g}", value); }

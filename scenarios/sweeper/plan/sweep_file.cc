@@ -14,24 +14,24 @@
 
 namespace touchdown::sweeper {
 
-void Describe(config::ConfigVisitor& v, SweepSeeds& seeds) {
-  v.Integer({"from", "The first."}, seeds.from, config::Between(0, 1e15));
-  v.Integer({"count", "How many."}, seeds.count, config::Between(1, 1e6));
+void Describe(models::ConfigVisitor& v, SweepSeeds& seeds) {
+  v.Integer({"from", "First seed."}, seeds.from, models::Between(0, 1e15));
+  v.Integer({"count", "Number of seeds."}, seeds.count, models::Between(1, 1e6));
 }
 
-void Describe(config::ConfigVisitor& v, FlightLimits& limits) {
-  v.OptionalNumber({"wall_s", "Time by the wall clock; default: a minute and 30 times the expected flight."},
-                   limits.wall_s, config::kSecond, config::kPositive);
-  v.Integer({"memory_mb", "Address space."}, limits.memory_mb, config::Between(256, 1e6));
+void Describe(models::ConfigVisitor& v, FlightLimits& limits) {
+  v.OptionalNumber({"wall_s", "Limit of a flight's wall time. Default: a minute and 30 times the expected flight."},
+                   limits.wall_s, models::kSecond, models::kPositive);
+  v.Integer({"memory_mb", "Limit of a flight's address space."}, limits.memory_mb, models::Between(256, 1e6));
 }
 
-void Describe(config::ConfigVisitor& v, SweepCriterion& criterion) {
-  v.Text({"metric", "pass_rate, or the name of a flight's metric.", true}, criterion.metric);
-  v.OptionalNumber({"quantile", "Of a flight's metric, over the flights that have it."}, criterion.quantile,
-                   config::kNoUnit, config::kFraction);
-  v.OptionalNumber({"min", "Smallest value that passes."}, criterion.min, config::kNoUnit, config::kAny);
-  v.OptionalNumber({"max", "Largest value that passes."}, criterion.max, config::kNoUnit, config::kAny);
-  v.Choice({"by", "What must be within: the measured value, or its whole 95 % interval."}, criterion.by,
+void Describe(models::ConfigVisitor& v, SweepCriterion& criterion) {
+  v.Text({"metric", "Name of a flight's metric, or pass_rate.", true}, criterion.metric);
+  v.OptionalNumber({"quantile", "Quantile of the metric over the flights that have it."}, criterion.quantile,
+                   models::kNoUnit, models::kFraction);
+  v.OptionalNumber({"min", "Smallest value that passes."}, criterion.min, models::kNoUnit, models::kAny);
+  v.OptionalNumber({"max", "Largest value that passes."}, criterion.max, models::kNoUnit, models::kAny);
+  v.Choice({"by", "What must lie within the limits: the measured value, or its whole 95 % interval."}, criterion.by,
            kJudgedByNames);
   v.Check("", [&criterion] {
     const bool is_rate = criterion.metric == kPassRate;
@@ -44,21 +44,21 @@ void Describe(config::ConfigVisitor& v, SweepCriterion& criterion) {
     if (!criterion.min && !criterion.max) throw InputError("needs min or max");
     if (criterion.min && criterion.max && *criterion.min > *criterion.max) throw InputError("min is above max");
     for (const std::optional<double>& limit : {criterion.min, criterion.max}) {
-      if (is_rate && limit && !config::kFraction.Contains(*limit))
+      if (is_rate && limit && !models::kFraction.Contains(*limit))
         throw InputError("a pass rate's limits are from 0 to 1");
     }
   });
 }
 
-void Describe(config::ConfigVisitor& v, StopWhen& stop) {
-  const config::Range within{.min = 0.0, .max = 1.0, .min_is_open = true};
-  v.Number({"good_pass_rate", "A pass rate that is good enough.", true}, stop.good_pass_rate, config::kNoUnit, within);
-  v.Number({"bad_pass_rate", "A pass rate that is not; below the good one.", true}, stop.bad_pass_rate, config::kNoUnit,
-           within);
-  v.Number({"good_refused", "Chance that the good one is refused."}, stop.good_refused, config::kNoUnit,
-           {.min = 0.0, .max = 0.5, .min_is_open = true});
-  v.Number({"bad_accepted", "Chance that the bad one is accepted."}, stop.bad_accepted, config::kNoUnit,
-           {.min = 0.0, .max = 0.5, .min_is_open = true});
+void Describe(models::ConfigVisitor& v, StopWhen& stop) {
+  const models::Range within{.min = 0.0, .max = 1.0, .min_is_open = true};
+  v.Number({"good_pass_rate", "A pass rate that is good enough.", true}, stop.good_pass_rate, models::kNoUnit, within);
+  v.Number({"bad_pass_rate", "A pass rate that is too low; below good_pass_rate.", true}, stop.bad_pass_rate,
+           models::kNoUnit, within);
+  v.Number({"good_refused", "Probability of refusing a sweep with good_pass_rate. Lower needs more flights."},
+           stop.good_refused, models::kNoUnit, {.min = 0.0, .max = 0.5, .min_is_open = true});
+  v.Number({"bad_accepted", "Probability of accepting a sweep with bad_pass_rate. Lower needs more flights."},
+           stop.bad_accepted, models::kNoUnit, {.min = 0.0, .max = 0.5, .min_is_open = true});
   v.Check("bad_pass_rate", [&stop] {
     if (stop.bad_pass_rate >= stop.good_pass_rate) throw InputError("must be below good_pass_rate");
   });
@@ -67,9 +67,9 @@ void Describe(config::ConfigVisitor& v, StopWhen& stop) {
 namespace {
 
 template <typename Bounds>
-void DescribeBounds(config::ConfigVisitor& v, Bounds& bounds) {
-  v.Number({"min", "The smallest value.", true}, bounds.min, config::kNoUnit, config::kAny);
-  v.Number({"max", "The largest value.", true}, bounds.max, config::kNoUnit, config::kAny);
+void DescribeBounds(models::ConfigVisitor& v, Bounds& bounds) {
+  v.Number({"min", "The smallest value.", true}, bounds.min, models::kNoUnit, models::kAny);
+  v.Number({"max", "The largest value.", true}, bounds.max, models::kNoUnit, models::kAny);
   v.Check("max", [&bounds] {
     if (bounds.max <= bounds.min) throw InputError("must be above min");
   });
@@ -77,12 +77,12 @@ void DescribeBounds(config::ConfigVisitor& v, Bounds& bounds) {
 
 }  // namespace
 
-void Describe(config::ConfigVisitor& v, UniformValues& values) { DescribeBounds(v, values); }
-void Describe(config::ConfigVisitor& v, LatinHypercubeValues& values) { DescribeBounds(v, values); }
+void Describe(models::ConfigVisitor& v, UniformValues& values) { DescribeBounds(v, values); }
+void Describe(models::ConfigVisitor& v, LatinHypercubeValues& values) { DescribeBounds(v, values); }
 
-void Describe(config::ConfigVisitor& v, NormalValues& values) {
-  v.Number({"mean", "The middle.", true}, values.mean, config::kNoUnit, config::kAny);
-  v.Number({"sigma", "The standard deviation.", true}, values.sigma, config::kNoUnit, config::kNotNegative);
+void Describe(models::ConfigVisitor& v, NormalValues& values) {
+  v.Number({"mean", "Mean.", true}, values.mean, models::kNoUnit, models::kAny);
+  v.Number({"sigma", "Standard deviation.", true}, values.sigma, models::kNoUnit, models::kNotNegative);
 }
 
 namespace {
@@ -94,10 +94,10 @@ struct RangeOfValues {
   int count = 2;
 };
 
-void Describe(config::ConfigVisitor& v, RangeOfValues& range) {
-  v.Number({"from", "The first value.", true}, range.from, config::kNoUnit, config::kAny);
-  v.Number({"to", "The last value.", true}, range.to, config::kNoUnit, config::kAny);
-  v.Integer({"count", "How many.", true}, range.count, config::Between(2, 1e5));
+void Describe(models::ConfigVisitor& v, RangeOfValues& range) {
+  v.Number({"from", "The first value.", true}, range.from, models::kNoUnit, models::kAny);
+  v.Number({"to", "The last value.", true}, range.to, models::kNoUnit, models::kAny);
+  v.Integer({"count", "Number of values.", true}, range.count, models::Between(2, 1e5));
   v.Check("to", [&range] {
     if (range.to == range.from) throw InputError("must differ from from");
   });
@@ -112,15 +112,15 @@ struct PlainKeys {
   std::string base;
 };
 
-void Describe(config::ConfigVisitor& v, PlainKeys& keys) {
+void Describe(models::ConfigVisitor& v, PlainKeys& keys) {
   SweepFile& file = keys.file;
-  v.Text({"name", "Default: the file's."}, file.name);
-  v.Text({"description", "For people."}, file.description);
-  v.Text({"base", "The scenario that is flown: a file's name, from this file's folder.", true}, keys.base);
-  v.Keys({"seeds", "A flight is flown with each."}, file.seeds);
-  v.Keys({"limits", "Of a flight."}, file.limits);
-  v.Items({"criteria", "What the sweep must show to pass."}, file.criteria);
-  v.OptionalKeys({"stop_when", "Ends the sweep when enough has been flown."}, file.stop_when, StopWhen());
+  v.Text({"name", "Name of the sweep. Default: the file's name."}, file.name);
+  v.Text({"description", "Purpose of the sweep in words."}, file.description);
+  v.Text({"base", "Scenario to fly: the name of a file, relative to this file's folder.", true}, keys.base);
+  v.Keys({"seeds", "Seeds; every combination of values is flown with each."}, file.seeds);
+  v.Keys({"limits", "Limits of a flight."}, file.limits);
+  v.Items({"criteria", "Bounds on results that the sweep must keep to pass."}, file.criteria);
+  v.OptionalKeys({"stop_when", "Ends the sweep as soon as its pass rate is decided."}, file.stop_when, StopWhen());
 }
 
 /// A piece of configuration as YAML in one line.

@@ -24,7 +24,7 @@ constexpr int kApplicationId =
 constexpr int kVersion = 2;
 
 /// All but the table `flights`, which FlightsSchema describes.
-constexpr const char* kSchema = R"(
+constexpr const char* kTables = R"(
 CREATE TABLE sweep (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 CREATE TABLE plan (
   position INTEGER PRIMARY KEY, id TEXT NOT NULL, seed INTEGER NOT NULL, variant TEXT NOT NULL, parameters TEXT NOT NULL);
@@ -125,7 +125,7 @@ struct SweepStore::Impl {
     db->exec(fmt::format("PRAGMA application_id = {}", kApplicationId));
     db->exec(fmt::format("PRAGMA user_version = {}", kVersion));
     db->exec(FlightsSchema());
-    db->exec(kSchema);
+    db->exec(kTables);
     transaction.commit();
   }
 

@@ -8,22 +8,18 @@
 #include "models/error.h"
 #include "models/random_stream.h"
 #include "models/vehicle.h"
+#include "tests/support/random_pose.h"
 
 namespace touchdown::estimator::calibration {
 namespace {
 
 using Eigen::Isometry3d;
 
-Isometry3d RandomPose(models::RandomStream& random) {
-  Isometry3d X(Eigen::Translation3d(random.NormalVector3()));
-  X.linear() = models::RotationExp(2.0 * random.NormalVector3());
-  return X;
-}
-
 Isometry3d RandomMounting(models::RandomStream& random) {
   models::Vehicle vehicle;
   vehicle.camera.position_m = 0.05 * random.NormalVector3();
-  vehicle.camera.misalignment = {random.Uniform(-0.2, 0.2), random.Uniform(-0.2, 0.2), random.Uniform(-3.0, 3.0)};
+  vehicle.camera.misalignment_deg = {random.Uniform(-12.0, 12.0), random.Uniform(-12.0, 12.0),
+                                     random.Uniform(-170.0, 170.0)};
   return vehicle.X_BC();
 }
 
@@ -36,7 +32,7 @@ void Shake(Isometry3d& X, double position_m, double rotation_rad, models::Random
 std::vector<PatternView> Views(const Isometry3d& X_BC, int count, double error, models::RandomStream& random) {
   std::vector<PatternView> views;
   for (int i = 0; i < count; ++i) {
-    PatternView view{.X_WE = RandomPose(random), .X_EC = RandomPose(random)};
+    PatternView view{.X_WE = tests::RandomPose(random), .X_EC = tests::RandomPose(random)};
     view.X_EC.translation() = 0.5 * view.X_EC.translation().normalized();
     view.X_WB = view.X_WE * view.X_EC * X_BC.inverse();
     Shake(view.X_WB, 0.002 * error, 0.0087 * error, random);

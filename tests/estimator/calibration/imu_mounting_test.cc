@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "models/angles.h"
-#include "models/error.h"
 #include "models/random_stream.h"
 #include "models/vehicle.h"
+#include "tests/support/throws_input_error.h"
 
 namespace touchdown::estimator::calibration {
 namespace {
@@ -19,6 +19,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using ::testing::HasSubstr;
+using tests::ThrowsInputError;
 using Samples = std::vector<models::ImuSample>;
 
 const Vector3d kUp = Vector3d::UnitZ();
@@ -84,30 +85,22 @@ TEST(ImuMounting, TellsHowFarNoiseMayTiltIt) {
   }
 }
 
-std::string ErrorOf(const Samples& samples) {
-  try {
-    FindImuMounting(samples);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST(ImuMounting, RefusesSamplesThatAreFewShakenTurningOrNotGravitys) {
-  EXPECT_EQ(ErrorOf({}), "too few samples of the IMU at rest: 0 of at least 100");
-  EXPECT_EQ(ErrorOf(AtRest(Matrix3d::Identity(), 99)), "too few samples of the IMU at rest: 99 of at least 100");
-  EXPECT_EQ(ErrorOf(AtRest(Matrix3d::Identity(), 100)), "");
-  EXPECT_THAT(ErrorOf(AtRest(Matrix3d::Identity(), 500, 0.5)),
-              HasSubstr("not at rest: its specific force scatters by 0.5"));
+  EXPECT_THAT([&] { FindImuMounting({}); }, ThrowsInputError("too few samples of the IMU at rest: 0 of at least 100"));
+  EXPECT_THAT([&] { FindImuMounting(AtRest(Matrix3d::Identity(), 99)); },
+              ThrowsInputError("too few samples of the IMU at rest: 99 of at least 100"));
+  EXPECT_NO_THROW(FindImuMounting(AtRest(Matrix3d::Identity(), 100)));
+  EXPECT_THAT([&] { FindImuMounting(AtRest(Matrix3d::Identity(), 500, 0.5)); },
+              ThrowsInputError(HasSubstr("not at rest: its specific force scatters by 0.5")));
   Samples turning = AtRest(Matrix3d::Identity(), 100);
   for (auto& sample : turning) sample.w_WU_U.z() = 0.2;
-  EXPECT_THAT(ErrorOf(turning), HasSubstr("not at rest: it turns by 0.20 rad/s"));
+  EXPECT_THAT([&] { FindImuMounting(turning); }, ThrowsInputError(HasSubstr("not at rest: it turns by 0.20 rad/s")));
   Samples falling = AtRest(Matrix3d::Identity(), 100);
   for (auto& sample : falling) sample.specific_force_U /= models::kGravity_m_s2;
-  EXPECT_THAT(ErrorOf(falling), HasSubstr("1.00 m/s^2, which is not gravity's"));
+  EXPECT_THAT([&] { FindImuMounting(falling); }, ThrowsInputError(HasSubstr("1.00 m/s^2, which is not gravity's")));
   Samples broken = AtRest(Matrix3d::Identity(), 100);
   broken[50].specific_force_U.x() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(ErrorOf(broken), HasSubstr("not finite"));
+  EXPECT_THAT([&] { FindImuMounting(broken); }, ThrowsInputError(HasSubstr("not finite")));
 }
 
 }  // namespace

@@ -9,18 +9,13 @@
 #include "models/angles.h"
 #include "models/error.h"
 #include "models/random_stream.h"
+#include "tests/support/random_pose.h"
 
 namespace touchdown::estimator::calibration {
 namespace {
 
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
-
-Isometry3d RandomPose(models::RandomStream& random) {
-  Isometry3d X(Eigen::Translation3d(random.NormalVector3()));
-  X.linear() = models::RotationExp(2.0 * random.NormalVector3());
-  return X;
-}
 
 constexpr double kPosition_m = 0.002, kRotation_rad = 0.0087;
 
@@ -40,7 +35,7 @@ double TurnBetween(const Isometry3d& a, const Isometry3d& b) {
 TEST(PoseMean, GivesBackThePoseThatAllMeasurementsAre) {
   models::RandomStream random(1, "test");
   for (int i = 0; i < 100; ++i) {
-    const Isometry3d truth = RandomPose(random);
+    const Isometry3d truth = tests::RandomPose(random);
     const PoseMean mean = MeanPose(std::vector<Isometry3d>(1 + i % 5, truth));
     EXPECT_TRUE(mean.X_AB.isApprox(truth, 1e-12));
     EXPECT_EQ(mean.used, static_cast<std::size_t>(1 + i % 5));
@@ -63,7 +58,7 @@ TEST(PoseMean, ScattersAsTheMeasurementsDoAndErrsAsItSays) {
   double position_ratio = 0.0, rotation_ratio = 0.0;
   constexpr int kRuns = 100;
   for (int run = 0; run < kRuns; ++run) {
-    const Isometry3d truth = RandomPose(random);
+    const Isometry3d truth = tests::RandomPose(random);
     const PoseMean mean = MeanPose(Measured(truth, 400, random));
     EXPECT_NEAR(mean.position_scatter_m.norm(), std::sqrt(3.0) * kPosition_m, 0.1 * kPosition_m * std::sqrt(3.0));
     EXPECT_NEAR(mean.rotation_scatter_rad.norm(), std::sqrt(3.0) * kRotation_rad, 0.1 * kRotation_rad * std::sqrt(3.0));
@@ -77,7 +72,7 @@ TEST(PoseMean, ScattersAsTheMeasurementsDoAndErrsAsItSays) {
 
 TEST(PoseMean, LeavesOutliersOut) {
   models::RandomStream random(3, "test");
-  const Isometry3d truth = RandomPose(random);
+  const Isometry3d truth = tests::RandomPose(random);
   std::vector<Isometry3d> measured = Measured(truth, 100, random);
   for (std::size_t i = 0; i < 20; ++i) measured[i].translation() += Vector3d(0.15, -0.1, 0.1);
   for (std::size_t i = 10; i < 30; ++i) measured[i].linear() = measured[i].linear() * models::RotationExp({0.2, 0, 0});

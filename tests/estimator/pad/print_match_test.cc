@@ -6,6 +6,7 @@
 
 #include "models/angles.h"
 #include "models/error.h"
+#include "models/pad_outline.h"
 #include "tests/support/synthetic_pad.h"
 
 namespace touchdown::estimator::pad {
@@ -14,8 +15,13 @@ namespace {
 using Eigen::Vector2d;
 using models::LandingPad;
 
+struct Artwork : LandingPad {
+  explicit Artwork(const LandingPad& pad) : LandingPad(pad), outline(pad) {}
+  models::PadOutline outline;
+};
+
 /// What is printed within the ring.
-using Black = std::function<bool(const LandingPad&, const Vector2d&)>;
+using Black = std::function<bool(const Artwork&, const Vector2d&)>;
 
 bool OnStrokes(const LandingPad& pad, const Vector2d& p) {
   const Vector2d q = p.cwiseAbs();
@@ -39,9 +45,10 @@ class PrintMatchTest : public testing::Test {
     Look(view);
     tests::PadPicture picture{
         .noise_sigma = view.noise_sigma, .lens_blur_sigma_px = view.lens_blur_sigma_px, .letter = false};
+    const Artwork pad(pad_);
     picture.paint = [&](const Vector2d& p) -> std::optional<double> {
       if (p.norm() > 0.1) return std::nullopt;
-      const bool is_black = p.norm() > pad_.inner_radius_m() ? pad_.IsBlack(p) : black(pad_, p);
+      const bool is_black = p.norm() > pad_.inner_radius_m() ? pad.outline.IsBlack(p) : black(pad, p);
       const double grey = is_black ? picture.black : picture.paper;
       return view.light ? view.light(grey, p) : grey;
     };
@@ -72,7 +79,7 @@ class PrintMatchTest : public testing::Test {
   Eigen::Isometry3d X_WC_;
 };
 
-const Black kPrint = [](const LandingPad& pad, const Vector2d& p) { return pad.IsBlack(p); };
+const Black kPrint = [](const Artwork& pad, const Vector2d& p) { return pad.outline.IsBlack(p); };
 
 TEST_F(PrintMatchTest, FindsTheHAndItsDirectionFromAnyDistanceAndTilt) {
   for (const View& view : {View{.distance = 0.25, .tilt_deg = 0.0}, View{.distance = 0.5, .tilt_deg = 30.0},
@@ -87,26 +94,26 @@ TEST_F(PrintMatchTest, FindsTheHAndItsDirectionFromAnyDistanceAndTilt) {
 }
 
 TEST_F(PrintMatchTest, RefusesOtherLetters) {
-  const Black letter_n = [](const LandingPad& pad, const Vector2d& p) {
+  const Black letter_n = [](const Artwork& pad, const Vector2d& p) {
     const double half_x = pad.h_height_m / 2, half_y = pad.h_width_m / 2 - pad.h_stroke_m / 2;
     const bool diagonal = std::abs(p.x()) < half_x && std::abs(p.y() - p.x() / half_x * half_y) < pad.h_stroke_m / 2;
     return OnStrokes(pad, p) || diagonal;
   };
-  const Black letter_u = [](const LandingPad& pad, const Vector2d& p) {
+  const Black letter_u = [](const Artwork& pad, const Vector2d& p) {
     const bool base = p.x() > -pad.h_height_m / 2 && p.x() < -pad.h_height_m / 2 + pad.h_stroke_m;
     return OnStrokes(pad, p) || (base && std::abs(p.y()) < pad.h_width_m / 2);
   };
-  const Black two_strokes = [](const LandingPad& pad, const Vector2d& p) { return OnStrokes(pad, p); };
-  const Black eight = [](const LandingPad& pad, const Vector2d& p) {
+  const Black two_strokes = [](const Artwork& pad, const Vector2d& p) { return OnStrokes(pad, p); };
+  const Black eight = [](const Artwork& pad, const Vector2d& p) {
     const Vector2d q = p.cwiseAbs();
     const bool ends = q.x() < pad.h_height_m / 2 && q.x() > pad.h_height_m / 2 - pad.h_stroke_m;
-    return pad.IsBlack(p) || (ends && q.y() < pad.h_width_m / 2);
+    return pad.outline.IsBlack(p) || (ends && q.y() < pad.h_width_m / 2);
   };
-  const Black cross = [](const LandingPad& pad, const Vector2d& p) {
+  const Black cross = [](const Artwork& pad, const Vector2d& p) {
     const Vector2d q = p.cwiseAbs();
     return q.minCoeff() < pad.h_stroke_m / 2 && q.maxCoeff() < pad.h_height_m / 2;
   };
-  const Black nothing = [](const LandingPad&, const Vector2d&) { return false; };
+  const Black nothing = [](const Artwork&, const Vector2d&) { return false; };
   for (const double distance : {0.3, 0.8, 1.5}) {
     for (const Black& print : {letter_n, letter_u, two_strokes, eight, cross, nothing}) {
       EXPECT_FALSE(Find(print, {.distance = distance})) << distance;
@@ -115,9 +122,10 @@ TEST_F(PrintMatchTest, RefusesOtherLetters) {
 }
 
 TEST_F(PrintMatchTest, RefusesAnHOfAnotherSizeOrPlace) {
-  EXPECT_FALSE(Find([](const LandingPad& pad, const Vector2d& p) { return pad.IsLetter(p / 0.7); }));
-  EXPECT_FALSE(Find([](const LandingPad& pad, const Vector2d& p) { return pad.IsLetter(p / 1.3); }));
-  EXPECT_FALSE(Find([](const LandingPad& pad, const Vector2d& p) { return pad.IsLetter(p - Vector2d(0.0, 0.02)); }));
+  EXPECT_FALSE(Find([](const Artwork& pad, const Vector2d& p) { return pad.outline.IsLetter(p / 0.7); }));
+  EXPECT_FALSE(Find([](const Artwork& pad, const Vector2d& p) { return pad.outline.IsLetter(p / 1.3); }));
+  EXPECT_FALSE(
+      Find([](const Artwork& pad, const Vector2d& p) { return pad.outline.IsLetter(p - Vector2d(0.0, 0.02)); }));
 }
 
 TEST_F(PrintMatchTest, FindsAnHThatGlareBreaks) {
@@ -152,12 +160,16 @@ TEST_F(PrintMatchTest, KnowsWhetherThePrintIsAtAPlace) {
   ASSERT_TRUE(found);
   EXPECT_GT(found->likeness, 0.9);
   const double angle = found->place.angle;
-  for (const double turned_deg : {0.0, 3.0, -3.0, 180.0}) {
-    EXPECT_TRUE(print.IsAt(image.View(), plane, {.angle = angle + models::DegToRad(turned_deg)})) << turned_deg;
+  const auto turned = [&](double by_deg) { return PrintPlace{.angle = angle + models::DegToRad(by_deg)}; };
+  for (const double by_deg : {0.0, 3.0, -3.0, 180.0}) {
+    EXPECT_TRUE(print.IsAt(image.View(), plane, std::vector{turned(by_deg)})) << by_deg;
   }
-  for (const double turned_deg : {25.0, -25.0, 90.0}) {
-    EXPECT_FALSE(print.IsAt(image.View(), plane, {.angle = angle + models::DegToRad(turned_deg)})) << turned_deg;
+  for (const double by_deg : {25.0, -25.0, 90.0}) {
+    EXPECT_FALSE(print.IsAt(image.View(), plane, std::vector{turned(by_deg)})) << by_deg;
   }
+  EXPECT_TRUE(print.IsAt(image.View(), plane, std::vector{turned(90.0), turned(0.0)}));
+  EXPECT_FALSE(print.IsAt(image.View(), plane, std::vector{turned(90.0), turned(25.0)}));
+  EXPECT_FALSE(print.IsAt(image.View(), plane, {}));
 }
 
 TEST_F(PrintMatchTest, FindsAPadWhoseMarksLieAllAlongTheRing) {
@@ -195,24 +207,24 @@ TEST_F(PrintMatchTest, FindsARectangleAndItsDirection) {
 
 TEST_F(PrintMatchTest, RefusesWhatIsNoSolidRectangle) {
   pad_.h_stroke_m = 0.5 * pad_.h_width_m;
-  const Black h = [](const LandingPad&, const Vector2d& p) { return LandingPad().IsLetter(p); };
-  const Black fat_h = [](const LandingPad&, const Vector2d& p) {
-    LandingPad fat;
-    fat.h_stroke_m = 0.34 * fat.h_width_m;
-    return fat.IsLetter(p);
+  LandingPad fat;
+  fat.h_stroke_m = 0.34 * fat.h_width_m;
+  const Black h = [usual = models::PadOutline({})](const Artwork&, const Vector2d& p) { return usual.IsLetter(p); };
+  const Black fat_h = [outline = models::PadOutline(fat)](const Artwork&, const Vector2d& p) {
+    return outline.IsLetter(p);
   };
-  const Black frame = [](const LandingPad& pad, const Vector2d& p) {
-    return pad.IsLetter(p) && !pad.IsLetter(p / 0.7);
+  const Black frame = [](const Artwork& pad, const Vector2d& p) {
+    return pad.outline.IsLetter(p) && !pad.outline.IsLetter(p / 0.7);
   };
-  const Black ellipse = [](const LandingPad& pad, const Vector2d& p) {  // As large as the rectangle.
+  const Black ellipse = [](const Artwork& pad, const Vector2d& p) {  // As large as the rectangle.
     return p.cwiseQuotient(Vector2d(pad.h_height_m, pad.h_width_m)).norm() < 1.0 / std::sqrt(models::kPi);
   };
-  const Black disc = [](const LandingPad&, const Vector2d& p) { return p.norm() < 0.042; };
-  const Black triangle = [](const LandingPad& pad, const Vector2d& p) {
+  const Black disc = [](const Artwork&, const Vector2d& p) { return p.norm() < 0.042; };
+  const Black triangle = [](const Artwork& pad, const Vector2d& p) {
     const double share = (p.x() / pad.h_height_m + 0.5);
     return share > 0.0 && share < 1.0 && std::abs(p.y()) < pad.h_width_m * share;
   };
-  const Black nothing = [](const LandingPad&, const Vector2d&) { return false; };
+  const Black nothing = [](const Artwork&, const Vector2d&) { return false; };
   for (const double distance : {0.3, 0.8, 1.5}) {
     int i = 0;
     for (const Black& print : {h, fat_h, frame, ellipse, disc, triangle, nothing}) {
@@ -228,23 +240,24 @@ TEST_F(PrintMatchTest, ExpectsTheMarksThatAreDescribed) {
       .shape = models::PadMark::Shape::kBar, .centre_m = {0.042, 0.0}, .length_m = 0.016, .width_m = 0.03}};
   pad_.Validate();
   EXPECT_TRUE(Find(kPrint));
-  EXPECT_FALSE(Find([](const LandingPad& pad, const Vector2d& p) { return pad.IsLetter(p); }));
+  EXPECT_FALSE(Find([](const Artwork& pad, const Vector2d& p) { return pad.outline.IsLetter(p); }));
 }
 
 TEST_F(PrintMatchTest, MindsNoMarkBesideTheH) {
-  const Black dotted = [](const LandingPad& pad, const Vector2d& p) {
-    return pad.IsLetter(p) || (p - Vector2d(0.0, 0.045)).norm() < 0.01;
+  const Black dotted = [](const Artwork& pad, const Vector2d& p) {
+    return pad.outline.IsLetter(p) || (p - Vector2d(0.0, 0.045)).norm() < 0.01;
   };
   EXPECT_TRUE(Find(dotted));
 }
 
 TEST_F(PrintMatchTest, RefusesAFrameThatIsNoRing) {
   Look({});
+  const models::PadOutline outline(pad_);
   tests::PadPicture picture{.noise_sigma = 0.0};
   picture.paint = [&](const Vector2d& p) -> std::optional<double> {
     const double side = p.cwiseAbs().maxCoeff();
     if (side > 0.105 || p.norm() < 0.6 * pad_.inner_radius_m()) return std::nullopt;
-    return side > 0.07 && side < 0.086 ? 25.0 : pad_.IsLetter(p) ? 25.0 : 215.0;
+    return side > 0.07 && side < 0.086 ? 25.0 : outline.IsLetter(p) ? 25.0 : 215.0;
   };
   const models::Image image = tests::RenderPad(camera_, pad_, X_WC_, picture);
   const Eigen::Isometry3d X_CW = X_WC_.inverse();

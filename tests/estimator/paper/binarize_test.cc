@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "models/error.h"
+#include "models/pad_outline.h"
 #include "models/random_stream.h"
 #include "tests/support/synthetic_pad.h"
 
@@ -68,6 +69,7 @@ TEST(Binarize, FindsNothingDarkInNoiseOnAnEvenWall) {
 TEST(Binarize, KeepsThePadsStrokesWholeAtTheLowestHeight) {
   const models::CameraModel camera;
   const models::LandingPad pad;
+  const models::PadOutline outline(pad);
   const auto X_WC = tests::CameraAbovePad({0.0, 0.0, 0.15});
   const models::Image dark = Binarize(tests::RenderPad(camera, pad, X_WC).View());
   int black = 0, missed = 0, false_dark = 0;
@@ -77,9 +79,9 @@ TEST(Binarize, KeepsThePadsStrokesWholeAtTheLowestHeight) {
       const Eigen::Vector2d p_W = (0.15 / -ray_W.z() * ray_W).head<2>();
       if (p_W.norm() > 0.105) continue;
       const bool is_dark = dark.View().At(u, v) != 0;
-      black += pad.IsBlack(p_W);
-      missed += pad.IsBlack(p_W) && !is_dark;
-      false_dark += !pad.IsBlack(p_W) && is_dark;
+      black += outline.IsBlack(p_W);
+      missed += outline.IsBlack(p_W) && !is_dark;
+      false_dark += !outline.IsBlack(p_W) && is_dark;
     }
   }
   EXPECT_GT(black, 4000);

@@ -19,7 +19,7 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using Label = FrameTrace::Label;
+using Label = ComponentClass;
 using models::PadLetter;
 
 models::Image Blank() { return {160, 120}; }

@@ -13,7 +13,7 @@
 namespace touchdown::estimator::paper {
 namespace {
 
-using Label = FrameTrace::Label;
+using Label = ComponentClass;
 
 Component Box(int u, int v, int width, int height) { return {u, v, width, height, width * height, 0, 0}; }
 
@@ -44,13 +44,13 @@ TEST(PadDetector, NamesTheFirstStageThatFailed) {
       {100, {Label::kCircle, 0.9}}, {131, {Label::kH, 0.9}}, {300, {Label::kH, 0.99}}, {7, {Label::kOther, 0.9}}};
   const PadDetector detector(pad, Knowing(labels));
   const auto status = [&](std::vector<Component> components) {
-    return std::get<FrameStatus>(detector.Detect(SetOf(std::move(components))).outcome);
+    return std::get<Reason>(detector.Detect(SetOf(std::move(components))).outcome);
   };
-  EXPECT_EQ(status({}), FrameStatus::kNoComponent);
-  EXPECT_EQ(status({Box(7, 7, 20, 20)}), FrameStatus::kNoCircle);
-  EXPECT_EQ(status({letter}), FrameStatus::kNoCircle);
-  EXPECT_EQ(status({ring, Box(7, 7, 20, 20)}), FrameStatus::kNoH);
-  EXPECT_EQ(status({ring, far_letter}), FrameStatus::kNoPair);
+  EXPECT_EQ(status({}), Reason::kNoComponent);
+  EXPECT_EQ(status({Box(7, 7, 20, 20)}), Reason::kNoCircle);
+  EXPECT_EQ(status({letter}), Reason::kNoCircle);
+  EXPECT_EQ(status({ring, Box(7, 7, 20, 20)}), Reason::kNoH);
+  EXPECT_EQ(status({ring, far_letter}), Reason::kNoPair);
 
   const auto found = detector.Detect(SetOf({ring, far_letter, letter}));
   ASSERT_TRUE(std::holds_alternative<std::vector<DetectedPad>>(found.outcome));
@@ -67,7 +67,7 @@ TEST(PadDetector, DoesNotTakeARingThatTheImageCutsOff) {
   const PadDetector detector(models::LandingPad(), Knowing(labels));
   for (const Component& cut :
        {Box(0, 100, 90, 90), Box(100, 0, 90, 90), Box(550, 100, 90, 90), Box(100, 390, 90, 90)}) {
-    EXPECT_EQ(std::get<FrameStatus>(detector.Detect(SetOf({cut, letter})).outcome), FrameStatus::kNoCircle);
+    EXPECT_EQ(std::get<Reason>(detector.Detect(SetOf({cut, letter})).outcome), Reason::kNoCircle);
   }
 }
 

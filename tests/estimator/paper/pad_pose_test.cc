@@ -102,7 +102,8 @@ TEST(PadPose, PutsTheBodyWhereItIsForAnyPoseAndMounting) {
   for (int i = 0; i < 200; ++i) {
     models::Vehicle vehicle;
     vehicle.camera.position_m = 0.1 * random.NormalVector3();
-    vehicle.camera.misalignment = {random.Uniform(-0.2, 0.2), random.Uniform(-0.2, 0.2), random.Uniform(-3.0, 3.0)};
+    vehicle.camera.misalignment_deg = {random.Uniform(-12.0, 12.0), random.Uniform(-12.0, 12.0),
+                                       random.Uniform(-170.0, 170.0)};
     const Eigen::Isometry3d X_BC = vehicle.X_BC();
 
     // A camera at any yaw whose tilt is about a horizontal axis, so that the yaw of Eq. 15 is its own.

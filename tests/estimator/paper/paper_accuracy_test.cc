@@ -46,7 +46,7 @@ Accuracy AccuracyIn(const Conditions& conditions) {
         tests::RenderPad(setup.camera, setup.pad, X_WC, {.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5}, &random);
     const Vector3d gravity_B =
         models::RotationExp(models::DegToRad(0.5) * random.NormalVector3()) * tests::GravityIn(X_WB);
-    const FrameEstimate seen = estimator.Estimate(image.View(), i, gravity_B);
+    const FrameResult seen = estimator.Estimate(image.View(), i, gravity_B);
     if (!seen.pose) continue;
     ++sum.seen;
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "estimator/paper/paper_estimator.h"
+#include "models/pad_outline.h"
 #include "tests/support/paper_estimator_fixture.h"
 #include "tests/support/synthetic_pad.h"
 
@@ -17,31 +18,30 @@ using PaperEstimatorStatus = tests::PaperEstimatorFixture;
 
 TEST_F(PaperEstimatorStatus, SeesABlankImageAsNoComponent) {
   const models::Image blank(640, 480, 128);
-  const FrameEstimate seen = SeeImage(blank, BodyWithCameraAt({0, 0, 1}));
-  EXPECT_EQ(seen.status, FrameStatus::kNoComponent);
+  const FrameResult seen = SeeImage(blank, BodyWithCameraAt({0, 0, 1}));
+  EXPECT_EQ(seen.reason, "no_component");
   EXPECT_FALSE(seen.pose);
   EXPECT_FALSE(seen.pad_px);
 }
 
 TEST_F(PaperEstimatorStatus, SeesALoneLetterAsNoCircle) {
-  const FrameEstimate seen = See(BodyWithCameraAt({0, 0, 0.6}), {.ring = false});
-  EXPECT_EQ(seen.status, FrameStatus::kNoCircle);
-  EXPECT_FALSE(seen.trace.components.empty());
+  const FrameResult seen = See(BodyWithCameraAt({0, 0, 0.6}), {.ring = false});
+  EXPECT_EQ(seen.reason, "no_circle");
+  EXPECT_FALSE(seen.overlay.boxes.empty());
 }
 
 TEST_F(PaperEstimatorStatus, SeesALoneRingAsNoH) {
-  EXPECT_EQ(See(BodyWithCameraAt({0, 0, 0.6}), {.letter = false}).status, FrameStatus::kNoH);
+  EXPECT_EQ(See(BodyWithCameraAt({0, 0, 0.6}), {.letter = false}).reason, "no_h");
 }
 
 TEST_F(PaperEstimatorStatus, SeesAnHBesideTheRingAsNoPair) {
-  const models::LandingPad pad;
-  const auto letter_aside = [pad](const Eigen::Vector2d& p) -> std::optional<double> {
+  const auto letter_aside = [outline = models::PadOutline({})](const Eigen::Vector2d& p) -> std::optional<double> {
     const Eigen::Vector2d q = p - Eigen::Vector2d(0.0, 0.35);
     if (q.norm() > 0.10) return std::nullopt;
-    return pad.IsBlack(q) && q.norm() < pad.inner_radius_m() ? 25.0 : 215.0;
+    return outline.IsLetter(q) ? 25.0 : 215.0;
   };
-  const FrameEstimate seen = See(BodyWithCameraAt({0, 0.15, 0.6}), {.letter = false, .paint = letter_aside});
-  EXPECT_EQ(seen.status, FrameStatus::kNoPair);
+  const FrameResult seen = See(BodyWithCameraAt({0, 0.15, 0.6}), {.letter = false, .paint = letter_aside});
+  EXPECT_EQ(seen.reason, "no_pair");
 }
 
 /// A hand held over the part of the pad beyond `x_m`.
@@ -55,10 +55,10 @@ TEST_F(PaperEstimatorStatus, GivesNoPoseOrTheRightOneWhereAHandCoversPartOfTheRi
   PaperEstimator footage(unrelated);
   const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.02, 0.01, 0.6});
   for (const double x_m : {-0.03, 0.0, 0.03, 0.055, 0.06, 0.065, 0.07, 0.075, 0.08, 0.085, 0.095}) {
-    const FrameEstimate in_flight = See(X_WB, {.noise_sigma = 3.0, .paint = HandBeyond(x_m)});
+    const FrameResult in_flight = See(X_WB, {.noise_sigma = 3.0, .paint = HandBeyond(x_m)});
     const models::Image image = Picture(X_WB, {.noise_sigma = 3.0, .paint = HandBeyond(x_m)});
-    const FrameEstimate in_footage = footage.Estimate(image.View(), 0, GravityIn(X_WB));
-    for (const FrameEstimate& seen : {in_flight, in_footage}) {
+    const FrameResult in_footage = footage.Estimate(image.View(), 0, GravityIn(X_WB));
+    for (const FrameResult& seen : {in_flight, in_footage}) {
       if (x_m < 0.03) {
         EXPECT_FALSE(seen.pose) << "it covers half of the H, beyond " << x_m;
       }
@@ -81,22 +81,22 @@ TEST_F(PaperEstimatorStatus, FindsNoEllipseWhereTheOutlineIsNone) {
   };
   PaperEstimator estimator(setup_, {}, [](const ComponentSet&, const Component& component) {
     Classification seen;
-    seen.label = component.width > 70 ? FrameTrace::Label::kCircle : FrameTrace::Label::kH;
+    seen.label = component.width > 70 ? ComponentClass::kCircle : ComponentClass::kH;
     seen.posterior[static_cast<std::size_t>(seen.label)] = 1.0;
     return seen;
   });
   const Eigen::Isometry3d X_WB = BodyWithCameraAt({0, 0, 0.6});
   const models::Image image = Picture(X_WB, {.floor = 215.0, .ring = false, .paint = square});
-  const FrameEstimate seen = estimator.Estimate(image.View(), 0, GravityIn(X_WB));
-  EXPECT_EQ(seen.status, FrameStatus::kNoEllipse);
+  const FrameResult seen = estimator.Estimate(image.View(), 0, GravityIn(X_WB));
+  EXPECT_EQ(seen.reason, "no_ellipse");
   EXPECT_FALSE(seen.pose);
   EXPECT_FALSE(seen.pad_px);
 }
 
 TEST_F(PaperEstimatorStatus, CallsAJumpAnOutlierAndTellsItsPose) {
   ASSERT_EQ(See(BodyWithCameraAt({0, 0, 0.6})).status, FrameStatus::kOk);
-  const FrameEstimate jumped = See(BodyWithCameraAt({0.3, 0.2, 1.1}));
-  EXPECT_EQ(jumped.status, FrameStatus::kOutlier);
+  const FrameResult jumped = See(BodyWithCameraAt({0.3, 0.2, 1.1}));
+  EXPECT_EQ(jumped.status, FrameStatus::kRejected);
   ASSERT_TRUE(jumped.pose);
   EXPECT_NEAR(jumped.pose->X_WB.translation().x(), 0.3, 0.1);
   EXPECT_EQ(See(BodyWithCameraAt({0, 0, 0.61})).status, FrameStatus::kOk);

@@ -7,15 +7,18 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "models/error.h"
 #include "scenarios/datasets/bag_messages.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/throws_input_error.h"
 
 namespace touchdown::datasets {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using tests::ThrowsInputError;
 
 constexpr std::uint32_t kStart_s = 1'600'000'000;
 
@@ -89,18 +92,11 @@ class BagFileTest : public ::testing::Test {
     bag_.close();
     return {file_, topics};
   }
-  /// What reading all of it throws, after the file's name.
-  std::string Error(const std::vector<std::string>& topics = {}) {
-    const std::string place = file_.string() + ": ";
-    try {
+  auto Reading(const std::vector<std::string>& topics = {}) {
+    return [this, topics] {
       BagFile bag = Open(topics);
       while (bag.Next()) continue;
-    } catch (const InputError& error) {
-      const std::string text = error.what();
-      EXPECT_TRUE(text.starts_with(place)) << text;
-      return text.substr(place.size());
-    }
-    return "";
+    };
   }
   /// The grey of each picture's first pixel.
   std::vector<int> Greys(const std::vector<std::string>& topics = {}) {
@@ -219,16 +215,23 @@ TEST_F(BagFileTest, ListsSeveralCamerasOrImusToChooseFrom) {
   Add("/right/image_raw", Grey(0.0, 2));
   Add("/imu/data", ImuAt(0.0));
   Add("/imu/data_raw", ImuAt(0.5));
-  EXPECT_EQ(Error(), "has several topics of pictures; choose one with --topic: /left/image_raw, /right/image_raw");
-  EXPECT_EQ(Error({"/right/image_raw"}),
-            "has several topics of an IMU's samples; choose one with --topic: /imu/data, /imu/data_raw");
-  EXPECT_EQ(Error({"/wrong/image_raw"}), "has no pictures or IMU's samples under the topic /wrong/image_raw");
+  EXPECT_THAT(
+      Reading(),
+      ThrowsInputError(file_.string() +
+                       ": has several topics of pictures; choose one with --topic: /left/image_raw, /right/image_raw"));
+  EXPECT_THAT(
+      Reading({"/right/image_raw"}),
+      ThrowsInputError(file_.string() +
+                       ": has several topics of an IMU's samples; choose one with --topic: /imu/data, /imu/data_raw"));
+  EXPECT_THAT(Reading({"/wrong/image_raw"}),
+              ThrowsInputError(file_.string() + ": has no pictures or IMU's samples under the topic /wrong/image_raw"));
   EXPECT_THAT(Greys({"/imu/data_raw", "/right/image_raw"}), ElementsAre(2));
 }
 
 TEST_F(BagFileTest, RefusesABagWithoutPictures) {
   Add("/imu", ImuAt(0.0));
-  EXPECT_EQ(Error(), "has no topic of pictures (sensor_msgs/Image or CompressedImage)");
+  EXPECT_THAT(Reading(),
+              ThrowsInputError(file_.string() + ": has no topic of pictures (sensor_msgs/Image or CompressedImage)"));
 }
 
 TEST_F(BagFileTest, RefusesPatternsAndPicturesThatAreNotWhole) {
@@ -242,10 +245,13 @@ TEST_F(BagFileTest, RefusesPatternsAndPicturesThatAreNotWhole) {
   auto compressed = Stamped<ros1::CompressedImage>(0.0, "camera_optical");
   compressed.format = "jpeg";
   Add("/compressed", compressed);
-  EXPECT_THAT(Error({"/bayer"}), HasSubstr("has the encoding bayer_rggb8, which is none of mono8, "));
-  EXPECT_EQ(Error({"/cut"}), "is no picture of 4 x 2 px");
-  EXPECT_EQ(Error({"/endless"}), "is no picture of 4294967295 x 4294967295 px");
-  EXPECT_EQ(Error({"/compressed"}), "is no picture (jpeg) that can be read");
+  EXPECT_THAT(Reading({"/bayer"}),
+              ThrowsInputError(AllOf(StartsWith(file_.string()),
+                                     HasSubstr("has the encoding bayer_rggb8, which is none of mono8, "))));
+  EXPECT_THAT(Reading({"/cut"}), ThrowsInputError(file_.string() + ": is no picture of 4 x 2 px"));
+  EXPECT_THAT(Reading({"/endless"}),
+              ThrowsInputError(file_.string() + ": is no picture of 4294967295 x 4294967295 px"));
+  EXPECT_THAT(Reading({"/compressed"}), ThrowsInputError(file_.string() + ": is no picture (jpeg) that can be read"));
 }
 
 TEST_F(BagFileTest, RefusesTimesThatDoNotRise) {
@@ -253,13 +259,14 @@ TEST_F(BagFileTest, RefusesTimesThatDoNotRise) {
     ros1::Image image = Grey(time_s);
     bag_.write("/image", ros::Time(kStart_s) + ros::Duration(1.0 + 0.1 * static_cast<double>(bag_.getSize())), image);
   }
-  EXPECT_EQ(Error(), "topic /image: the time of message 2 is not after the one before");
+  EXPECT_THAT(Reading(),
+              ThrowsInputError(file_.string() + ": topic /image: the time of message 2 is not after the one before"));
 }
 
 TEST_F(BagFileTest, RefusesWhatIsNoBag) {
   bag_.close();
   folder_.Put("foreign.bag", "no bag");
-  EXPECT_EQ(Error(), "no ROS bag that can be read, or one that is cut");
+  EXPECT_THAT(Reading(), ThrowsInputError(file_.string() + ": no ROS bag that can be read, or one that is cut"));
 }
 
 }  // namespace

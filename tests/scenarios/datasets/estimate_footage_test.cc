@@ -47,8 +47,7 @@ FootageSetup SetupOf(const FootageFacts& facts) {
           .pad = facts.pad.value(),
           .mounting = facts.mounting,
           .imu = facts.imu,
-          .estimator = facts.estimator.value(),
-          .attitude_estimator = facts.attitude_estimator.value()};
+          .estimator = facts.estimator.value()};
 }
 
 /// Two seconds of a landing from the air, over a pad of other proportions, with sensors that are mounted askew.

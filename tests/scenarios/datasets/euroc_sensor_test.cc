@@ -3,14 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "models/error.h"
 #include "models/vehicle.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/throws_input_error.h"
 
 namespace touchdown::datasets {
 namespace {
 
 using ::testing::HasSubstr;
+using tests::ThrowsInputError;
 
 /// As in the data sets, with keys that nobody here needs.
 constexpr const char* kSensor = R"(#Default camera
@@ -33,15 +34,11 @@ distortion_coefficients: [-0.28340811, 0.07395907, 0.00019359, 1.76187114e-05]
 
 class EurocSensorTest : public ::testing::Test {
  protected:
-  std::string ErrorOf(const std::string& written, const std::string& instead) const {
+  /// Reads kSensor with `instead` in place of `written`.
+  auto ReadingWith(const std::string& written, const std::string& instead) const {
     std::string text = kSensor;
     text.replace(text.find(written), written.size(), instead);
-    try {
-      ReadEurocCamera(folder_.Put("sensor.yaml", text));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return [this, text] { ReadEurocCamera(folder_.Put("sensor.yaml", text)); };
   }
   tests::TemporaryFolder folder_;
 };
@@ -59,8 +56,8 @@ TEST_F(EurocSensorTest, ReadsACameraAndItsMounting) {
 
 TEST_F(EurocSensorTest, ReadsBackWhatItWritesToTheLastBit) {
   models::Vehicle vehicle;
-  vehicle.camera.misalignment = {0.011, -0.02, 0.3};
-  vehicle.imu.misalignment = {0.1, 0.2, -0.03};
+  vehicle.camera.misalignment_deg = {0.6, -1.1, 17.0};
+  vehicle.imu.misalignment_deg = {6.0, 11.0, -1.7};
   models::CameraModel model;
   model.fx_px = 320.0 / 3.0;
   model.k1 = -0.1;
@@ -73,11 +70,12 @@ TEST_F(EurocSensorTest, ReadsBackWhatItWritesToTheLastBit) {
 }
 
 TEST_F(EurocSensorTest, NamesFileLineAndKeyOfWhatIsWrong) {
-  EXPECT_THAT(ErrorOf("radial-tangential", "equidistant"),
-              HasSubstr("sensor.yaml:15: distortion_model: must be radial-tangential"));
-  EXPECT_THAT(ErrorOf("[0.0, -1.0,", "[0.1, -1.0,"), HasSubstr("T_BS.data: must be a rotation"));
-  EXPECT_THAT(ErrorOf("resolution: [752, 480]", ""), HasSubstr("resolution: must be given"));
-  EXPECT_THAT(ErrorOf("intrinsics: [458.654", "intrinsics: [-458.654"), HasSubstr("focal lengths must be positive"));
+  EXPECT_THAT(ReadingWith("radial-tangential", "equidistant"),
+              ThrowsInputError(HasSubstr("sensor.yaml:15: distortion_model: must be radial-tangential")));
+  EXPECT_THAT(ReadingWith("[0.0, -1.0,", "[0.1, -1.0,"), ThrowsInputError(HasSubstr("T_BS.data: must be a rotation")));
+  EXPECT_THAT(ReadingWith("resolution: [752, 480]", ""), ThrowsInputError(HasSubstr("resolution: must be given")));
+  EXPECT_THAT(ReadingWith("intrinsics: [458.654", "intrinsics: [-458.654"),
+              ThrowsInputError(HasSubstr("focal lengths must be positive")));
 }
 
 }  // namespace

@@ -7,14 +7,15 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "models/error.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/throws_input_error.h"
 
 namespace touchdown::datasets {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using tests::ThrowsInputError;
 
 class FootageTest : public ::testing::Test {
  protected:
@@ -35,13 +36,8 @@ class FootageTest : public ::testing::Test {
     while (auto frame = footage->Next()) frames.push_back(std::move(*frame));
     return frames;
   }
-  std::string ErrorOf(const std::filesystem::path& input) const {
-    try {
-      ReadAll(input);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+  auto Reading(const std::filesystem::path& input) const {
+    return [this, input] { ReadAll(input); };
   }
   tests::TemporaryFolder folder_;
 };
@@ -84,16 +80,17 @@ TEST_F(FootageTest, ReadsAFilmWithItsTimes) {
 TEST_F(FootageTest, RefusesAFilmThatIsCut) {
   const std::filesystem::path film = PutFilm("film.avi", 30);
   std::filesystem::resize_file(film, std::filesystem::file_size(film) * 6 / 10);
-  EXPECT_THAT(ErrorOf(film), HasSubstr("film.avi: "));
-  EXPECT_THAT(ErrorOf(film), HasSubstr("cut"));
-  EXPECT_THAT(ErrorOf(folder_.Put("text.mp4", "no film")), HasSubstr("text.mp4: no video that can be read"));
+  EXPECT_THAT(Reading(film), ThrowsInputError(HasSubstr("film.avi: ")));
+  EXPECT_THAT(Reading(film), ThrowsInputError(HasSubstr("cut")));
+  EXPECT_THAT(Reading(folder_.Put("text.mp4", "no film")),
+              ThrowsInputError(HasSubstr("text.mp4: no video that can be read")));
 }
 
 TEST_F(FootageTest, RefusesWhatIsNotThereAndWhatHoldsNoPictures) {
-  EXPECT_THAT(ErrorOf(folder_ / "none"), HasSubstr("none: no such file or folder"));
-  EXPECT_THAT(ErrorOf(folder_.path()), HasSubstr("no pictures in this folder"));
+  EXPECT_THAT(Reading(folder_ / "none"), ThrowsInputError(HasSubstr("none: no such file or folder")));
+  EXPECT_THAT(Reading(folder_.path()), ThrowsInputError(HasSubstr("no pictures in this folder")));
   folder_.Put("a.png", "no picture");
-  EXPECT_THAT(ErrorOf(folder_.path()), HasSubstr("a.png: no picture that can be read"));
+  EXPECT_THAT(Reading(folder_.path()), ThrowsInputError(HasSubstr("a.png: no picture that can be read")));
 }
 
 /// As in the data sets: no scenario beside it, times since 1970, the body is the IMU.
@@ -126,9 +123,9 @@ TEST_F(FootageTest, ReadsAForeignRecording) {
 
 TEST_F(FootageTest, NamesWhatARecordingLacks) {
   folder_.Put("mav0/cam0/data.csv", "5,5.png\n");
-  EXPECT_THAT(ErrorOf(folder_.path()), HasSubstr("5.png: no picture that can be read"));
+  EXPECT_THAT(Reading(folder_.path()), ThrowsInputError(HasSubstr("5.png: no picture that can be read")));
   folder_.Put("mav0/imu0/data.csv", "5,1,2,3,4,5\n");
-  EXPECT_THAT(ErrorOf(folder_.path()), HasSubstr("imu0/data.csv:1: has 6 columns instead of 7"));
+  EXPECT_THAT(Reading(folder_.path()), ThrowsInputError(HasSubstr("imu0/data.csv:1: has 6 columns instead of 7")));
 }
 
 }  // namespace

@@ -1,28 +1,20 @@
 // A build without the libraries of ROS bags.
 #include <gtest/gtest.h>
 
-#include "models/error.h"
 #include "scenarios/datasets/bag_file.h"
 #include "scenarios/datasets/flight_bag.h"
+#include "tests/support/throws_input_error.h"
 
 namespace touchdown::datasets {
 namespace {
 
-template <typename Action>
-std::string ErrorOf(const Action& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
+using tests::ThrowsInputError;
 
 TEST(NoBags, SaysThatTheBuildKnowsNone) {
   constexpr const char* kError =
-      "bag flight.bag: this build knows no ROS bags: the packages that they need were not there, see packages.txt";
-  EXPECT_EQ(ErrorOf([] { FlightBag({}, "out/flight.bag"); }), kError);
-  EXPECT_EQ(ErrorOf([] { BagFile("out/flight.bag", {}); }), kError);
+      "bag flight.bag: built without the ROS packages for bags; packages/test.txt lists them";
+  EXPECT_THAT([] { FlightBag({}, "out/flight.bag"); }, ThrowsInputError(kError));
+  EXPECT_THAT([] { BagFile("out/flight.bag", {}); }, ThrowsInputError(kError));
 }
 
 }  // namespace

@@ -3,23 +3,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "models/error.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/throws_input_error.h"
 
 namespace touchdown::datasets {
 namespace {
 
 using ::testing::HasSubstr;
+using tests::ThrowsInputError;
 
 class TumFile : public ::testing::Test {
  protected:
-  std::string ErrorOf(const std::string& text) const {
-    try {
-      ReadTumFile(folder_.Put("poses.tum", text));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+  auto Reading(const std::string& text) const {
+    return [this, text] { ReadTumFile(folder_.Put("poses.tum", text)); };
   }
   tests::TemporaryFolder folder_;
 };
@@ -36,12 +32,15 @@ TEST_F(TumFile, IsReadWithItsQuaternionsLastNumberFirst) {
 }
 
 TEST_F(TumFile, NamesTheLineOfWhatIsWrong) {
-  EXPECT_THAT(ErrorOf("1 0 0 0 0 0 0 1\n2 0 0 0 0 0 0\n"), HasSubstr("poses.tum:2: must be eight numbers"));
-  EXPECT_THAT(ErrorOf("1 0 0 0 0 0 0 1 9\n"), HasSubstr("poses.tum:1: must be eight numbers and nothing else"));
-  EXPECT_THAT(ErrorOf("1 0 0 nan 0 0 0 1\n"), HasSubstr("poses.tum:1: must be eight numbers"));
-  EXPECT_THAT(ErrorOf("1 0 0 0 0 0 0 2\n"), HasSubstr("poses.tum:1: its quaternion has length 2"));
-  EXPECT_THAT(ErrorOf("1 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n"), HasSubstr("poses.tum:2: its time does not come after"));
-  EXPECT_THAT(ErrorOf("# nothing\n"), HasSubstr("poses.tum: has no poses"));
+  EXPECT_THAT(Reading("1 0 0 0 0 0 0 1\n2 0 0 0 0 0 0\n"),
+              ThrowsInputError(HasSubstr("poses.tum:2: must be eight numbers")));
+  EXPECT_THAT(Reading("1 0 0 0 0 0 0 1 9\n"),
+              ThrowsInputError(HasSubstr("poses.tum:1: must be eight numbers and nothing else")));
+  EXPECT_THAT(Reading("1 0 0 nan 0 0 0 1\n"), ThrowsInputError(HasSubstr("poses.tum:1: must be eight numbers")));
+  EXPECT_THAT(Reading("1 0 0 0 0 0 0 2\n"), ThrowsInputError(HasSubstr("poses.tum:1: its quaternion has length 2")));
+  EXPECT_THAT(Reading("1 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n"),
+              ThrowsInputError(HasSubstr("poses.tum:2: its time does not come after")));
+  EXPECT_THAT(Reading("# nothing\n"), ThrowsInputError(HasSubstr("poses.tum: has no poses")));
 }
 
 }  // namespace

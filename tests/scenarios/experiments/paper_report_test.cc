@@ -1,5 +1,6 @@
 #include "scenarios/experiments/paper_report.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -67,6 +68,23 @@ TEST_F(PaperReportTest, SumsUpWhatIsKeptAndWhatIsNot) {
   EXPECT_THAT(files_["README.md"], HasSubstr("| mean \\|x\\| | mm | 24 | 6 | 0.25 | at or below | a, b |"));
   EXPECT_THAT(files_["README.md"], HasSubstr("| yaw | deg | 3 | 4.5 | 1.50 | above |"));
   EXPECT_THAT(files_["README.md"], HasSubstr("| roll | deg | 1 | – | – | none | none |"));
+}
+
+TEST_F(PaperReportTest, ShowsSmallFiguresInTheReadmeAndLeavesLargeOnesToThePage) {
+  EXPECT_THAT(files_["README.md"], HasSubstr("![Errors](figures/errors.svg)"));
+  EXPECT_THAT(files_["README.md"], HasSubstr("![Picture](figures/picture.jpg)"));
+
+  PaperSection section{{.id = "flight", .title = "Flight"}};
+  std::string csv = "x,y\n";
+  for (int i = 0; i < 20000; ++i) csv += fmt::format("{},{}\n", i, i % 7);
+  section.figures.push_back({.name = "series",
+                             .title = "Series",
+                             .caption = "Over time.",
+                             .csv = csv,
+                             .plot = "plot data using 'x':'y' with lines lc rgb INK\n"});
+  auto files = ReportFiles({.command = "touchdown paper"}, {section});
+  EXPECT_THAT(files["report.html"], HasSubstr("Series"));
+  EXPECT_THAT(files["README.md"], Not(HasSubstr("series.svg")));
 }
 
 TEST_F(PaperReportTest, IsOnePageThatNeedsNoOtherFile) {

@@ -20,9 +20,8 @@ using ::testing::HasSubstr;
 runner::Scenario SkewVehicle(std::uint64_t seed) {
   runner::Scenario scenario;
   scenario.seed = seed;
-  scenario.vehicle.camera = {.position_m = {0.03, -0.01, -0.04},
-                             .misalignment = {DegToRad(1.0), DegToRad(-2.0), DegToRad(3.0)}};
-  scenario.vehicle.imu.misalignment = {DegToRad(2.0), DegToRad(-1.0), 0.0};
+  scenario.vehicle.camera = {.position_m = {0.03, -0.01, -0.04}, .misalignment_deg = {1.0, -2.0, 3.0}};
+  scenario.vehicle.imu.misalignment_deg = {2.0, -1.0, 0.0};
   return scenario;
 }
 
@@ -32,8 +31,8 @@ TEST(CalibrationBench, FindsTheTiltOfAnImuWithoutErrors) {
   scenario.imu.accelerometer_noise_m_s2_sqrt_hz = 0.0;
   const ImuCalibration imu = CalibrateImu(scenario);
   EXPECT_LT(imu.tilt_error_rad, 1e-9);
-  EXPECT_NEAR(RadToDeg(imu.mounting.misalignment.roll), 2.0, 0.02) << "but for a little yaw";
-  EXPECT_NEAR(RadToDeg(imu.mounting.misalignment.pitch), -1.0, 0.02);
+  EXPECT_NEAR(imu.mounting.misalignment_deg.roll, 2.0, 0.02) << "but for a little yaw";
+  EXPECT_NEAR(imu.mounting.misalignment_deg.pitch, -1.0, 0.02);
 }
 
 TEST(CalibrationBench, ErrsByTheTurnOnBiasWhichIsNotTheFlights) {
@@ -59,13 +58,13 @@ TEST(CalibrationBench, FindsTheCameraWithinItsNoise) {
   EXPECT_LT(camera.position_error_m, 0.002);
   EXPECT_LT(RadToDeg(camera.rotation_error_rad), 0.1);
   EXPECT_TRUE(camera.mounting.position_m.isApprox(scenario.vehicle.camera.position_m, 0.1));
-  EXPECT_NEAR(RadToDeg(camera.mounting.misalignment.yaw), 3.0, 0.1);
+  EXPECT_NEAR(camera.mounting.misalignment_deg.yaw, 3.0, 0.1);
 }
 
 TEST(CalibrationBench, ErrsLessWithoutNoise) {
   runner::Scenario scenario = SkewVehicle(2);
   scenario.camera.noise_sigma = 0.0;
-  scenario.tracking.position_noise_m = scenario.tracking.rotation_noise_rad = scenario.tracking.occlusions_per_s = 0.0;
+  scenario.tracking.position_noise_m = scenario.tracking.rotation_noise_deg = scenario.tracking.occlusions_per_s = 0.0;
   CameraCalibrationConfig config;
   config.views = 9;
   const CameraCalibration camera = CalibrateCamera(scenario, config);

@@ -12,7 +12,8 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using Label = estimator::FrameTrace::Label;
+using estimator::Overlay;
+using Role = Overlay::Role;
 
 const models::Image& Grey() {
   static const models::Image image(640, 480, 128);
@@ -33,9 +34,9 @@ bool IsUntouched(const cv::Mat3b& picture, const Vector2d& pixel) {
 
 TEST(AnnotateFrame, DrawsBoxesInThePapersColoursAndACrossOnThePad) {
   FrameAnnotation annotation;
-  annotation.trace.components = {{100, 100, 50, 50, Label::kCircle, 1.0},
-                                 {200, 100, 50, 50, Label::kH, 1.0},
-                                 {300, 100, 50, 50, Label::kOther, 1.0}};
+  annotation.overlay.boxes = {{{100, 100, 50, 50}, Role::kOutline, "circle", 1.0},
+                              {{200, 100, 50, 50}, Role::kMarking, "h", 1.0},
+                              {{300, 100, 50, 50}, Role::kOther, "other", 1.0}};
   annotation.pad_px = Vector2d(500, 300);
   const cv::Mat3b picture = AnnotateFrame(Grey().View(), {}, annotation);
   EXPECT_EQ(ColourAt(picture, {125, 100}), kGreen);
@@ -51,9 +52,10 @@ TEST(AnnotateFrame, DrawsBoxesInThePapersColoursAndACrossOnThePad) {
 TEST(AnnotateFrame, DrawsEllipsesWithTheirAxesWhereTheLensPutsThem) {
   const models::CameraModel camera;
   const double angle = 0.5;
-  const estimator::FrameTrace::Ellipse ellipse{.center = {480, 120}, .semi_axes = {80, 40}, .angle = angle};
+  const Overlay::Ellipse ellipse{
+      .center = {480, 120}, .semi_axes = {80, 40}, .angle = angle, .role = Role::kFit, .name = "ring_outer"};
   FrameAnnotation annotation;
-  annotation.trace.ring_outer = ellipse;
+  annotation.overlay.ellipses = {ellipse};
   const cv::Mat3b picture = AnnotateFrame(Grey().View(), camera, annotation);
   const Vector2d along(std::cos(angle), std::sin(angle)), across(-along.y(), along.x());
   const auto raw = [&](const Vector2d& undistorted) {
@@ -77,7 +79,7 @@ TEST(AnnotateFrame, DrawsTheAxesOfThePoseWhereTheCameraSeesThem) {
   Eigen::Isometry3d X_WB(Eigen::AngleAxisd(0.4, Vector3d(0.3, 1.0, 0.2).normalized()));
   X_WB.translation() << 0.2, -0.15, 0.5;
   const Eigen::Isometry3d X_WC = X_WB * models::Vehicle().X_BC();
-  const cv::Mat3b picture = AnnotateFrame(Grey().View(), camera, {.trace = {}, .pad_px = {}, .X_WC = X_WC});
+  const cv::Mat3b picture = AnnotateFrame(Grey().View(), camera, {.overlay = {}, .pad_px = {}, .X_WC = X_WC});
   for (const auto& [axis, colour] : {std::pair(0, kRed), std::pair(1, kGreen), std::pair(2, kBlue)}) {
     const Vector2d origin = camera.Project(X_WC.inverse() * Vector3d::Zero()).value();
     const Vector2d tip = camera.Project(X_WC.inverse() * Vector3d(0.09 * Vector3d::Unit(axis))).value();
@@ -92,9 +94,30 @@ TEST(AnnotateFrame, LeavesOutAxesThatTheCameraCannotSee) {
   Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();  // W's origin at the camera itself, and behind it.
   for (const double z : {0.0, 0.5, -1e-9}) {
     X_WC.translation().z() = z;
-    const cv::Mat3b picture = AnnotateFrame(Grey().View(), {}, {.trace = {}, .pad_px = {}, .X_WC = X_WC});
+    const cv::Mat3b picture = AnnotateFrame(Grey().View(), {}, {.overlay = {}, .pad_px = {}, .X_WC = X_WC});
     EXPECT_TRUE(IsUntouched(picture, {400, 300})) << z;
   }
+}
+
+TEST(AnnotateFrame, DrawsPolylinesAndLabelsOfAnyStrategy) {
+  FrameAnnotation annotation;
+  annotation.overlay.polylines = {{{{100, 100}, {200, 100}, {200, 200}}, false, Role::kOutline, "tag"},
+                                  {{{300, 100}, {400, 100}, {400, 200}}, true, Role::kFit, "tag"}};
+  annotation.overlay.labels = {{{100, 300}, "tag 17", Role::kMarking}};
+  const cv::Mat3b picture = AnnotateFrame(Grey().View(), {}, annotation);
+  EXPECT_EQ(ColourAt(picture, {150, 100}), kGreen);
+  EXPECT_EQ(ColourAt(picture, {200, 150}), kGreen);
+  EXPECT_TRUE(IsUntouched(picture, {150, 150}));
+  EXPECT_FALSE(IsUntouched(picture, {350, 150})) << "a closed polyline";
+  const cv::Mat3b text = picture(cv::Rect(95, 280, 80, 30)).clone();
+  EXPECT_GT(cv::countNonZero(text.reshape(1) != 128), 100);
+}
+
+TEST(AnnotateFrame, DrawsLaterRolesOverEarlierOnes) {
+  FrameAnnotation annotation;
+  annotation.overlay.boxes = {{{100, 100, 50, 50}, Role::kMarking, "h", 1.0},
+                              {{100, 100, 50, 50}, Role::kOther, "other", 1.0}};
+  EXPECT_EQ(ColourAt(AnnotateFrame(Grey().View(), {}, annotation), {125, 100}), kBlue);
 }
 
 TEST(AnnotateFrame, DrawsLinesAsWideAsSuitsTheFrame) {
@@ -102,7 +125,7 @@ TEST(AnnotateFrame, DrawsLinesAsWideAsSuitsTheFrame) {
     const models::Image image(width, height, 128);
     models::CameraModel camera{.width_px = width, .height_px = height};
     FrameAnnotation annotation;
-    annotation.trace.components = {{width / 4, height / 4, width / 2, height / 2, Label::kCircle, 1.0}};
+    annotation.overlay.boxes = {{{width / 4, height / 4, width / 2, height / 2}, Role::kOutline, "circle", 1.0}};
     const cv::Mat3b picture = AnnotateFrame(image.View(), camera, annotation);
     int line_px = 0;
     for (int v = 0; v < height / 2; ++v) line_px += picture(v, width / 2) != cv::Vec3b(128, 128, 128);
@@ -114,7 +137,7 @@ TEST(DrawCaption, WritesItsTextIntoTheStripAlone) {
   for (const auto& [width, height] : {std::pair(640, 480), std::pair(320, 240), std::pair(40, 4000), std::pair(1, 1)}) {
     cv::Mat3b picture(height, width, cv::Vec3b(128, 128, 128));
     const int strip_px = CaptionHeight(picture.size());
-    DrawCaption(picture.rowRange(0, strip_px), "12.34 s  landing", CaptionColour(estimator::FrameStatus::kNoH));
+    DrawCaption(picture.rowRange(0, strip_px), "12.34 s  landing", CaptionColour(estimator::FrameStatus::kNotFound));
     if (height > strip_px) {
       EXPECT_EQ(cv::countNonZero(picture.rowRange(strip_px, height).reshape(1) != 128), 0);
     }

@@ -10,16 +10,18 @@
 #include <regex>
 
 #include "models/angles.h"
-#include "models/error.h"
 #include "tests/support/made_flight.h"
+#include "tests/support/throws_input_error.h"
 
 namespace touchdown::report {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 using tests::FilesOf;
 using tests::MadeFlight;
+using tests::ThrowsInputError;
 using Json = nlohmann::json;
 
 runner::Scenario Parsed(const std::string& more = "") {
@@ -61,15 +63,6 @@ Curve CurveOf(const Json& data, const std::string& title, const std::string& lab
   }
   ADD_FAILURE() << "no curve " << label << " in a plot " << title;
   return {};
-}
-
-std::string ErrorOf(const FlightFiles& files) {
-  try {
-    FlightPage(files);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 Eigen::Isometry3d TurnedTo(double yaw_deg, double x_m) {
@@ -210,7 +203,8 @@ TEST(FlightPage, IsMadeOfAFlightThatHadNothingToShow) {
   const runner::Scenario scenario = Parsed();
   runner::FlightLog blind = MadeFlight(scenario, 1.0);
   for (runner::FrameRecord& frame : blind.frames) {
-    frame.status = estimator::FrameStatus::kNoComponent;
+    frame.status = estimator::FrameStatus::kNotFound;
+    frame.reason = "no_component";
     frame.pose.reset();
   }
   runner::FlightLog without_frames = MadeFlight(scenario, 1.0);
@@ -228,25 +222,28 @@ TEST(FlightPage, IsMadeOfAFlightThatHadNothingToShow) {
 
 TEST(FlightPage, NamesWhatIsDamaged) {
   const FlightFiles good = MadeFiles();
-  const auto error = [&](const std::function<void(FlightFiles&)>& damage) {
+  const auto page_with = [&](const std::function<void(FlightFiles&)>& damage) {
     FlightFiles files = good;
     damage(files);
-    return ErrorOf(files);
+    return [files] { FlightPage(files); };
   };
-  EXPECT_EQ(ErrorOf(good), "");
-  EXPECT_EQ(error([](FlightFiles& f) { f.flight_csv.resize(f.flight_csv.size() / 2); }).rfind("flight/flight.csv:", 0),
-            0u);
-  EXPECT_EQ(error([](FlightFiles& f) { f.flight_csv.replace(f.flight_csv.find("true_x_m"), 8, "true_u_m"); }),
-            "flight/flight.csv:1: true_x_m: no such column");
-  EXPECT_EQ(error([](FlightFiles& f) { f.frames_csv.insert(f.frames_csv.find('\n') + 3, "x"); }),
-            "flight/frames.csv:2: t_s: 'x0' is no finite number");
-  EXPECT_EQ(error([](FlightFiles& f) { f.frame_timing_csv = "tick,render_ms,vision_ms\n"; }),
-            "flight/frame_timing.csv:1: tick: is not that of frames.csv beside it");
-  EXPECT_EQ(error([](FlightFiles& f) { f.result_json = "{\n\"log_sha256\""; }), "flight/result.json:2: is no JSON");
-  EXPECT_EQ(error([](FlightFiles& f) { f.result_json = "{\"log_sha256\": \"\"}"; }),
-            "flight/result.json: metrics: no such key");
-  EXPECT_EQ(error([](FlightFiles& f) { f.timing_json = "[]"; }), "flight/timing.json: vision_ms_mean: no such key");
-  EXPECT_THAT(error([](FlightFiles& f) { f.scenario_yaml += "fps: 60\n"; }), HasSubstr("fps: unknown key"));
+  EXPECT_NO_THROW(FlightPage(good));
+  EXPECT_THAT(page_with([](FlightFiles& f) { f.flight_csv.resize(f.flight_csv.size() / 2); }),
+              ThrowsInputError(StartsWith("flight/flight.csv:")));
+  EXPECT_THAT(page_with([](FlightFiles& f) { f.flight_csv.replace(f.flight_csv.find("true_x_m"), 8, "true_u_m"); }),
+              ThrowsInputError("flight/flight.csv:1: true_x_m: no such column"));
+  EXPECT_THAT(page_with([](FlightFiles& f) { f.frames_csv.insert(f.frames_csv.find('\n') + 3, "x"); }),
+              ThrowsInputError("flight/frames.csv:2: t_s: 'x0' is no finite number"));
+  EXPECT_THAT(page_with([](FlightFiles& f) { f.frame_timing_csv = "tick,render_ms,vision_ms\n"; }),
+              ThrowsInputError("flight/frame_timing.csv:1: tick: is not that of frames.csv beside it"));
+  EXPECT_THAT(page_with([](FlightFiles& f) { f.result_json = "{\n\"log_sha256\""; }),
+              ThrowsInputError("flight/result.json:2: is no JSON"));
+  EXPECT_THAT(page_with([](FlightFiles& f) { f.result_json = "{\"log_sha256\": \"\"}"; }),
+              ThrowsInputError("flight/result.json: metrics: no such key"));
+  EXPECT_THAT(page_with([](FlightFiles& f) { f.timing_json = "[]"; }),
+              ThrowsInputError("flight/timing.json: vision_ms_mean: no such key"));
+  EXPECT_THAT(page_with([](FlightFiles& f) { f.scenario_yaml += "fps: 60\n"; }),
+              ThrowsInputError(HasSubstr("fps: unknown key")));
 }
 
 }  // namespace

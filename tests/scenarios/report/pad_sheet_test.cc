@@ -9,7 +9,7 @@
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 
-#include "estimator/make_estimator.h"
+#include "estimator/paper/paper_estimator.h"
 #include "models/angles.h"
 #include "models/error.h"
 #include "models/vehicle.h"
@@ -118,7 +118,7 @@ TEST(PadSheet, MeasuresWhatTheMarksAreInThePrint) {
                 .centre_m = {-0.02, 0.05},
                 .length_m = 0.02,
                 .width_m = 0.004,
-                .angle = models::DegToRad(30.0)},
+                .angle_deg = 30.0},
                {.shape = models::PadMark::Shape::kBar, .centre_m = {0.05, 0.02}, .length_m = 0.03, .width_m = 0.004}};
   const Raster raster(pad);
   const auto on_page = [](const Vector2d& p_W) { return Vector2d(105.0 - 1000.0 * p_W.y(), 148.5 - 1000.0 * p_W.x()); };
@@ -172,8 +172,8 @@ TEST(PadSheet, IsFoundByTheEstimatorInThePrint) {
     tests::PadPicture picture{.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5};
     picture.paint = Printed(raster, pad);
     const models::Image image = tests::RenderPad(setup.camera, pad, X_WC, picture, &random);
-    const auto seen = estimator::MakeEstimator({}, setup)->Estimate(image.View(), 0, tests::GravityIn(X_WB));
-    ASSERT_TRUE(seen.pose) << Name(seen.status);
+    const auto seen = estimator::paper::PaperEstimator(setup).Estimate(image.View(), 0, tests::GravityIn(X_WB));
+    ASSERT_TRUE(seen.pose) << seen.reason;
     EXPECT_LT((seen.pose->X_WB.translation() - X_WB.translation()).norm(), 0.02);
     EXPECT_LT(models::RotationLog(seen.pose->X_WB.linear().transpose() * X_WB.linear()).norm(), 0.06);
   }

@@ -257,19 +257,16 @@ test("nothing that was done drew a complaint", () => assert.deepEqual(complaints
 test("the pad's marks are drawn where they lie", async () => {
   const { page: marked } = await open(otherPages[0]);
   const points = await marked.evaluate(() => {
-    const [disc, bar] = document.querySelectorAll(".top-view .mark");
-    const toPad = document.querySelector(".top-view .ring").getScreenCTM().inverse();
-    const onPad = (element, x, y) => {
-      const point = new DOMPoint(x, y).matrixTransform(element.getScreenCTM()).matrixTransform(toPad);
-      return [point.x, point.y];
-    };
-    const of = (element, name) => element[name].baseVal.value;
+    const [, , disc, bar] = document.querySelectorAll(".top-view .black"); // After ring and letter.
+    const of = (name) => disc[name].baseVal.value;
+    const corners = [...bar.points].map(({ x, y }) => [x, y]);
+    const middle = (i, j) => [0, 1].map((k) => (corners[i][k] + corners[j][k]) / 2);
     return {
-      discCentre: onPad(disc, of(disc, "cx"), of(disc, "cy")),
-      discRim: onPad(disc, of(disc, "cx") + of(disc, "r"), of(disc, "cy")),
-      barStart: onPad(bar, of(bar, "x"), 0),
-      barEnd: onPad(bar, of(bar, "x") + of(bar, "width"), 0),
-      barSide: onPad(bar, 0, of(bar, "y")),
+      discCentre: [of("cx"), of("cy")],
+      discRim: [of("cx") + of("r"), of("cy")],
+      barStart: middle(1, 2),
+      barEnd: middle(3, 0),
+      barSide: middle(2, 3),
     };
   });
   const [along, across] = [[Math.cos(Math.PI / 6), 0.5], [-0.5, Math.cos(Math.PI / 6)]];

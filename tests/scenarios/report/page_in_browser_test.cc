@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "scenarios/cli/flight_folder.h"
+#include "scenarios/experiments/paper_report.h"
 #include "scenarios/report/flight_page.h"
 #include "scenarios/runner/scenario.h"
 #include "scenarios/sweeper/analysis/rows_csv.h"
@@ -27,6 +28,9 @@ namespace fs = std::filesystem;
 class PageInABrowser : public ::testing::Test {
  protected:
   void SetUp() override {
+    for (const std::string tool : {TOUCHDOWN_NODE, TOUCHDOWN_CHROMIUM, TOUCHDOWN_NODE_MODULES "/playwright-core"}) {
+      if (!fs::exists(tool)) GTEST_SKIP() << tool << " is missing: needs nodejs, npm, chromium and playwright-core";
+    }
     setenv("NODE_MODULES", TOUCHDOWN_NODE_MODULES, 1);
     setenv("CHROMIUM", TOUCHDOWN_CHROMIUM, 1);
   }
@@ -54,7 +58,7 @@ runner::Scenario TakeoffHoverLand() {
 
 /// The same flight's page is off by 0.05, by what the wall clock says; another seed's by 2.5; one with everything below
 /// a table moved by 2 px by 5.6. To remake the picture:
-///   TOUCHDOWN_WRITE_DOCS=1 build/release/tests/scenarios/scenarios_report_page_in_browser_test
+///   TOUCHDOWN_WRITE_DOCS=1 build/release/tests/scenarios/report/report_browser_tests
 constexpr double kSameLayout = 4.0;
 
 TEST_F(PageInABrowser, DoesWhatItsReaderAsksAndLooksAsInTheDocs) {
@@ -68,7 +72,7 @@ TEST_F(PageInABrowser, DoesWhatItsReaderAsksAndLooksAsInTheDocs) {
                        .centre_m = {-0.02, 0.05},
                        .length_m = 0.02,
                        .width_m = 0.004,
-                       .angle = models::DegToRad(30.0)}};
+                       .angle_deg = 30.0}};
   runner::FlightLog without_frames = tests::MadeFlight(scenario, 2.0);
   without_frames.frames.clear();
   runner::FlightLog nothing;
@@ -83,7 +87,29 @@ TEST_F(PageInABrowser, DoesWhatItsReaderAsksAndLooksAsInTheDocs) {
 }
 
 TEST_F(PageInABrowser, ShowsEveryFigureOfThePaperWholeInAnyWindow) {
-  Node("section_page_in_browser.mjs", {std::string(TOUCHDOWN_SOURCE_DIR) + "/docs/paper/report.html", "18"});
+  experiments::PaperSection section{{.id = "yaw", .title = "Yaw from the letter"}};
+  section.paragraphs = {"Each <b>method</b> on the same frames."};
+  for (const std::string name : {"position", "attitude", "error"}) {
+    section.figures.push_back({.name = name,
+                               .title = name,
+                               .caption = "Over time.",
+                               .csv = "t_s,x_m\n0,1\n1,3\n2,2\n",
+                               .plot = "plot data using 't_s':'x_m' with lines lc rgb INK\n"});
+  }
+  std::vector<unsigned char> jpeg;
+  cv::imencode(".jpg", cv::Mat1b(480, 1920, 100), jpeg);
+  section.pictures.push_back({.name = "stages",
+                              .title = "Stages",
+                              .caption = "A wide image.",
+                              .jpeg = {jpeg.begin(), jpeg.end()},
+                              .csv = "view\n1\n"});
+  section.tables.push_back(
+      {.name = "methods", .caption = "All.", .head = {"method", "error, deg"}, .rows = {{"ellipse", "2.5"}}});
+  section.compared = {{.quantity = "yaw", .unit = "deg", .published = 3.0, .ours = 0.4, .spread = "", .why = ""}};
+  for (const auto& [name, content] : experiments::ReportFiles({.command = "touchdown paper"}, {section})) {
+    folder_.Put(name, content);
+  }
+  Node("section_page_in_browser.mjs", {(folder_ / "report.html").string(), "4"});
 }
 
 TEST_F(PageInABrowser, ShowsEveryFigureOfASweepWholeInAnyWindow) {

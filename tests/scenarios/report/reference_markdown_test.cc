@@ -1,5 +1,5 @@
 // docs/scenarios.md lists every key and metric as the program has them. To bring it up to date:
-//   TOUCHDOWN_WRITE_DOCS=1 build/release/tests/scenarios/scenarios_report_reference_markdown_test
+//   TOUCHDOWN_WRITE_DOCS=1 build/release/tests/scenarios/report/report_tests --gtest_filter=Docs.*
 #include "scenarios/report/reference_markdown.h"
 
 #include <gtest/gtest.h>

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "models/error.h"
 #include "tests/support/disk_of_size.h"
+#include "tests/support/throws_input_error.h"
 
 namespace touchdown::report {
 namespace {
@@ -146,36 +146,33 @@ TEST_F(VideoWriterTest, LeavesNothingOfAFilmThatIsNotFinished) {
   EXPECT_FALSE(fs::exists(file_));
 }
 
-/// What writing a noisy film of 3 s throws.
-std::string ErrorOfNoise(const fs::path& file) {
+/// A noisy video of 3 s.
+void WriteNoise(const fs::path& file) {
   const std::vector<cv::Mat3b> noise = NoisyPictures({640, 480});
-  try {
-    VideoWriter writer(file, noise[0].size(), {});
-    for (std::size_t i = 0; i < 90; ++i) writer.Write(noise[i % noise.size()]);
-    writer.Finish();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  VideoWriter writer(file, noise[0].size(), {});
+  for (std::size_t i = 0; i < 90; ++i) writer.Write(noise[i % noise.size()]);
+  writer.Finish();
 }
 
 TEST_F(VideoWriterTest, TellsOfAFullDiskAndLeavesNothing) {
-  ASSERT_EQ(ErrorOfNoise(file_), "");
+  ASSERT_NO_THROW(WriteNoise(file_));
   const auto whole = static_cast<rlim_t>(fs::file_size(file_));
   fs::remove(file_);
   // Full at the start, in the middle, and while the index is put to the front.
   for (const rlim_t bytes : {rlim_t{0}, rlim_t{50'000}, whole - 100}) {
     const tests::DiskOfSize disk(bytes);
-    EXPECT_EQ(ErrorOfNoise(file_), "video film.mp4: File too large") << bytes;
+    EXPECT_THAT([&] { WriteNoise(file_); }, tests::ThrowsInputError("video film.mp4: File too large")) << bytes;
     EXPECT_FALSE(fs::exists(file_));
   }
 }
 
 TEST_F(VideoWriterTest, TellsOfAPlaceThatCannotBeWritten) {
-  EXPECT_EQ(ErrorOfNoise(folder_ / "none" / "film.mp4"), "video film.mp4: No such file or directory");
-  EXPECT_EQ(ErrorOfNoise(folder_), "video " + folder_.filename().string() + ": Is a directory");
+  EXPECT_THAT([&] { WriteNoise(folder_ / "none" / "film.mp4"); },
+              tests::ThrowsInputError("video film.mp4: No such file or directory"));
+  EXPECT_THAT([&] { WriteNoise(folder_); },
+              tests::ThrowsInputError("video " + folder_.filename().string() + ": Is a directory"));
   EXPECT_TRUE(fs::is_directory(folder_));
-  EXPECT_THAT(ErrorOfNoise("/proc/film.mp4"), testing::StartsWith("video film.mp4: "));
+  EXPECT_THAT([&] { WriteNoise("/proc/film.mp4"); }, tests::ThrowsInputError(testing::StartsWith("video film.mp4: ")));
 }
 
 TEST_F(VideoWriterTest, RefusesSizesThatAFilmCannotHave) {

@@ -34,8 +34,7 @@ TEST(CalibratedFlight, TakesACalibrationThatIsTheTruthForTheTruth) {
 TEST(CalibratedFlight, IsWrongByWhatTheCamerasAssumedMountingIs) {
   Scenario scenario = ShortHover();
   const Eigen::Isometry3d X_WB = FirstPose(scenario), X_BC = scenario.vehicle.X_BC();
-  scenario.calibration.camera =
-      models::Mounting{.position_m = {0.03, 0.0, -0.05}, .misalignment = {.roll = models::DegToRad(1.0)}};
+  scenario.calibration.camera = models::Mounting{.position_m = {0.03, 0.0, -0.05}, .misalignment_deg = {.roll = 1.0}};
   const Eigen::Isometry3d wrong = FirstPose(scenario);
   EXPECT_TRUE(wrong.isApprox(X_WB * X_BC * scenario.assumed_vehicle().X_BC().inverse(), 1e-9))
       << "the camera is where it was seen; the body is not";

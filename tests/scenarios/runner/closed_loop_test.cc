@@ -30,11 +30,11 @@ TEST(ClosedLoop, StartsInTheAirKnowingTheBiasesOfItsImu) {
   for (const std::uint64_t seed : {1u, 2u}) {
     Scenario scenario;
     scenario.seed = seed;
-    scenario.start = {.airborne = true, .position_m = {0.2, -0.1, 1.0}, .yaw = 0.3};
+    scenario.start = {.airborne = true, .position_m = {0.2, -0.1, 1.0}, .yaw_deg = 17.0};
     scenario.script = {{.kind = controller::ManoeuvreKind::kHover, .position_m = {0.0, 0.0, 1.0}, .duration_s = 60.0}};
     scenario.time_limit_s = 0.25;
     scenario.world.paint_textures = false;  // The pad is not needed: level is the IMU's.
-    scenario.vehicle.imu.misalignment = {.roll = 0.03, .pitch = -0.02, .yaw = 0.04};
+    scenario.vehicle.imu.misalignment_deg = {.roll = 1.7, .pitch = -1.1, .yaw = 2.3};
     const FlightLog log = FlyClosedLoop(scenario, {}, nullptr);
     ASSERT_GT(log.ticks.size(), 45u);
     EXPECT_EQ(log.ticks.front().estimate.tick, 0);
@@ -92,7 +92,7 @@ TEST(ClosedLoop, StandsOnTheSlopeHeadingAsItStartsBeforeAFlightFromTheAir) {
   scenario.script = {{.kind = controller::ManoeuvreKind::kHover, .position_m = {0.0, 0.0, 1.0}, .duration_s = 60.0}};
   scenario.time_limit_s = 0.1;
   scenario.world.paint_textures = false;
-  scenario.world.ground_tilt.roll = 0.1;  // Lower towards -Y of W, which lies behind the vehicle.
+  scenario.world.ground_tilt.roll_deg = 5.7;  // Lower towards -Y of W, which lies behind the vehicle.
   scenario.imu.accelerometer_bias_sigma_m_s2 = 0.0;
   StandingImu imu;
   FlightObserver* const observers[] = {&imu};

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/dynamics/world.h"
-#include "sim/scene/scene.h"
+#include "tests/support/worlds.h"
 
 namespace touchdown::runner {
 namespace {
@@ -12,11 +12,7 @@ namespace {
 class EventPlayerTest : public ::testing::Test {
  protected:
   static sim::World MakeWorld() {
-    sim::SceneConfig empty;
-    empty.posters = empty.lone_circles = empty.lone_letters = empty.objects = 0;
-    sim::WorldConfig config;
-    config.paint_textures = false;
-    return {config, models::Vehicle(), sim::MakeScene(empty, models::LandingPad(), 1), models::TimeBase(), 1};
+    return {tests::Unpainted(), models::Vehicle(), tests::EmptyRoom(), models::TimeBase(), 1};
   }
 
   void SetUp() override {

@@ -21,8 +21,8 @@ class FlightRecorderTest : public ::testing::Test {
       ++truth_.tick;
     }
   }
-  estimator::FrameEstimate Estimate(models::Tick mid_exposure) const {
-    estimator::FrameEstimate estimate;
+  estimator::FrameResult Estimate(models::Tick mid_exposure) const {
+    estimator::FrameResult estimate;
     estimate.mid_exposure = mid_exposure;
     return estimate;
   }

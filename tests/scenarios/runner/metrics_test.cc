@@ -91,7 +91,7 @@ TEST(Metrics, TakeNoErrorOfAFrameThatIsNotOk) {
   FlightLog log;
   log.frames.push_back(Frame(Pose(0, 0, 1), Pose(0, 0, 1.01)));
   log.frames.push_back(Frame(Pose(0, 0, 1), Pose(5, 5, 5)));
-  log.frames.back().status = FrameStatus::kOutlier;
+  log.frames.back().status = FrameStatus::kRejected;
   EXPECT_NEAR(ComputeMetrics(log).at("estimate.xyz_rmse_m"), 0.01, 1e-12);
 }
 
@@ -99,9 +99,9 @@ TEST(Metrics, CountAvailabilityOverFramesWithTheWholeRing) {
   FlightLog log;
   for (int i = 0; i < 3; ++i) log.frames.push_back(Frame(Pose(0, 0, 1), Pose(0, 0, 1)));
   log.frames.push_back(Frame(Pose(0, 0, 1), Pose(0, 0, 1)));
-  log.frames.back().status = FrameStatus::kNoCircle;
+  log.frames.back().status = FrameStatus::kNotFound;
   log.frames.push_back(Frame(Pose(0, 0, 0.1), Pose(0, 0, 0.1)));
-  log.frames.back().status = FrameStatus::kNoCircle;
+  log.frames.back().status = FrameStatus::kNotFound;
   log.frames.back().ring_in_view = false;
   const Metrics metrics = ComputeMetrics(log);
   EXPECT_DOUBLE_EQ(metrics.at("estimate.availability"), 0.75);

@@ -36,7 +36,7 @@ TEST(Scenario, ReadsThePadsMarks) {
                             .centre_m = {-0.02, 0.05},
                             .length_m = 0.02,
                             .width_m = 0.004,
-                            .angle = 30.0 * (models::kPi / 180.0)};
+                            .angle_deg = 30.0};
   EXPECT_EQ(Parse(With(kMarks)).pad.marks, (std::vector{disc, bar}));
   EXPECT_EQ(Parse(With("")).pad.marks.size(), 0u);
   EXPECT_EQ(Parse(With(kMarks), {"pad.marks.0.x_m=0.03"}).pad.marks[0].centre_m.x(), 0.03);
@@ -68,7 +68,8 @@ TEST(Scenario, RefusesAMarkThatIsNoneAndNamesItsLineAndKey) {
   }
   EXPECT_THAT(ErrorOf(With("pad: {marks: 3}\n")), StartsWith("f.yaml:4: pad.marks: must be a list"));
   EXPECT_THAT(ErrorOf(With(kMarks), {"pad.ring_width_m=0.032"}), StartsWith("f.yaml:6: pad.marks.0: "));
-  EXPECT_THAT(ErrorOf(With(kMarks), {"pad.marks.0.shape=bar"}), HasSubstr("pad.marks.0: the sizes of a pad's mark"));
+  EXPECT_THAT(ErrorOf(With(kMarks), {"pad.marks.0.shape=bar"}),
+              StartsWith("f.yaml:6: pad.marks.0.length_m: must be above 0, is 0"));
   EXPECT_THAT(ErrorOf(With(kMarks), {"pad.marks.2.x_m=0"}), HasSubstr("pad.marks.2: unknown key"));
 }
 
@@ -218,7 +219,7 @@ TEST(ScenariosCalibration, IsReadAgainFromItsOwnYamlToTheLastBit) {
   EXPECT_EQ(again.assumed_camera(), scenario.assumed_camera());
   EXPECT_EQ(again.assumed_vehicle().X_BC().matrix(), scenario.assumed_vehicle().X_BC().matrix());
   EXPECT_EQ(again.assumed_vehicle().X_BU().matrix(), scenario.assumed_vehicle().X_BU().matrix());
-  EXPECT_DOUBLE_EQ(again.calibration.imu->misalignment.yaw, models::DegToRad(-1.1));
+  EXPECT_EQ(again.calibration.imu->misalignment_deg.yaw, -1.1);
 }
 
 TEST(ScenariosCalibration, NamesWhatIsWrong) {
@@ -237,7 +238,7 @@ TEST_F(ScenarioWithFiles, ReadsACalibrationBesideItAndARosOneWithinIt) {
   const Scenario scenario = Load("calibration: calibration.yaml\ncamera: {model: {width_px: 752, cx_px: 375.5}}\n");
   EXPECT_EQ(scenario.assumed_camera(), LoadCameraModel(folder_ / "camera.yaml"));
   EXPECT_NE(scenario.camera.model.fx_px, 458.654);
-  EXPECT_DOUBLE_EQ(scenario.assumed_vehicle().imu.misalignment.roll, models::DegToRad(1.0));
+  EXPECT_EQ(scenario.assumed_vehicle().imu.misalignment_deg.roll, 1.0);
   Put("again.yaml", CalibrationYaml(LoadCalibration(folder_ / "calibration.yaml")));
   EXPECT_EQ(CalibrationYaml(LoadCalibration(folder_ / "again.yaml")),
             CalibrationYaml(LoadCalibration(folder_ / "calibration.yaml")));

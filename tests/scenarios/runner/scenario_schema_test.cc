@@ -32,27 +32,27 @@ constexpr std::size_t FieldCount() {
 }
 
 /// Counts the keys of one struct, those of its sections as one each.
-class KeyCounter : public config::ConfigVisitor {
+class KeyCounter : public models::ConfigVisitor {
  public:
   std::size_t count = 0;
 
-  void Number(const config::Key&, double&, const config::Unit&, const config::Range&) override { ++count; }
-  void OptionalNumber(const config::Key&, std::optional<double>&, const config::Unit&, const config::Range&) override {
+  void Number(const models::Key&, double&, const models::Unit&, const models::Range&) override { ++count; }
+  void OptionalNumber(const models::Key&, std::optional<double>&, const models::Unit&, const models::Range&) override {
     ++count;
   }
-  void Numbers(const config::Key&, const std::vector<double*>&, const config::Unit&, const config::Range&) override {
+  void Numbers(const models::Key&, const std::vector<double*>&, const models::Unit&, const models::Range&) override {
     ++count;
   }
-  void Integer64(const config::Key&, std::int64_t&, const config::Range&) override { ++count; }
-  void Boolean(const config::Key&, bool&) override { ++count; }
-  void Text(const config::Key&, std::string&) override { ++count; }
-  void Choice(const config::Key&, int&, std::span<const std::string_view>) override { ++count; }
-  void Section(const config::Key&, const config::SectionFile&,
-               const std::function<void(config::ConfigVisitor&)>&) override {
+  void Integer64(const models::Key&, std::int64_t&, const models::Range&) override { ++count; }
+  void Boolean(const models::Key&, bool&) override { ++count; }
+  void Text(const models::Key&, std::string&) override { ++count; }
+  void Choice(const models::Key&, int&, std::span<const std::string_view>) override { ++count; }
+  void Section(const models::Key&, const models::SectionFile&,
+               const std::function<void(models::ConfigVisitor&)>&) override {
     ++count;
   }
-  void List(const config::Key&, std::size_t, const std::function<void(std::size_t)>&,
-            const std::function<void(config::ConfigVisitor&, std::size_t)>&) override {
+  void List(const models::Key&, std::size_t, const std::function<void(std::size_t)>&,
+            const std::function<void(models::ConfigVisitor&, std::size_t)>&) override {
     ++count;
   }
   void Check(std::string_view, const std::function<void()>&) override {}
@@ -69,21 +69,16 @@ std::size_t KeyCount() {
 template <typename T>
 class SchemaOf : public ::testing::Test {};
 
-using Structs = ::testing::Types<Scenario, models::Vehicle, models::CameraModel, models::LandingPad, sim::ImuConfig,
-                                 sim::TrackingSystemConfig, sim::SceneConfig, estimator::EstimatorConfig,
-                                 estimator::AttitudeEstimatorConfig, estimator::PoseFilterConfig,
-                                 controller::GuidanceConfig, controller::PositionControllerConfig,
-                                 controller::AttitudeControllerConfig, controller::FlightControllerConfig, Criterion>;
+using Structs =
+    ::testing::Types<Scenario, models::TimeBase, models::Vehicle, models::Rotor, models::Mounting, models::LandingGear,
+                     models::CameraModel, models::LandingPad, sim::CameraConfig, sim::ImuConfig,
+                     sim::TrackingSystemConfig, sim::HandConfig, sim::SceneConfig, sim::Sun, sim::VibrationConfig,
+                     estimator::EstimatorConfig, estimator::AttitudeEstimatorConfig, estimator::PoseFilterConfig,
+                     controller::GuidanceConfig, controller::PositionControllerConfig,
+                     controller::AttitudeControllerConfig, controller::FlightControllerConfig, Criterion>;
 TYPED_TEST_SUITE(SchemaOf, Structs);
 
 TYPED_TEST(SchemaOf, HasAKeyForEveryField) { EXPECT_EQ(KeyCount<TypeParam>(), FieldCount<TypeParam>()); }
-
-TEST(SchemaOfCamera, HasAKeyForEveryField) {
-  sim::CameraConfig camera;
-  KeyCounter counter;
-  DescribeCamera(counter, camera, models::TimeBase());
-  EXPECT_EQ(counter.count, FieldCount<sim::CameraConfig>());
-}
 
 TEST(SchemaOfCalibration, HasAKeyForEveryField) {
   Calibration all{.camera_model = models::CameraModel(), .camera = models::Mounting(), .imu = models::Mounting()};

@@ -36,11 +36,12 @@ TEST(Scenario, ReadsTheFlightsOfTheProject) {
   }
 }
 
-TEST(Scenario, ConvertsUnitsToSi) {
+TEST(Scenario, HoldsNumbersInTheUnitsOfTheirKeys) {
   const Scenario s = Parse(With("camera: {exposure_ms: 4, latency_ms: 30}\nstart: {yaw_deg: 30}\n"));
-  EXPECT_DOUBLE_EQ(s.camera.exposure_s, 0.004);
-  EXPECT_DOUBLE_EQ(s.camera.latency_s, 0.030);
-  EXPECT_DOUBLE_EQ(s.start.yaw, models::kPi / 6.0);
+  EXPECT_EQ(s.camera.exposure_ms, 4.0);
+  EXPECT_EQ(s.camera.exposure_s(), 0.004);
+  EXPECT_EQ(s.camera.latency_ms, 30.0);
+  EXPECT_EQ(s.start.yaw_deg, 30.0);
 }
 
 TEST(Scenario, ExpectsTheEndThatItsScriptHas) {
@@ -54,7 +55,7 @@ TEST(Scenario, ExpectsTheEndThatItsScriptHas) {
 TEST(Scenario, KeepsWhatAnOverrideDoesNotName) {
   const Scenario s = Parse(With("camera: {noise_sigma: 5, exposure_ms: 2}\n"), {"camera.noise_sigma=7", "seed=9"});
   EXPECT_EQ(s.camera.noise_sigma, 7.0);
-  EXPECT_DOUBLE_EQ(s.camera.exposure_s, 0.002);
+  EXPECT_EQ(s.camera.exposure_ms, 2.0);
   EXPECT_EQ(s.seed, 9u);
 }
 
@@ -110,10 +111,10 @@ TEST(Scenario, ReadsASettingTheSunAndHowTheGroundLies) {
       Parse(With("scene: {setting: outdoor, sun: {elevation_deg: 30, to_sky: 2}}\n"
                  "world: {ground_tilt_deg: [3, -4.5]}\n"));
   EXPECT_TRUE(s.scene.IsOutdoor());
-  EXPECT_DOUBLE_EQ(s.scene.sun.elevation, models::kPi / 6.0);
+  EXPECT_EQ(s.scene.sun.elevation_deg, 30.0);
   EXPECT_EQ(s.scene.sun.to_sky, 2.0);
-  EXPECT_DOUBLE_EQ(s.world.ground_tilt.roll, models::kPi / 60.0);
-  EXPECT_DOUBLE_EQ(s.world.ground_tilt.pitch, -models::kPi / 40.0);
+  EXPECT_EQ(s.world.ground_tilt.roll_deg, 3.0);
+  EXPECT_EQ(s.world.ground_tilt.pitch_deg, -4.5);
   EXPECT_THAT(ErrorOf(With("scene: {setting: moon}\n")), HasSubstr("scene.setting: must be one of indoor, outdoor"));
   EXPECT_THAT(ErrorOf(With("scene: {sun: {elevation_deg: 5}}\n")),
               HasSubstr("scene.sun.elevation_deg: must be from 10 to 90, is 5"));
@@ -146,7 +147,7 @@ TEST(Scenario, ChecksWhatKeysMeanTogether) {
   EXPECT_NO_THROW(ParseScenario("hand: {carries: true}\n", "f.yaml", {}));
   EXPECT_THAT(ErrorOf(With("camera: {latency_ms: 60}\n")),
               AllOf(StartsWith("f.yaml:4: camera.latency_ms: "), HasSubstr("controller.vision_fresh_s")));
-  EXPECT_EQ(Parse(With("camera: {latency_ms: 60}\ncontroller: {vision_fresh_s: 0.08}\n")).camera.latency_s, 0.060);
+  EXPECT_EQ(Parse(With("camera: {latency_ms: 60}\ncontroller: {vision_fresh_s: 0.08}\n")).camera.latency_ms, 60.0);
 }
 
 TEST(Scenario, RefusesPlacesOutsideTheRoom) {
@@ -214,19 +215,38 @@ TEST(Scenario, ReadsItsOwnYamlToTheSameScenario) {
     const Scenario again = ParseScenario(yaml, "other.yaml", "");
     EXPECT_EQ(ScenarioYaml(again), yaml);
     EXPECT_EQ(again.name, name);
-    EXPECT_EQ(again.start.yaw, scenario.start.yaw);
-    EXPECT_EQ(again.camera.exposure_s, scenario.camera.exposure_s);
-    EXPECT_EQ(again.imu.gyro_range_rad_s, scenario.imu.gyro_range_rad_s);
-    EXPECT_EQ(again.controller.guidance.cone_half_angle_rad, scenario.controller.guidance.cone_half_angle_rad);
+    EXPECT_EQ(again.start.yaw_deg, 12.3456789);
+    EXPECT_EQ(again.camera.exposure_ms, 3.3333333333333335);
+    EXPECT_EQ(again.imu.gyro_range_deg_s, 499.99999999999994);
+    EXPECT_EQ(again.controller.guidance.cone_half_angle_deg, scenario.controller.guidance.cone_half_angle_deg);
     EXPECT_EQ(again.description, scenario.description);
-    EXPECT_EQ(again.vehicle.imu.misalignment.pitch, scenario.vehicle.imu.misalignment.pitch);
+    EXPECT_EQ(again.vehicle.imu.misalignment_deg.pitch, scenario.vehicle.imu.misalignment_deg.pitch);
   }
 }
 
-TEST(Scenario, FliesDefaultsAsItWouldReadThemAgain) {
-  const Scenario scenario = Parse(With(""));
-  EXPECT_EQ(Parse(ScenarioYaml(scenario)).imu.gyro_range_rad_s, scenario.imu.gyro_range_rad_s);
-  EXPECT_EQ(Parse(ScenarioYaml(scenario)).tracking.rotation_noise_rad, scenario.tracking.rotation_noise_rad);
+TEST(Scenario, AcceptsTheRangesThatTheReferenceLists) {
+  EXPECT_THAT(ErrorOf(With("camera: {noise_sigma: 24.5}\n")),
+              StartsWith("f.yaml:4: camera.noise_sigma: must be from 0 to 24, is 24.5"));
+  EXPECT_THAT(ErrorOf(With("camera: {vibration_rad_s2_m: 0.06}\n")),
+              StartsWith("f.yaml:4: camera.vibration_rad_s2_m: must be from 0 to 0.05, is 0.06"));
+  EXPECT_THAT(ErrorOf(With("camera: {exposure_ms: 17}\n")),
+              AllOf(StartsWith("f.yaml:4: camera: "), HasSubstr("the time between two frames")));
+  EXPECT_EQ(Parse(With("camera: {noise_sigma: 24, vibration_rad_s2_m: 0.05, exposure_ms: 16}\n")).camera.noise_sigma,
+            24.0);
+}
+
+TEST(Scenario, NamesTheNewKeyOfOneThatWasRenamed) {
+  const std::string renamed = "estimator.contour_points: is now called estimator.paper.contour_points";
+  EXPECT_THAT(ErrorOf(With("estimator: {contour_points: integer}\n")), HasSubstr(renamed));
+  EXPECT_THAT(ErrorOf(With(""), {"estimator.contour_points=integer"}), HasSubstr(renamed));
+  EXPECT_EQ(Parse(With("estimator: {paper: {contour_points: integer}}\n")).estimator.paper.contour_points,
+            estimator::pad::ContourPoints::kInteger);
+}
+
+TEST(Scenario, RefusesAnUnknownControllerAndNamesTheKnownOnes) {
+  EXPECT_EQ(Parse(With("controller: {name: paper}\n")).controller.name, "paper");
+  EXPECT_THAT(ErrorOf(With("controller: {name: papyrus}\n")),
+              HasSubstr("controller.name: unknown controller 'papyrus', known: paper"));
 }
 
 TEST(ScenarioReference, ListsKeysOfEveryKind) {
@@ -242,7 +262,7 @@ TEST(ScenarioReference, ListsKeysOfEveryKind) {
   EXPECT_THAT(reference, has("script.N.duration_s", "s", "required"));
   EXPECT_THAT(reference, has("start.position_m", "m", "[0, 0, 1]"));
   EXPECT_THAT(reference, has("start.x_m", "m", "0"));
-  EXPECT_THAT(reference, has("estimator.contour_points", "-", "subpixel"));
+  EXPECT_THAT(reference, has("estimator.paper.contour_points", "-", "subpixel"));
   EXPECT_THAT(reference, has("scene.pad", "-", "true"));
   EXPECT_THAT(reference, has("pad.marks.N.diameter_m", "m", "required"));
   EXPECT_THAT(reference, has("pad.marks.N.angle_deg", "deg", "0"));

@@ -18,7 +18,7 @@ struct Line {
   Eigen::Quaterniond q;
 };
 
-std::vector<Line> Read(const std::string& text) {
+std::vector<Line> ReadTum(const std::string& text) {
   std::istringstream lines(text);
   std::vector<Line> trajectory;
   for (std::string line; std::getline(lines, line);) {
@@ -40,7 +40,7 @@ Eigen::Isometry3d Turned(double height) {
 }
 
 /// IMU ticks 0 and 6, frames at 0, 20 and 40 (without a pose, good, an outlier), the tracking system at 12.
-FlightLog SmallLog() {
+FlightLog TurningLog() {
   FlightLog log;
   for (const models::Tick tick : {0, 6}) log.ticks.emplace_back().truth.tick = tick;
   log.ticks[1].truth.X_WB = Turned(1.0);
@@ -51,7 +51,7 @@ FlightLog SmallLog() {
   log.frames[1].pose.emplace().X_WB = Turned(2.1);
   log.frames[2].mid_exposure = 40;
   log.frames[2].X_WB = Turned(2.5);
-  log.frames[2].status = estimator::FrameStatus::kOutlier;
+  log.frames[2].status = estimator::FrameStatus::kRejected;
   log.frames[2].pose.emplace().X_WB = Turned(0.1);
   log.tracking.emplace_back().tracked.tick = 12;
   log.tracking[0].tracked.X_WB = Turned(1.6);
@@ -60,19 +60,19 @@ FlightLog SmallLog() {
 }
 
 TEST(TumTrajectory, ReadsBackToTheSamePoses) {
-  const std::vector<Line> estimate = Read(TumText(EstimatedTrajectory(SmallLog()), {}));
+  const std::vector<Line> estimate = ReadTum(TumText(EstimatedTrajectory(TurningLog()), {}));
   ASSERT_EQ(estimate.size(), 1u);
   EXPECT_EQ(estimate[0].t_s, 20.0 / 1200.0);
   EXPECT_EQ(estimate[0].p, Turned(2.1).translation());
   EXPECT_TRUE(estimate[0].q.toRotationMatrix().isApprox(Turned(2.1).linear(), 1e-14));
-  const std::vector<Line> tracked = Read(TumText(TrackedTrajectory(SmallLog()), {}));
+  const std::vector<Line> tracked = ReadTum(TumText(TrackedTrajectory(TurningLog()), {}));
   ASSERT_EQ(tracked.size(), 1u);
   EXPECT_EQ(tracked[0].t_s, 0.01);
   EXPECT_EQ(tracked[0].p.z(), 1.6);
 }
 
 TEST(TumTrajectory, HasTheTruthAtEveryTimeOfTheOthersOnceAndInOrder) {
-  const std::vector<Line> truth = Read(TumText(TrueTrajectory(SmallLog()), {}));
+  const std::vector<Line> truth = ReadTum(TumText(TrueTrajectory(TurningLog()), {}));
   std::vector<double> heights;
   std::set<double> times;
   for (const Line& line : truth) {
@@ -81,8 +81,9 @@ TEST(TumTrajectory, HasTheTruthAtEveryTimeOfTheOthersOnceAndInOrder) {
     heights.push_back(line.p.z());
   }
   EXPECT_EQ(heights, (std::vector<double>{0.0, 1.0, 1.5, 2.0, 2.5}));
-  for (const Line& line : Read(TumText(EstimatedTrajectory(SmallLog()), {}))) EXPECT_TRUE(times.contains(line.t_s));
-  for (const Line& line : Read(TumText(TrackedTrajectory(SmallLog()), {}))) EXPECT_TRUE(times.contains(line.t_s));
+  for (const Line& line : ReadTum(TumText(EstimatedTrajectory(TurningLog()), {})))
+    EXPECT_TRUE(times.contains(line.t_s));
+  for (const Line& line : ReadTum(TumText(TrackedTrajectory(TurningLog()), {}))) EXPECT_TRUE(times.contains(line.t_s));
 }
 
 }  // namespace

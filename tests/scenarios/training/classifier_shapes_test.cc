@@ -4,13 +4,13 @@
 
 #include <cmath>
 
+#include "tests/support/empty_room.h"
+
 namespace touchdown::training {
 namespace {
 
 std::vector<GroundShape> ShapesOfPad(const models::LandingPad& pad) {
-  sim::SceneConfig bare;
-  bare.posters = bare.lone_circles = bare.lone_letters = bare.objects = 0;
-  return ShapesOf(sim::MakeScene(bare, pad, 1));
+  return ShapesOf(sim::MakeScene(tests::EmptyRoomConfig(), pad, 1));
 }
 
 TEST(ClassifierShapes, OfAPadAreItsRingAndItsHWithoutItsMarks) {
@@ -19,8 +19,8 @@ TEST(ClassifierShapes, OfAPadAreItsRingAndItsHWithoutItsMarks) {
                   {.shape = models::PadMark::Shape::kBar, .centre_m = {0.05, 0.0}, .length_m = 0.02, .width_m = 0.05}};
   const std::vector<GroundShape> shapes = ShapesOfPad(marked), plain = ShapesOfPad({});
   ASSERT_EQ(shapes.size(), 2u);
-  EXPECT_EQ(shapes[0].label, estimator::FrameTrace::Label::kCircle);
-  EXPECT_EQ(shapes[1].label, estimator::FrameTrace::Label::kH);
+  EXPECT_EQ(shapes[0].label, estimator::paper::ComponentClass::kCircle);
+  EXPECT_EQ(shapes[1].label, estimator::paper::ComponentClass::kH);
   EXPECT_NEAR(shapes[0].radius_m, 0.090, 0.001);
   EXPECT_NEAR(shapes[1].radius_m, std::hypot(0.050, 0.028), 0.001);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
@@ -34,15 +34,14 @@ TEST(ClassifierShapes, OfARectangleAreSolid) {
   pad.h_stroke_m = 0.5 * pad.h_width_m;
   const std::vector<GroundShape> shapes = ShapesOfPad(pad);
   ASSERT_EQ(shapes.size(), 2u);
-  EXPECT_EQ(shapes[1].label, estimator::FrameTrace::Label::kH);
+  EXPECT_EQ(shapes[1].label, estimator::paper::ComponentClass::kH);
   EXPECT_NEAR(shapes[1].radius_m, std::hypot(0.050, 0.028), 0.001);
   EXPECT_EQ(shapes[1].ink_share, 1.0);
   EXPECT_NEAR(shapes[1].gap_m, 0.056, 0.002) << "as wide as the rectangle";
 }
 
 TEST(ClassifierShapes, OfASceneAreTheLoneLettersOfThePadsKind) {
-  sim::SceneConfig scene;
-  scene.posters = scene.lone_circles = scene.objects = 0;
+  sim::SceneConfig scene = tests::EmptyRoomConfig();
   scene.lone_letters = 3;
   models::LandingPad pad;
   pad.h_stroke_m = 0.5 * pad.h_width_m;

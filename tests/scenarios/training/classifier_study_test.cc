@@ -48,7 +48,7 @@ void ExpectRemade(PadLetter letter, const std::string& weights, int least_count,
   ConfusionMatrix compiled_in;
   int agreeing = 0;
   for (const LabelledPattern& each : study.test_patterns) {
-    const estimator::FrameTrace::Label label = estimator::paper::Classify(each.pattern, letter).label;
+    const estimator::paper::ComponentClass label = estimator::paper::Classify(each.pattern, letter).label;
     ++compiled_in.count[static_cast<std::size_t>(each.label)][static_cast<std::size_t>(label)];
     agreeing += label == LabelOf(study.network, each.pattern) ? 1 : 0;
   }

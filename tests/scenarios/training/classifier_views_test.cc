@@ -6,6 +6,7 @@
 
 #include "models/angles.h"
 #include "models/error.h"
+#include "tests/support/empty_room.h"
 
 namespace touchdown::training {
 namespace {
@@ -13,10 +14,6 @@ namespace {
 constexpr int kViews = 200;
 
 const models::CameraModel kCamera;
-
-sim::Scene EmptyScene() {
-  return sim::MakeScene({.posters = 0, .lone_circles = 0, .lone_letters = 0, .objects = 0}, {}, 1);
-}
 
 GroundShape TurnedShape() {
   GroundShape shape;
@@ -29,7 +26,8 @@ GroundShape TurnedShape() {
 std::vector<View> DrawViews(const ViewConfig& config, std::uint64_t seed = 1) {
   models::RandomStream random(seed, "tests.classifier_views");
   std::vector<View> views;
-  for (int i = 0; i < kViews; ++i) views.push_back(DrawView(config, EmptyScene(), TurnedShape(), kCamera, random));
+  for (int i = 0; i < kViews; ++i)
+    views.push_back(DrawView(config, tests::EmptyRoom(), TurnedShape(), kCamera, random));
   return views;
 }
 

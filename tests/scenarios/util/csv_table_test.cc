@@ -3,24 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <functional>
-
-#include "models/error.h"
+#include "tests/support/throws_input_error.h"
 
 namespace touchdown::util {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::Optional;
-
-std::string ErrorOf(const std::function<void()>& read) {
-  try {
-    read();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
+using tests::ThrowsInputError;
 
 TEST(CsvTable, ReadsColumnsByName) {
   const std::string text = "t_s,phase,x_m\n0,ramp,1.5\n0.005,hover,\n";
@@ -39,32 +29,34 @@ TEST(CsvTable, MayHaveNoRows) {
 }
 
 TEST(CsvTable, NamesTheLineOfARowThatIsCut) {
-  EXPECT_EQ(ErrorOf([] { CsvTable("", "a.csv"); }), "a.csv:1: is cut off");
-  EXPECT_EQ(ErrorOf([] { CsvTable("t_s,x_m\n0,1\n1,2.", "a.csv"); }), "a.csv:3: is cut off");
-  EXPECT_EQ(ErrorOf([] { CsvTable("t_s,x_m,y_m\n0,1,2\n1,2\n", "a.csv"); }),
-            "a.csv:3: y_m: the row has 2 cells, the header 3");
-  EXPECT_EQ(ErrorOf([] { CsvTable("t_s,x_m\n0,1,2\n", "a.csv"); }), "a.csv:2: x_m: the row has 3 cells, the header 2");
+  EXPECT_THAT([] { CsvTable("", "a.csv"); }, ThrowsInputError("a.csv:1: is cut off"));
+  EXPECT_THAT([] { CsvTable("t_s,x_m\n0,1\n1,2.", "a.csv"); }, ThrowsInputError("a.csv:3: is cut off"));
+  EXPECT_THAT([] { CsvTable("t_s,x_m,y_m\n0,1,2\n1,2\n", "a.csv"); },
+              ThrowsInputError("a.csv:3: y_m: the row has 2 cells, the header 3"));
+  EXPECT_THAT([] { CsvTable("t_s,x_m\n0,1,2\n", "a.csv"); },
+              ThrowsInputError("a.csv:2: x_m: the row has 3 cells, the header 2"));
 }
 
 TEST(CsvTable, NamesLineAndColumnOfWhatIsNoNumber) {
   for (const std::string cell : {"one", "1.5x", "nan", "inf", " 1", "1e999"}) {
     const std::string text = "t_s,x_m\n0,1\n1," + cell + "\n";
-    EXPECT_EQ(ErrorOf([&] { CsvTable(text, "a.csv").Numbers("x_m"); }),
-              "a.csv:3: x_m: '" + cell + "' is no finite number");
+    EXPECT_THAT([&] { CsvTable(text, "a.csv").Numbers("x_m"); },
+                ThrowsInputError("a.csv:3: x_m: '" + cell + "' is no finite number"));
   }
 }
 
 TEST(CsvTable, NamesWhatIsMissing) {
   const std::string text = "t_s,x_m\n0,\n";
   const CsvTable table(text, "a.csv");
-  EXPECT_EQ(ErrorOf([&] { table.Texts("y_m"); }), "a.csv:1: y_m: no such column");
-  EXPECT_EQ(ErrorOf([&] { table.AllNumbers("x_m"); }), "a.csv:2: x_m: is empty");
+  EXPECT_THAT([&] { table.Texts("y_m"); }, ThrowsInputError("a.csv:1: y_m: no such column"));
+  EXPECT_THAT([&] { table.AllNumbers("x_m"); }, ThrowsInputError("a.csv:2: x_m: is empty"));
 }
 
 TEST(CsvTable, RefusesTimesThatDoNotRise) {
   for (const std::string rows : {"0\n1\n1\n", "0\n2\n1\n"}) {
     const std::string text = "t_s\n" + rows;
-    EXPECT_EQ(ErrorOf([&] { CsvTable(text, "a.csv").Times("t_s"); }), "a.csv:4: t_s: is not after the row before");
+    EXPECT_THAT([&] { CsvTable(text, "a.csv").Times("t_s"); },
+                ThrowsInputError("a.csv:4: t_s: is not after the row before"));
   }
 }
 

@@ -3,23 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "models/error.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/throws_input_error.h"
 
 namespace touchdown::util {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-std::string ErrorOf(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
+using tests::ThrowsInputError;
 
 class StampedCsvTest : public ::testing::Test {
  protected:
@@ -40,13 +32,16 @@ TEST_F(StampedCsvTest, ReadsTimesAndCellsAndSkipsComments) {
 }
 
 TEST_F(StampedCsvTest, NamesFileAndLineOfWhatIsWrong) {
-  EXPECT_THAT(ErrorOf([&] { Read("1,2\n2\n"); }), HasSubstr("data.csv:2: has 1 columns instead of 2"));
-  EXPECT_THAT(ErrorOf([&] { Read("1,2\n1.5,2\n"); }), HasSubstr("data.csv:2: '1.5' is no time in nanoseconds"));
-  EXPECT_THAT(ErrorOf([&] { Read("2,2\n2,2\n"); }), HasSubstr("data.csv:2: its time does not come after"));
-  EXPECT_THAT(ErrorOf([&] { Read("# nothing\n"); }), HasSubstr("data.csv: has no rows"));
-  EXPECT_THAT(ErrorOf([&] { ReadStampedCsv(folder_ / "none.csv", 1); }), HasSubstr("none.csv: cannot be read"));
-  EXPECT_THAT(ErrorOf([&] { Read("1,2,x\n", 2)[0].Number(1); }), HasSubstr("data.csv:1: column 3: 'x' is no number"));
-  EXPECT_THAT(ErrorOf([&] { Read("1,nan\n")[0].Number(0); }), HasSubstr("column 2: 'nan' is no number"));
+  EXPECT_THAT([&] { Read("1,2\n2\n"); }, ThrowsInputError(HasSubstr("data.csv:2: has 1 columns instead of 2")));
+  EXPECT_THAT([&] { Read("1,2\n1.5,2\n"); },
+              ThrowsInputError(HasSubstr("data.csv:2: '1.5' is no time in nanoseconds")));
+  EXPECT_THAT([&] { Read("2,2\n2,2\n"); }, ThrowsInputError(HasSubstr("data.csv:2: its time does not come after")));
+  EXPECT_THAT([&] { Read("# nothing\n"); }, ThrowsInputError(HasSubstr("data.csv: has no rows")));
+  EXPECT_THAT([&] { ReadStampedCsv(folder_ / "none.csv", 1); },
+              ThrowsInputError(HasSubstr("none.csv: cannot be read")));
+  EXPECT_THAT([&] { Read("1,2,x\n", 2)[0].Number(1); },
+              ThrowsInputError(HasSubstr("data.csv:1: column 3: 'x' is no number")));
+  EXPECT_THAT([&] { Read("1,nan\n")[0].Number(0); }, ThrowsInputError(HasSubstr("column 2: 'nan' is no number")));
 }
 
 }  // namespace

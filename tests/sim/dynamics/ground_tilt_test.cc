@@ -8,20 +8,21 @@
 #include "models/error.h"
 #include "models/vehicle.h"
 #include "sim/sensors/imu.h"
+#include "tests/support/nominal.h"
 #include "tests/support/worlds.h"
 
 namespace touchdown::sim {
 namespace {
 
 using Eigen::Vector3d;
+using tests::kG;
 
-constexpr double kG = models::kGravity_m_s2;
-constexpr GroundTilt kSlope{.roll = 0.05, .pitch = -0.08};
+constexpr GroundTilt kSlope{.roll_deg = 2.9, .pitch_deg = -4.6};
 
 /// Written out, where the code multiplies matrices.
 Vector3d GravityOnTheSlope() {
-  return kG * Vector3d(std::sin(kSlope.pitch), -std::cos(kSlope.pitch) * std::sin(kSlope.roll),
-                       -std::cos(kSlope.pitch) * std::cos(kSlope.roll));
+  const double roll = models::DegToRad(kSlope.roll_deg), pitch = models::DegToRad(kSlope.pitch_deg);
+  return kG * Vector3d(std::sin(pitch), -std::cos(pitch) * std::sin(roll), -std::cos(pitch) * std::cos(roll));
 }
 
 World WorldOnTheSlope() {
@@ -33,21 +34,21 @@ World WorldOnTheSlope() {
 TEST(GroundTilt, LevelGroundHasGravityStraightDown) { EXPECT_EQ(GroundTilt{}.Gravity(), Vector3d(0.0, 0.0, -kG)); }
 
 TEST(GroundTilt, PositiveRollLowersTheRightAndPositivePitchTheFront) {
-  EXPECT_LT(GroundTilt{.roll = 0.1}.Gravity().y(), 0.0);
-  EXPECT_GT(GroundTilt{.pitch = 0.1}.Gravity().x(), 0.0);
+  EXPECT_LT(GroundTilt{.roll_deg = 5.0}.Gravity().y(), 0.0);
+  EXPECT_GT(GroundTilt{.pitch_deg = 5.0}.Gravity().x(), 0.0);
   EXPECT_TRUE(kSlope.Gravity().isApprox(GravityOnTheSlope(), 1e-12));
 }
 
 TEST(GroundTilt, RefusesWhatIsSteeperThan15Degrees) {
-  EXPECT_NO_THROW((GroundTilt{.roll = 0.18, .pitch = 0.18}.Validate()));
-  EXPECT_THROW((GroundTilt{.roll = 0.19, .pitch = 0.19}.Validate()), InputError);
-  EXPECT_THROW(GroundTilt{.roll = 3.1}.Validate(), InputError);
-  EXPECT_THROW(GroundTilt{.pitch = std::nan("")}.Validate(), InputError);
+  EXPECT_NO_THROW((GroundTilt{.roll_deg = 10.5, .pitch_deg = 10.5}.Validate()));
+  EXPECT_THROW((GroundTilt{.roll_deg = 10.9, .pitch_deg = 10.9}.Validate()), InputError);
+  EXPECT_THROW(GroundTilt{.roll_deg = 178.0}.Validate(), InputError);
+  EXPECT_THROW(GroundTilt{.pitch_deg = std::nan("")}.Validate(), InputError);
 }
 
 TEST(GroundTilt, ThingsFallAlongTiltedGravity) {
   World world = WorldOnTheSlope();
-  world.Reset(tests::LevelAt(0.3, -0.2, 10.0), false);
+  world.Reset(tests::LevelPose(0.3, -0.2, 10.0), false);
   tests::StepFor(world, {}, 1.0);
   EXPECT_LT((world.state().v_WB - GravityOnTheSlope()).norm(), 1e-8);
   EXPECT_LT((world.state().X_WB.translation() - Vector3d(0.3, -0.2, 10.0) - 0.5 * GravityOnTheSlope()).norm(), 1e-8);
@@ -56,7 +57,7 @@ TEST(GroundTilt, ThingsFallAlongTiltedGravity) {
 TEST(GroundTilt, TheImuReadsItAtRestAndNothingInFreeFall) {
   const ImuConfig perfect{.gyro_noise_rad_s_sqrt_hz = 0.0,
                           .accelerometer_noise_m_s2_sqrt_hz = 0.0,
-                          .gyro_bias_sigma_rad_s = 0.0,
+                          .gyro_bias_sigma_deg_s = 0.0,
                           .accelerometer_bias_sigma_m_s2 = 0.0};
   Imu imu(perfect, Eigen::Isometry3d::Identity(), models::TimeBase{}, 1, kSlope);
   TrueState truth;

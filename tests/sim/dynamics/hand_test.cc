@@ -48,8 +48,8 @@ TEST_P(HandTest, ReachesItsHeightAndTiltsAndNeverGoesBeyond) {
     pitch = std::max(pitch, std::abs(angles.pitch));
   }
   EXPECT_THAT(height, DoubleNear(config_.max_height_m, 0.01));
-  EXPECT_THAT(roll, DoubleNear(config_.max_tilt_rad, 0.01));
-  EXPECT_THAT(pitch, DoubleNear(config_.max_tilt_rad, 0.01));
+  EXPECT_THAT(roll, DoubleNear(models::DegToRad(config_.max_tilt_deg), 0.01));
+  EXPECT_THAT(pitch, DoubleNear(models::DegToRad(config_.max_tilt_deg), 0.01));
 }
 
 TEST_P(HandTest, StaysAboveThePad) {
@@ -87,7 +87,7 @@ TEST(HandConfigTest, RefusesWhatNoHandDoes) {
   EXPECT_NO_THROW(HandConfig{}.Validate());
   EXPECT_THROW(HandConfig{.duration_s = 1.0}.Validate(), InputError);
   EXPECT_THROW(HandConfig{.max_height_m = 10.0}.Validate(), InputError);
-  EXPECT_THROW(HandConfig{.max_tilt_rad = std::nan("")}.Validate(), InputError);
+  EXPECT_THROW(HandConfig{.max_tilt_deg = std::nan("")}.Validate(), InputError);
   EXPECT_THROW(HandConfig{.tremor_hz = 0.0}.Validate(), InputError);
 }
 

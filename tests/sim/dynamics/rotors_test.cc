@@ -5,11 +5,13 @@
 #include <cmath>
 
 #include "models/error.h"
+#include "tests/support/nominal.h"
 
 namespace touchdown::sim {
 namespace {
 
-constexpr models::TimeBase kTime;
+using tests::kTime;
+
 constexpr VibrationConfig kBalanced{.imbalance_kg_m = 0.0};
 
 models::RotorCommand SameSpeed(double speed) { return {{speed, speed, speed, speed}}; }

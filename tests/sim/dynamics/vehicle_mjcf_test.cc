@@ -21,7 +21,7 @@ models::Vehicle HeavyVehicleWithTiltedCamera() {
   vehicle.inertia_kg_m2 = {0.031, 0.017, 0.040};
   vehicle.arm_m = 0.27;
   vehicle.gear = {.half_spacing_m = 0.11, .height_m = 0.19, .foot_radius_m = 0.009};
-  vehicle.camera = {.position_m = {0.031, -0.012, -0.047}, .misalignment = {0.03, -0.11, 0.2}};
+  vehicle.camera = {.position_m = {0.031, -0.012, -0.047}, .misalignment_deg = {2.0, -6.0, 11.0}};
   return vehicle;
 }
 

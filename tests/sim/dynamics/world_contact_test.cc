@@ -12,7 +12,7 @@ namespace touchdown::sim {
 namespace {
 
 using Eigen::Vector3d;
-using tests::LevelAt;
+using tests::LevelPose;
 using tests::QuietWorld;
 using tests::StepFor;
 
@@ -63,13 +63,13 @@ TEST(WorldContact, VehiclesOfAnySizeRestAndLandOnTheirFeet) {
     World world = QuietWorld(vehicle);
     const double rest = world.RestingPose(0.0, 0.0, 0.0).translation().z();
     EXPECT_NEAR(rest, vehicle.gear.height_m, 0.0005) << vehicle.mass_kg << " kg";
-    world.Reset(LevelAt(0.0, 0.0, rest + 0.01), false);
+    world.Reset(LevelPose(0.0, 0.0, rest + 0.01), false);
     StepFor(world, {}, 1.0);
     EXPECT_NEAR(world.state().X_WB.translation().z(), rest, 1e-4);
     EXPECT_LT(world.state().v_WB.norm(), 1e-4);
     EXPECT_TRUE(world.state().gear_in_contact);
     EXPECT_FALSE(world.state().body_in_contact);
-    world.Reset(LevelAt(0.0, 0.0, 2.0), true);
+    world.Reset(LevelPose(0.0, 0.0, 2.0), true);
     StepFor(world, tests::HoverCommand(vehicle), 1.0);
     EXPECT_NEAR(world.state().X_WB.translation().z(), 2.0, 1e-6);
   }
@@ -87,7 +87,7 @@ TEST(WorldContact, RestsWithItsSolesOnTheFloor) {
 TEST(WorldContact, ADropComesToRestWithHardlyABounce) {
   World world = QuietWorld({});
   const double rest = world.RestingPose(0.0, 0.0, 0.0).translation().z();
-  world.Reset(LevelAt(0.0, 0.0, rest + 0.05), false);
+  world.Reset(LevelPose(0.0, 0.0, rest + 0.05), false);
   bool touched = false;
   double highest = 0.0, lowest = 1.0;
   for (int i = 0; i < 1800; ++i) {
@@ -108,7 +108,7 @@ TEST(WorldContact, ADropComesToRestWithHardlyABounce) {
 TEST(WorldContact, FirstContactComesWhenFreeFallSaysSo) {
   World world = QuietWorld(tests::VehicleWithoutDrag());
   for (const double drop_m : {0.10, 0.5, 2.0}) {
-    world.Reset(LevelAt(0.0, 0.0, models::Vehicle{}.gear.height_m + drop_m), false);
+    world.Reset(LevelPose(0.0, 0.0, models::Vehicle{}.gear.height_m + drop_m), false);
     while (!world.state().gear_in_contact) world.Step({});
     const double expected_s = std::sqrt(2.0 * drop_m / models::kGravity_m_s2);
     EXPECT_NEAR(models::TimeBase{}.ToSeconds(world.state().tick), expected_s, 1.5 / 1200.0);
@@ -172,7 +172,7 @@ TEST(WorldContact, LandsOnEverySolidObject) {
   ASSERT_EQ(scene.items.size(), 8U);
   World world(tests::StillAndBalanced(), models::Vehicle{}, scene, models::TimeBase{}, 1);
   for (const SceneItem& object : scene.items) {
-    world.Reset(LevelAt(object.position_m.x(), object.position_m.y(), 1.5), false);
+    world.Reset(LevelPose(object.position_m.x(), object.position_m.y(), 1.5), false);
     while (!world.state().gear_in_contact && !world.state().body_in_contact) world.Step({});
     EXPECT_LT(world.state().X_WB.translation().z(), object.size_m.z() + models::Vehicle{}.gear.height_m + 0.001);
     StepFor(world, {}, 0.5);

@@ -10,6 +10,7 @@
 #include "models/angles.h"
 #include "models/error.h"
 #include "models/random_stream.h"
+#include "tests/support/nominal.h"
 #include "tests/support/worlds.h"
 
 namespace touchdown::sim {
@@ -18,15 +19,14 @@ namespace {
 using Eigen::Vector3d;
 using tests::EmptyRoom;
 using tests::HoverCommand;
-using tests::LevelAt;
+using tests::kG;
+using tests::kTime;
+using tests::LevelPose;
 using tests::QuietWorld;
 using tests::SameSpeed;
 using tests::StepFor;
 using tests::StillAndBalanced;
 using tests::VehicleWithoutDrag;
-
-constexpr models::TimeBase kTime;
-constexpr double kG = models::kGravity_m_s2;
 
 TEST(World, StartsAtTickZeroAtRestOnItsFeet) {
   const World world = QuietWorld({});
@@ -40,7 +40,7 @@ TEST(World, StartsAtTickZeroAtRestOnItsFeet) {
 
 TEST(World, FallsFreelyAsGalileoHasIt) {
   World world = QuietWorld(VehicleWithoutDrag());
-  world.Reset(LevelAt(0.3, -0.2, 10.0), false);
+  world.Reset(LevelPose(0.3, -0.2, 10.0), false);
   for (int tick = 1; tick <= 1200; ++tick) {
     world.Step({});
     const double t = kTime.ToSeconds(tick);
@@ -75,7 +75,7 @@ TEST(World, GoesWhereAHandCarriesIt) {
 TEST(World, ReachesTheTerminalVelocityOfItsDrag) {
   const models::Vehicle vehicle;
   World world = QuietWorld(vehicle);
-  world.Reset(LevelAt(0.0, 0.0, 500.0), false);
+  world.Reset(LevelPose(0.0, 0.0, 500.0), false);
   StepFor(world, {}, 15.0);
   const double c = vehicle.linear_drag_n_s_m.z(), q = vehicle.quadratic_drag_n_s2_m2.z();
   const double terminal = (-c + std::sqrt(c * c + 4.0 * q * vehicle.mass_kg * kG)) / (2.0 * q);
@@ -85,7 +85,7 @@ TEST(World, ReachesTheTerminalVelocityOfItsDrag) {
 TEST(World, HoversWhenTheRotorsCarryTheWeight) {
   const models::Vehicle vehicle;
   World world = QuietWorld(vehicle);
-  const Eigen::Isometry3d start = LevelAt(0.0, 0.0, 1.0);
+  const Eigen::Isometry3d start = LevelPose(0.0, 0.0, 1.0);
   world.Reset(start, true);
   StepFor(world, HoverCommand(vehicle), 5.0);
   EXPECT_TRUE(world.state().X_WB.isApprox(start, 1e-6));
@@ -94,7 +94,7 @@ TEST(World, HoversWhenTheRotorsCarryTheWeight) {
 TEST(World, ClimbsByTheExcessOfThrust) {
   const models::Vehicle vehicle = VehicleWithoutDrag();
   World world = QuietWorld(vehicle);
-  world.Reset(LevelAt(0.0, 0.0, 1.0), true);
+  world.Reset(LevelPose(0.0, 0.0, 1.0), true);
   StepFor(world, SameSpeed(550.0), 1.0);
   const double expected = 4.0 * vehicle.rotor.thrust_coefficient_n_s2 * 550.0 * 550.0 / vehicle.mass_kg - kG;
   EXPECT_NEAR(world.state().a_WB.z(), expected, 1e-6);
@@ -104,7 +104,7 @@ TEST(World, ClimbsByTheExcessOfThrust) {
 class DifferentialThrust : public ::testing::Test {
  protected:
   Vector3d AngularAcceleration(const std::array<int, 4>& signs) {
-    world_.Reset(LevelAt(0.0, 0.0, 5.0), true);
+    world_.Reset(LevelPose(0.0, 0.0, 5.0), true);
     models::RotorCommand command;
     for (int i = 0; i < models::kRotorCount; ++i) {
       command.speed_rad_s[i] = vehicle_.rotor.SpeedFor(vehicle_.HoverThrustPerRotor() + signs[i] * kDelta_n);
@@ -142,7 +142,7 @@ TEST_F(DifferentialThrust, OfTheClockwisePairTurnsLeft) {
 TEST(World, KeepsEnergyAndAngularMomentumOfATumblingBody) {
   const models::Vehicle vehicle = VehicleWithoutDrag();
   World world = QuietWorld(vehicle);
-  world.Reset(LevelAt(0.0, 0.0, 50.0), false);
+  world.Reset(LevelPose(0.0, 0.0, 50.0), false);
   world.SetPush({1.0, 2.0, 0.0}, {0.6, 0.1, 0.3});
   StepFor(world, {}, 0.2);
   world.SetPush(Vector3d::Zero(), Vector3d::Zero());
@@ -182,7 +182,7 @@ TEST(World, PushesAreGivenInTheWorld) {
 TEST(World, DriftsWithTheWind) {
   const models::Vehicle vehicle;
   World world = QuietWorld(vehicle);
-  world.Reset(LevelAt(0.0, 0.0, 2.0), true);
+  world.Reset(LevelPose(0.0, 0.0, 2.0), true);
   world.SetWind({3.0, 0.0, 0.0});
   StepFor(world, HoverCommand(vehicle), 3.0);
 
@@ -202,7 +202,7 @@ TEST(World, TakesTheMeanWindOfItsConfig) {
   WorldConfig config = StillAndBalanced();
   config.wind_m_s = {0.0, -2.0, 0.0};
   World world(config, vehicle, EmptyRoom(), kTime, 1);
-  world.Reset(LevelAt(0.0, 0.0, 2.0), true);
+  world.Reset(LevelPose(0.0, 0.0, 2.0), true);
   StepFor(world, HoverCommand(vehicle), 1.0);
   EXPECT_LT(world.state().v_WB.y(), -0.1);
 }
@@ -210,7 +210,7 @@ TEST(World, TakesTheMeanWindOfItsConfig) {
 TEST(World, ShakesAsItsImbalancesSay) {
   const models::Vehicle vehicle = VehicleWithoutDrag();
   World world(tests::Unpainted(), vehicle, EmptyRoom(), kTime, 3);
-  world.Reset(LevelAt(0.0, 0.0, 2.0), true);
+  world.Reset(LevelPose(0.0, 0.0, 2.0), true);
   const double amplitude = world.state().vibration_m_s2_B.norm();
   for (int i = 0; i < 120; ++i) {
     const Vector3d before = world.state().vibration_m_s2_B;
@@ -259,15 +259,15 @@ TEST(World, ForgetsPushAndWindAtAReset) {
   World world = QuietWorld(vehicle);
   world.SetPush({5.0, 0.0, 0.0}, {0.0, 0.1, 0.0});
   world.SetWind({5.0, 0.0, 0.0});
-  world.Reset(LevelAt(0.0, 0.0, 1.0), true);
+  world.Reset(LevelPose(0.0, 0.0, 1.0), true);
   StepFor(world, HoverCommand(vehicle), 0.5);
-  EXPECT_TRUE(world.state().X_WB.isApprox(LevelAt(0.0, 0.0, 1.0), 1e-6));
+  EXPECT_TRUE(world.state().X_WB.isApprox(LevelPose(0.0, 0.0, 1.0), 1e-6));
 }
 
 TEST(World, RunsAtAnyTimeBase) {
   const models::Vehicle vehicle = VehicleWithoutDrag();
   World world(StillAndBalanced(), vehicle, EmptyRoom(), models::TimeBase{.ticks_per_s = 600}, 1);
-  world.Reset(LevelAt(0.0, 0.0, 10.0), false);
+  world.Reset(LevelPose(0.0, 0.0, 10.0), false);
   for (int i = 0; i < 600; ++i) world.Step({});
   EXPECT_NEAR(world.state().X_WB.translation().z(), 10.0 - 0.5 * kG, 1e-9);
 }

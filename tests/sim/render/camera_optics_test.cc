@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 using tests::CameraAt;
 using tests::CameraTowards;
 using tests::EdgeOffset;
-using tests::OnlyThePad;
+using tests::EmptyRoomConfig;
 using tests::Room;
 
 models::Image Rounded(const FineImage& fine) {
@@ -63,7 +63,7 @@ FineImage Exposed(CameraOptics& optics, Renderer& renderer, mjData_& data, Expos
 }
 
 TEST(CameraOptics, PutsThePadsEdgesWhereTheDistortedCameraSeesThem) {
-  const Room room(OnlyThePad());
+  const Room room(EmptyRoomConfig());
   const models::CameraModel wide;
   const models::CameraModel euroc{.k1 = -0.283, .k2 = 0.074};
   const models::CameraModel uneven{.fx_px = 330.0, .fy_px = 300.0, .cx_px = 300.25, .cy_px = 250.75, .k1 = -0.05};

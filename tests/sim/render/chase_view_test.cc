@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using tests::LevelAt;
+using tests::LevelPose;
 
 std::unique_ptr<World> PaintedWorld() {
   return std::make_unique<World>(WorldConfig{}, models::Vehicle{}, tests::EmptyRoom(), models::TimeBase{}, 1);
@@ -64,7 +64,7 @@ TEST(ChaseView, ShowsTheVehicleWhereItIs) {
   const auto world = PaintedWorld();
   ChaseView chase(world->model(), {});
   for (const Vector3d& p_WB : Places()) {
-    const cv::Mat3b& picture = chase.Render(LevelAt(p_WB.x(), p_WB.y(), p_WB.z()), false);
+    const cv::Mat3b& picture = chase.Render(LevelPose(p_WB.x(), p_WB.y(), p_WB.z()), false);
     // The hull is 0.13 m long, and its far sides and its back are not seen.
     const double px_per_m = chase.view().focal_px / (chase.X_WC().inverse() * p_WB).z();
     EXPECT_LT((MiddleOfRed(picture) - PixelOf(chase, p_WB)).norm(), 3.0 + 0.05 * px_per_m) << p_WB.transpose();
@@ -75,7 +75,7 @@ TEST(ChaseView, KeepsVehicleAndPadInView) {
   const auto world = PaintedWorld();
   ChaseView chase(world->model(), {});
   for (const Vector3d& p_WB : Places()) {
-    chase.Render(LevelAt(p_WB.x(), p_WB.y(), p_WB.z()), false);
+    chase.Render(LevelPose(p_WB.x(), p_WB.y(), p_WB.z()), false);
     for (int i = 0; i < 12; ++i) {
       const Vector3d around(std::cos(i * models::kPi / 6), std::sin(i * models::kPi / 6), 0.0);
       for (const Vector3d& p_W : {Vector3d(0.15 * around), Vector3d(p_WB + 0.33 * around)}) {
@@ -92,10 +92,10 @@ TEST(ChaseView, StandsStillForAHoverAndFollowsSmoothly) {
   ChaseView chase(world->model(), {});
   constexpr double kStep_m = 0.05;
   double way_m = 0.0;
-  chase.Render(LevelAt(0.0, 0.0, 1.0), false);
+  chase.Render(LevelPose(0.0, 0.0, 1.0), false);
   for (int step = 1; step <= 40; ++step) {
     const Vector3d before = chase.X_WC().translation();
-    chase.Render(LevelAt(step * kStep_m, 0.0, 1.0), false);
+    chase.Render(LevelPose(step * kStep_m, 0.0, 1.0), false);
     const double moved_m = (chase.X_WC().translation() - before).norm();
     if (step * kStep_m < 0.149) {
       EXPECT_EQ(moved_m, 0.0);
@@ -109,7 +109,7 @@ TEST(ChaseView, StandsStillForAHoverAndFollowsSmoothly) {
 TEST(ChaseView, ShowsThePadBareAndCovered) {
   const auto world = PaintedWorld();
   ChaseView chase(world->model(), {});
-  const Eigen::Isometry3d X_WB = LevelAt(1.0, 0.0, 1.0);
+  const Eigen::Isometry3d X_WB = LevelPose(1.0, 0.0, 1.0);
   chase.Render(X_WB, false);
   const Vector2d ring = PixelOf(chase, {0.082, 0.0, 0.0});
   const cv::Point pixel(static_cast<int>(std::lround(ring.x())), static_cast<int>(std::lround(ring.y())));
@@ -122,7 +122,7 @@ TEST(ChaseView, IsInColour) {
   const auto world = PaintedWorld();
   ChaseView chase(world->model(), {});
   const Vector3d p_WB(0.0, 0.0, 1.0);
-  const cv::Mat3b& picture = chase.Render(LevelAt(0.0, 0.0, 1.0), false);
+  const cv::Mat3b& picture = chase.Render(LevelPose(0.0, 0.0, 1.0), false);
   // The front rotors are orange: red over green over blue.
   const Vector2d rotor = PixelOf(chase, p_WB + models::Vehicle{}.RotorPosition(0) + Vector3d(0.05, 0.0, 0.0));
   const cv::Vec3b bgr = picture(static_cast<int>(std::lround(rotor.y())), static_cast<int>(std::lround(rotor.x())));
@@ -133,11 +133,11 @@ TEST(ChaseView, IsInColour) {
 TEST(ChaseView, LeavesTheOnboardCamerasPixelsAndTheWorldAsTheyAre) {
   const auto world = PaintedWorld();
   Renderer onboard(world->model(), {});
-  const Eigen::Isometry3d X_WC = LevelAt(0.0, 0.0, 1.0) * models::Vehicle{}.X_BC();
+  const Eigen::Isometry3d X_WC = LevelPose(0.0, 0.0, 1.0) * models::Vehicle{}.X_BC();
   const models::Image alone = onboard.Render(world->data(), X_WC);
   const TrueState before = world->state();
   ChaseView chase(world->model(), {});
-  chase.Render(LevelAt(0.3, 0.2, 1.0), true);
+  chase.Render(LevelPose(0.3, 0.2, 1.0), true);
   EXPECT_EQ(onboard.Render(world->data(), X_WC).pixels, alone.pixels);
   EXPECT_EQ(world->state().X_WB.matrix(), before.X_WB.matrix());
 }

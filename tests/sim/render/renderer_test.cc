@@ -22,8 +22,8 @@ using Eigen::Vector3d;
 using tests::CameraAt;
 using tests::CameraTowards;
 using tests::EdgeOffset;
-using tests::LevelAt;
-using tests::OnlyThePad;
+using tests::EmptyRoomConfig;
+using tests::GreyAt;
 using tests::Room;
 
 const models::CameraModel kPinhole{.k1 = 0.0, .k2 = 0.0};
@@ -43,7 +43,7 @@ const std::vector<Eigen::Isometry3d>& Views() {
 }
 
 TEST(Renderer, PutsTheRingWhereAPinholeCameraSeesIt) {
-  const Room room(OnlyThePad());
+  const Room room(EmptyRoomConfig());
   Renderer renderer(*room.model, {});
   for (const Eigen::Isometry3d& X_WC : Views()) {
     const models::Image& image = renderer.Render(*room.data, X_WC);
@@ -67,7 +67,7 @@ TEST(Renderer, PutsTheRingWhereAPinholeCameraSeesIt) {
 }
 
 TEST(Renderer, TurnsTheLetterAlongTheWorldsX) {
-  const Room room(OnlyThePad());
+  const Room room(EmptyRoomConfig());
   Renderer renderer(*room.model, {});
   const double x = 0.4 * room.scene.pad.h_height_m;
   const double y = 0.5 * (room.scene.pad.h_width_m - room.scene.pad.h_stroke_m);
@@ -75,18 +75,18 @@ TEST(Renderer, TurnsTheLetterAlongTheWorldsX) {
     const models::Image& image = renderer.Render(*room.data, X_WC);
     for (const double sign_x : {-1.0, 1.0}) {
       for (const double sign_y : {-1.0, 1.0}) {
-        EXPECT_LT(LevelAt(image, PixelOf({sign_x * x, sign_y * y, 0.0}, X_WC)), 60.0);
+        EXPECT_LT(GreyAt(image, PixelOf({sign_x * x, sign_y * y, 0.0}, X_WC)), 60.0);
       }
-      EXPECT_GT(LevelAt(image, PixelOf({sign_x * x, 0.0, 0.0}, X_WC)), 180.0);
+      EXPECT_GT(GreyAt(image, PixelOf({sign_x * x, 0.0, 0.0}, X_WC)), 180.0);
     }
-    EXPECT_LT(LevelAt(image, PixelOf({0.0, 0.0, 0.0}, X_WC)), 60.0);
+    EXPECT_LT(GreyAt(image, PixelOf({0.0, 0.0, 0.0}, X_WC)), 60.0);
   }
 }
 
 /// Paints a texture white but for one texel block, and tells where on the sheet the block is seen: the pad itself looks
 /// the same turned by 180 degrees, so that it cannot show a texture that is.
 TEST(Renderer, ShowsTheTexturesFirstTexelAtTheSheetsCornerOfLowXAndHighY) {
-  const Room room(OnlyThePad());
+  const Room room(EmptyRoomConfig());
   const int texture = mj_name2id(room.model.get(), mjOBJ_TEXTURE, "pad");
   std::uint8_t* rgb = room.model->tex_rgb + room.model->tex_adr[texture];
   const TextureSize size = PadTextureSize({});
@@ -98,10 +98,10 @@ TEST(Renderer, ShowsTheTexturesFirstTexelAtTheSheetsCornerOfLowXAndHighY) {
   const Eigen::Isometry3d X_WC = CameraAt({0.0, 0.0, 0.4});
   const models::Image& image = renderer.Render(*room.data, X_WC);
   const double x = 0.4 * room.scene.pad.sheet_length_m, y = 0.4 * room.scene.pad.sheet_width_m;
-  EXPECT_LT(LevelAt(image, PixelOf({-x, y, 0.0}, X_WC)), 5.0);
-  EXPECT_GT(LevelAt(image, PixelOf({x, y, 0.0}, X_WC)), 250.0);
-  EXPECT_GT(LevelAt(image, PixelOf({-x, -y, 0.0}, X_WC)), 250.0);
-  EXPECT_GT(LevelAt(image, PixelOf({x, -y, 0.0}, X_WC)), 250.0);
+  EXPECT_LT(GreyAt(image, PixelOf({-x, y, 0.0}, X_WC)), 5.0);
+  EXPECT_GT(GreyAt(image, PixelOf({x, y, 0.0}, X_WC)), 250.0);
+  EXPECT_GT(GreyAt(image, PixelOf({-x, -y, 0.0}, X_WC)), 250.0);
+  EXPECT_GT(GreyAt(image, PixelOf({x, -y, 0.0}, X_WC)), 250.0);
 }
 
 TEST(Renderer, PutsEveryPrintOfTheFloorWhereItsSceneSaysItLies) {
@@ -112,14 +112,14 @@ TEST(Renderer, PutsEveryPrintOfTheFloorWhereItsSceneSaysItLies) {
     const Eigen::Isometry3d X_WC = CameraAt(centre + Vector3d(0.0, 0.0, 0.5));
     const models::Image& image = renderer.Render(*room.data, X_WC);
     const Vector3d across(-std::sin(item.yaw), std::cos(item.yaw), 0.0), along(across.y(), -across.x(), 0.0);
-    EXPECT_LT(LevelAt(image, PixelOf(centre, X_WC)), 100.0);
-    EXPECT_GT(LevelAt(image, PixelOf(centre + 0.47 * item.size_m.x() * along, X_WC)), 120.0);
-    EXPECT_GT(LevelAt(image, PixelOf(centre + 0.47 * item.size_m.y() * across, X_WC)), 120.0);
+    EXPECT_LT(GreyAt(image, PixelOf(centre, X_WC)), 100.0);
+    EXPECT_GT(GreyAt(image, PixelOf(centre + 0.47 * item.size_m.x() * along, X_WC)), 120.0);
+    EXPECT_GT(GreyAt(image, PixelOf(centre + 0.47 * item.size_m.y() * across, X_WC)), 120.0);
   }
 }
 
 TEST(Renderer, HonoursAPrincipalPointOffTheCentreToTheFractionOfAPixel) {
-  const Room room(OnlyThePad());
+  const Room room(EmptyRoomConfig());
   Renderer centred(*room.model, {});
   Renderer shifted(*room.model, {.width_px = 700, .height_px = 520, .cx_px = 347.5, .cy_px = 254.5});
   const Eigen::Isometry3d X_WC = CameraAt({0.02, 0.01, 0.4}, {.roll = 0.1, .pitch = 0.1, .yaw = 0.3});
@@ -131,20 +131,20 @@ TEST(Renderer, HonoursAPrincipalPointOffTheCentreToTheFractionOfAPixel) {
 
 TEST(Renderer, ShowsInkAndPaperAsBrightAsTheSceneSays) {
   for (const double illumination : {0.3, 1.0, 1.1}) {
-    SceneConfig config = OnlyThePad();
+    SceneConfig config = EmptyRoomConfig();
     config.illumination = illumination;
     const Room room(config);
     Renderer renderer(*room.model, {});
     const Eigen::Isometry3d X_WC = CameraAt({0.0, 0.0, 0.3});
     const models::Image& image = renderer.Render(*room.data, X_WC);
-    EXPECT_NEAR(LevelAt(image, PixelOf({0.03, 0.0, 0.0}, X_WC)), PaperLevel(room.scene), 2.5);
-    EXPECT_NEAR(LevelAt(image, PixelOf({0.0, 0.0, 0.0}, X_WC)), kInk * illumination, 2.5);
+    EXPECT_NEAR(GreyAt(image, PixelOf({0.03, 0.0, 0.0}, X_WC)), PaperLevel(room.scene), 2.5);
+    EXPECT_NEAR(GreyAt(image, PixelOf({0.0, 0.0, 0.0}, X_WC)), kInk * illumination, 2.5);
     EXPECT_NEAR(PaperLevel(room.scene), 225.0 * illumination, 0.1);
   }
 }
 
 TEST(Renderer, SeesThePadCoveredAndBare) {
-  const Room room(OnlyThePad());
+  const Room room(EmptyRoomConfig());
   Renderer renderer(*room.model, {});
   const Eigen::Isometry3d X_WC = CameraAt({0.0, 0.0, 0.3});
   const models::Image shown = renderer.Render(*room.data, X_WC);
@@ -155,14 +155,14 @@ TEST(Renderer, SeesThePadCoveredAndBare) {
   room.model->geom_rgba[4 * cover + 3] = 0.0f;
   EXPECT_EQ(renderer.Render(*room.data, X_WC).pixels, shown.pixels);
   for (const double x : {-0.08, 0.0, 0.03, 0.08}) {
-    EXPECT_NEAR(LevelAt(covered, PixelOf({x, 0.0, 0.0}, X_WC)), PaperLevel(room.scene), 2.5);
+    EXPECT_NEAR(GreyAt(covered, PixelOf({x, 0.0, 0.0}, X_WC)), PaperLevel(room.scene), 2.5);
   }
 }
 
 TEST(Renderer, HasNoPadInASceneWithoutOne) {
-  SceneConfig config = OnlyThePad();
+  SceneConfig config = EmptyRoomConfig();
   config.pad = false;
-  const Room without(config), with(OnlyThePad());
+  const Room without(config), with(EmptyRoomConfig());
   EXPECT_EQ(mj_name2id(without.model.get(), mjOBJ_GEOM, "pad"), -1);
   with.model->mat_rgba[4 * mj_name2id(with.model.get(), mjOBJ_MATERIAL, "pad") + 3] = 0.0f;
   const Eigen::Isometry3d X_WC = CameraAt({0.0, 0.0, 0.5});
@@ -226,7 +226,7 @@ TEST(Renderer, IsAsSharpWithOneMipLevelAsWithOneForEveryPixel) {
 }
 
 TEST(Renderer, DoesNotShowTheVehicle) {
-  const Room room(OnlyThePad());
+  const Room room(EmptyRoomConfig());
   Renderer renderer(*room.model, {});
   const Eigen::Isometry3d X_WC = CameraAt({0.0, 0.0, 1.0});
   const models::Image before = renderer.Render(*room.data, X_WC);

@@ -21,18 +21,22 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using tests::CameraAt;
-using tests::LevelAt;
+using tests::GreyAt;
 
 constexpr SceneConfig::Setting kOutdoor = SceneConfig::Setting::kOutdoor;
 
 SceneConfig Meadow(const Sun& sun, int objects = 0) {
-  return {.setting = kOutdoor, .posters = 0, .lone_circles = 0, .lone_letters = 0, .objects = objects, .sun = sun};
+  SceneConfig meadow = tests::EmptyRoomConfig();
+  meadow.setting = kOutdoor;
+  meadow.objects = objects;
+  meadow.sun = sun;
+  return meadow;
 }
 
 /// A meadow with the vehicle above it.
 class Meadows : public ::testing::Test {
  protected:
-  static constexpr Sun kSun{.elevation = models::DegToRad(60.0), .azimuth = 0.5, .to_sky = 3.0};
+  static constexpr Sun kSun{.elevation_deg = 60.0, .azimuth_deg = 30.0, .to_sky = 3.0};
 
   World& Make(const SceneConfig& config) {
     scene_ = MakeScene(config, {}, 1);
@@ -45,7 +49,7 @@ class Meadows : public ::testing::Test {
   double Seen(const Vector3d& p_W, const Vector3d& p_WB) {
     world_->Reset(Eigen::Isometry3d(Eigen::Translation3d(p_WB)), true);
     const Eigen::Isometry3d X_WC = CameraAt(p_W + Vector3d(0.0, 0.0, 0.4));
-    return LevelAt(renderer_->Render(world_->data(), X_WC), {319.5, 239.5});
+    return GreyAt(renderer_->Render(world_->data(), X_WC), {319.5, 239.5});
   }
 
   /// What a place keeps of its light when the vehicle comes.
@@ -59,8 +63,9 @@ class Meadows : public ::testing::Test {
 
 /// Where a point of the vehicle must be for its shadow to fall on p_W.
 Vector3d Above(const Vector3d& p_W, double height_m, const Sun& sun) {
-  const double reach = height_m / std::tan(sun.elevation);
-  return p_W + Vector3d(reach * std::cos(sun.azimuth), reach * std::sin(sun.azimuth), height_m);
+  const double reach = height_m / std::tan(models::DegToRad(sun.elevation_deg));
+  const double azimuth = models::DegToRad(sun.azimuth_deg);
+  return p_W + Vector3d(reach * std::cos(azimuth), reach * std::sin(azimuth), height_m);
 }
 
 const Vector3d kOnPaper(0.03, 0.0, 0.0);
@@ -79,7 +84,8 @@ TEST_F(Meadows, TheHullsShadowDarkensByTheSunsShareWhereTheSunPutsIt) {
       const Vector3d body = Above(kOnPaper, height, sun);
       EXPECT_NEAR(Kept(kOnPaper, body), 1.0 / (1.0 + to_sky), 0.015) << "hull, battery and camera darken once";
       EXPECT_NEAR(Kept(kOnPaper, body + Vector3d(0.0, 0.8, 0.0)), 1.0, 0.01);
-      EXPECT_NEAR(Kept(kOnPaper, Above(kOnPaper, height, {.elevation = sun.elevation, .azimuth = sun.azimuth + 3.1})),
+      EXPECT_NEAR(Kept(kOnPaper, Above(kOnPaper, height,
+                                       {.elevation_deg = sun.elevation_deg, .azimuth_deg = sun.azimuth_deg + 178.0})),
                   1.0, 0.01)
           << "on the sun's side";
     }
@@ -99,7 +105,7 @@ TEST_F(Meadows, ATurningRotorTakesTheShareThatItsBladesCover) {
 TEST_F(Meadows, ThereIsNoShadowUnderAnOvercastSkyNorIndoors) {
   Make(Meadow({.to_sky = 0.0}));
   EXPECT_EQ(Kept(kOnPaper, Above(kOnPaper, 0.3, {})), 1.0);
-  Make({.posters = 0, .lone_circles = 0, .lone_letters = 0, .objects = 0});
+  Make(tests::EmptyRoomConfig());
   EXPECT_EQ(Kept(kOnPaper, Above(kOnPaper, 0.3, {})), 1.0);
 }
 
@@ -144,7 +150,7 @@ TEST(OutdoorScene, HasItsOwnObjectsClearOfTheFlightPath) {
 }
 
 TEST(OutdoorScene, TheSunChangesNothingIndoors) {
-  SceneConfig low{.sun = {.elevation = 0.3, .azimuth = 2.0, .to_sky = 8.0}};
+  SceneConfig low{.sun = {.elevation_deg = 17.0, .azimuth_deg = 115.0, .to_sky = 8.0}};
   const tests::Room room({}, 4), under_another_sun(low, 4);
   for (const double height : {0.5, 1.5}) {
     const Eigen::Isometry3d X_WC = CameraAt({0.1, 0.0, height}, {.roll = 0.3, .pitch = 0.1, .yaw = 0.2});
@@ -201,9 +207,9 @@ TEST(GrassPattern, IsAsBrightWithBladesAsWithout) {
 
 TEST(Sun, RefusesWhatCannotBe) {
   EXPECT_NO_THROW(Sun{}.Validate());
-  EXPECT_THROW(Sun{.elevation = 0.1}.Validate(), InputError);
-  EXPECT_THROW(Sun{.elevation = 2.0}.Validate(), InputError);
-  EXPECT_THROW(Sun{.azimuth = std::nan("")}.Validate(), InputError);
+  EXPECT_THROW(Sun{.elevation_deg = 9.0}.Validate(), InputError);
+  EXPECT_THROW(Sun{.elevation_deg = 91.0}.Validate(), InputError);
+  EXPECT_THROW(Sun{.azimuth_deg = std::nan("")}.Validate(), InputError);
   EXPECT_THROW(Sun{.to_sky = -0.1}.Validate(), InputError);
 }
 

@@ -8,6 +8,7 @@
 #include <opencv2/core.hpp>
 
 #include "models/angles.h"
+#include "models/pad_outline.h"
 #include "sim/scene/floor_pattern.h"
 
 namespace touchdown::sim {
@@ -44,7 +45,7 @@ models::LandingPad MarkedPad() {
                 .centre_m = {-0.02, 0.05},
                 .length_m = 0.02,
                 .width_m = 0.004,
-                .angle = models::DegToRad(30.0)}};
+                .angle_deg = 30.0}};
   return pad;
 }
 
@@ -57,6 +58,7 @@ TEST(PrintPad, InksTheMarks) {
 
 TEST(PrintPad, AgreesWithTheModelAwayFromEdges) {
   const models::LandingPad pad = MarkedPad();
+  const models::PadOutline outline(pad);
   const cv::Mat1b print = PrintPad(pad, 512, 256);
   int grey = 0;
   for (int row = 0; row < print.rows; ++row) {
@@ -65,7 +67,7 @@ TEST(PrintPad, AgreesWithTheModelAwayFromEdges) {
                               (0.5 - (row + 0.5) / 256) * pad.sheet_width_m);
       const int level = print(row, column);
       if (level == kPaper || level == kInk) {
-        EXPECT_EQ(level == kInk, pad.IsBlack(p));
+        EXPECT_EQ(level == kInk, outline.IsBlack(p));
       } else {
         ++grey;
       }

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr Sun kSun{.elevation = 0.7, .azimuth = 2.0};
+constexpr Sun kSun{.elevation_deg = 40.0, .azimuth_deg = 115.0};
 
 bool Inside(const std::vector<Vector2d>& outline, const Vector2d& p) {
   int left = 0, right = 0;
@@ -81,14 +81,13 @@ TEST(ShadowOutline, HoldsThePlacesFromWhichTheLightIsNotSeen) {
 TEST(ShadowOutline, OfAPoleIsAsLongAsTheSunIsLow) {
   Solid pole{.type = mjGEOM_CYLINDER, .size_m = {0.001, 0.5, 0.0}};
   pole.X_WG.translation().z() = 0.5;
-  const double length = 1.0 / std::tan(kSun.elevation);
+  const double length = 1.0 / std::tan(models::DegToRad(kSun.elevation_deg));
   Vector2d tip = Vector2d::Zero();
   for (const Vector2d& corner : ShadowOutline(pole, kSun.Direction())) {
     if (corner.norm() > tip.norm()) tip = corner;
   }
-  EXPECT_LT(
-      (tip - length * Vector2d(std::cos(kSun.azimuth + models::kPi), std::sin(kSun.azimuth + models::kPi))).norm(),
-      0.003);
+  const double away = models::DegToRad(kSun.azimuth_deg + 180.0);
+  EXPECT_LT((tip - length * Vector2d(std::cos(away), std::sin(away))).norm(), 0.003);
 }
 
 }  // namespace

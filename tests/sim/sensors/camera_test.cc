@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "models/error.h"
+#include "tests/support/nominal.h"
 
 namespace touchdown::sim {
 namespace {
 
 using models::CameraFrame;
 using models::Tick;
-
-constexpr models::TimeBase kTime;
+using tests::kTime;
 
 CameraConfig SmallAndRigid() {
   CameraConfig config;
@@ -72,7 +72,7 @@ TEST(Camera, ExposesAtItsRateAndDeliversLate) {
 
 TEST(Camera, DeliversWhenTheShutterHasClosedAtTheEarliest) {
   CameraConfig config = SmallAndRigid();
-  config.latency_s = 0.002;
+  config.latency_ms = 2.0;
   config.rate_hz = 30;
   Stage stage(config);
   const auto delivered = stage.Run(50, Stage::Hovering);
@@ -84,7 +84,7 @@ TEST(Camera, DeliversWhenTheShutterHasClosedAtTheEarliest) {
 TEST(Camera, ShowsThePlaceWhereItWasAtMidExposure) {
   CameraConfig config = SmallAndRigid();
   config.noise_sigma = 0.0;
-  config.exposure_s = 0.0;
+  config.exposure_ms = 0.0;
   const auto moving = [](Tick tick) {
     TrueState state = Stage::Hovering(tick);
     state.X_WB.translation().x() = 0.002 * static_cast<double>(tick);
@@ -123,7 +123,7 @@ TEST(Camera, BlursOverItsExposure) {
     return state;
   };
   Stage blurred(config);
-  config.exposure_s = 0.0;
+  config.exposure_ms = 0.0;
   Stage sharp(config);
   const auto with = blurred.Run(46, sliding), without = sharp.Run(46, sliding);
   EXPECT_LT(contrast(with[1].frame), 0.6 * contrast(without[1].frame));
@@ -172,10 +172,12 @@ TEST(CameraConfig, RefusesWhatCannotBe) {
   refused([](CameraConfig& c) { c.rate_hz = 0; });
   refused([](CameraConfig& c) { c.noise_sigma = -1.0; });
   refused([](CameraConfig& c) { c.noise_sigma = std::numeric_limits<double>::quiet_NaN(); });
-  refused([](CameraConfig& c) { c.exposure_s = 0.02; });
-  refused([](CameraConfig& c) { c.latency_s = 0.001; });
-  refused([](CameraConfig& c) { c.latency_s = std::numeric_limits<double>::infinity(); });
+  refused([](CameraConfig& c) { c.exposure_ms = 20.0; });
+  refused([](CameraConfig& c) { c.latency_ms = 1.0; });
+  refused([](CameraConfig& c) { c.latency_ms = std::numeric_limits<double>::infinity(); });
+  refused([](CameraConfig& c) { c.noise_sigma = 24.5; });
   refused([](CameraConfig& c) { c.vibration_rad_s2_m = -0.1; });
+  refused([](CameraConfig& c) { c.vibration_rad_s2_m = 0.06; });
 }
 
 }  // namespace

@@ -8,20 +8,20 @@
 #include "models/angles.h"
 #include "models/error.h"
 #include "sim/dynamics/world.h"
+#include "tests/support/nominal.h"
 #include "tests/support/worlds.h"
 
 namespace touchdown::sim {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr models::TimeBase kTime;
-constexpr double kG = models::kGravity_m_s2;
+using tests::kG;
+using tests::kTime;
 
 ImuConfig PerfectImu() {
   return {.gyro_noise_rad_s_sqrt_hz = 0.0,
           .accelerometer_noise_m_s2_sqrt_hz = 0.0,
-          .gyro_bias_sigma_rad_s = 0.0,
+          .gyro_bias_sigma_deg_s = 0.0,
           .accelerometer_bias_sigma_m_s2 = 0.0};
 }
 
@@ -50,7 +50,7 @@ TEST(Imu, ReadsGravityUpwardsAtRest) {
 
 TEST(Imu, ReadsGravityInItsOwnAxesWhenMountedAskew) {
   models::Vehicle vehicle;
-  vehicle.imu.misalignment = {.roll = 0.1, .pitch = -0.2, .yaw = 0.3};
+  vehicle.imu.misalignment_deg = {.roll = 6.0, .pitch = -12.0, .yaw = 17.0};
   Imu imu(PerfectImu(), vehicle.X_BU(), kTime, 1);
   TrueState truth;
   truth.X_WB.linear() = models::RotationFromTaitBryan({.roll = 0.4, .pitch = 0.1, .yaw = -2.0});
@@ -72,9 +72,9 @@ TEST(Imu, FeelsCentripetalAndTangentialAccelerationOffTheCentre) {
 /// Strapdown integration of the samples, gravity added, against the truth, in a flight that turns and swings about.
 TEST(Imu, IntegratesToTheTrueVelocityAndAttitude) {
   models::Vehicle vehicle;
-  vehicle.imu = {.position_m = {0.03, -0.02, 0.04}, .misalignment = {0.05, -0.03, 0.4}};
+  vehicle.imu = {.position_m = {0.03, -0.02, 0.04}, .misalignment_deg = {3.0, -2.0, 23.0}};
   World world = tests::QuietWorld(vehicle);
-  world.Reset(tests::LevelAt(0.0, 0.0, 20.0), true);
+  world.Reset(tests::LevelPose(0.0, 0.0, 20.0), true);
   const Eigen::Isometry3d X_BU = vehicle.X_BU();
   Imu imu(PerfectImu(), X_BU, kTime, 1);
   imu.Sample(world.state());
@@ -102,7 +102,7 @@ TEST(Imu, IntegratesToTheTrueVelocityAndAttitude) {
 
 TEST(Imu, DampsTheVibrationOfTheRotorsInsteadOfAliasingIt) {
   World world(tests::Unpainted(), models::Vehicle{}, tests::EmptyRoom(), kTime, 2);
-  world.Reset(tests::LevelAt(0.0, 0.0, 2.0), true);
+  world.Reset(tests::LevelPose(0.0, 0.0, 2.0), true);
   Imu imu(PerfectImu(), Eigen::Isometry3d::Identity(), kTime, 1);
   double raw = 0.0, sampled = 0.0;
   int samples = 0;
@@ -144,7 +144,7 @@ TEST(Imu, HasWhiteNoiseOfTheGivenDensity) {
 
 TEST(Imu, KeepsABiasOverAFlightAndDrawsAnotherForTheNext) {
   ImuConfig config = PerfectImu();
-  config.gyro_bias_sigma_rad_s = 0.01;
+  config.gyro_bias_sigma_deg_s = models::RadToDeg(0.01);
   config.accelerometer_bias_sigma_m_s2 = 0.2;
   constexpr int kFlights = 2000;
   Vector3d gyro2 = Vector3d::Zero(), force2 = Vector3d::Zero(), gyro_sum = Vector3d::Zero();
@@ -170,8 +170,8 @@ TEST(Imu, SaturatesAtItsRanges) {
   truth.w_WB_B = Vector3d(20.0, -20.0, 0.0);
   truth.a_WB = Vector3d(200.0, -200.0, 0.0);
   const auto sample = imu.Sample(truth);
-  EXPECT_EQ(sample->w_WU_U.x(), config.gyro_range_rad_s);
-  EXPECT_EQ(sample->w_WU_U.y(), -config.gyro_range_rad_s);
+  EXPECT_EQ(sample->w_WU_U.x(), models::DegToRad(config.gyro_range_deg_s));
+  EXPECT_EQ(sample->w_WU_U.y(), -models::DegToRad(config.gyro_range_deg_s));
   EXPECT_EQ(sample->specific_force_U.lpNorm<Eigen::Infinity>(), config.accelerometer_range_m_s2);
   EXPECT_LT(std::abs(sample->w_WU_U.z()), 0.1);
 }
@@ -191,7 +191,7 @@ TEST(ImuConfig, RefusesWhatIsImpossible) {
   EXPECT_THROW(ImuConfig{.rate_hz = 170}.Validate(kTime), InputError);
   EXPECT_THROW(ImuConfig{.gyro_noise_rad_s_sqrt_hz = -1.0}.Validate(kTime), InputError);
   EXPECT_THROW(ImuConfig{.accelerometer_bias_sigma_m_s2 = std::nan("")}.Validate(kTime), InputError);
-  EXPECT_THROW(ImuConfig{.gyro_range_rad_s = 0.0}.Validate(kTime), InputError);
+  EXPECT_THROW(ImuConfig{.gyro_range_deg_s = 0.0}.Validate(kTime), InputError);
   EXPECT_THROW(ImuConfig{.accelerometer_range_m_s2 = INFINITY}.Validate(kTime), InputError);
 }
 

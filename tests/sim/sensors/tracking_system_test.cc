@@ -8,13 +8,13 @@
 
 #include "models/angles.h"
 #include "models/error.h"
+#include "tests/support/nominal.h"
 
 namespace touchdown::sim {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr models::TimeBase kTime;
+using tests::kTime;
 
 TrueState Somewhere() {
   TrueState truth;
@@ -52,7 +52,8 @@ std::vector<Sampled> Track(const TrackingSystemConfig& config, double duration_s
 }
 
 TEST(TrackingSystem, HasTheNoiseOfItsConfig) {
-  const TrackingSystemConfig config{.position_noise_m = 0.003, .rotation_noise_rad = 0.01, .occlusions_per_s = 0.0};
+  const TrackingSystemConfig config{
+      .position_noise_m = 0.003, .rotation_noise_deg = models::RadToDeg(0.01), .occlusions_per_s = 0.0};
   const auto samples = Track(config, 100.0, 1);
   ASSERT_EQ(samples.size(), 10000U);
   Vector3d mean = Vector3d::Zero(), position2 = Vector3d::Zero(), rotation2 = Vector3d::Zero();
@@ -84,7 +85,7 @@ TEST(TrackingSystem, OcclusionsTakeTheirShareOfTheTime) {
 
 TEST(TrackingSystem, OutliersKeepTheirOffsetOverAnOcclusion) {
   const TrackingSystemConfig config{.position_noise_m = 0.0,
-                                    .rotation_noise_rad = 0.0,
+                                    .rotation_noise_deg = 0.0,
                                     .occlusions_per_s = 0.2,
                                     .occlusion_duration_s = 0.5,
                                     .outlier_probability = 1.0};
@@ -137,7 +138,7 @@ TEST(TrackingSystemConfig, RefusesWhatIsImpossible) {
   EXPECT_NO_THROW(TrackingSystemConfig{}.Validate(kTime));
   EXPECT_THROW(TrackingSystemConfig{.rate_hz = 7}.Validate(kTime), InputError);
   EXPECT_THROW(TrackingSystemConfig{.position_noise_m = -0.001}.Validate(kTime), InputError);
-  EXPECT_THROW(TrackingSystemConfig{.rotation_noise_rad = std::nan("")}.Validate(kTime), InputError);
+  EXPECT_THROW(TrackingSystemConfig{.rotation_noise_deg = std::nan("")}.Validate(kTime), InputError);
   EXPECT_THROW(TrackingSystemConfig{.occlusions_per_s = 1e9}.Validate(kTime), InputError);
   EXPECT_THROW(TrackingSystemConfig{.outlier_probability = 1.1}.Validate(kTime), InputError);
 }

@@ -46,7 +46,7 @@ parameters:
   c: {latin_hypercube: {min: 0, max: 10}}
 variants:
   - {name: plain}
-  - {name: whole, set: {estimator.contour_points: integer}}
+  - {name: whole, set: {estimator.paper.contour_points: integer}}
 criteria:
   - {metric: pass_rate, min: 0.9, by: interval}
   - {metric: flight.touchdown_speed_m_s, quantile: 0.95, max: 0.5}
@@ -65,7 +65,7 @@ criteria:
   EXPECT_EQ(std::get<NormalValues>(file.parameters[5].values).sigma, 0.5);
   EXPECT_EQ(std::get<LatinHypercubeValues>(file.parameters[6].values).max, 10.0);
   ASSERT_EQ(file.variants.size(), 2u);
-  EXPECT_EQ(file.variants[1].set.at(0).assignment, "estimator.contour_points=integer");
+  EXPECT_EQ(file.variants[1].set.at(0).assignment, "estimator.paper.contour_points=integer");
   ASSERT_EQ(file.criteria.size(), 2u);
   EXPECT_EQ(file.criteria[0].by, JudgedBy::kInterval);
   EXPECT_EQ(file.criteria[1].by, JudgedBy::kValue);

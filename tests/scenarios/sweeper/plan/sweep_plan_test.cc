@@ -57,7 +57,7 @@ seeds: {from: 5, count: 2}
 parameters:
   camera.noise_sigma: [0, 3]
   camera.exposure_ms: {range: {from: 2, to: 4, count: 3}}
-variants: [{name: a}, {name: b, set: {estimator.contour_points: integer}}]
+variants: [{name: a}, {name: b, set: {estimator.paper.contour_points: integer}}]
 )");
   ASSERT_EQ(plan.flights.size(), 24u);
   EXPECT_THAT(plan.keys, ElementsAre("camera.noise_sigma", "camera.exposure_ms"));
@@ -72,7 +72,7 @@ variants: [{name: a}, {name: b, set: {estimator.contour_points: integer}}]
   const runner::Scenario last = runner::ParseScenario(plan.flights[23].scenario_yaml, "s", {});
   EXPECT_EQ(last.seed, 6u);
   EXPECT_EQ(last.camera.noise_sigma, 3.0);
-  EXPECT_EQ(last.camera.exposure_s, 0.004);
+  EXPECT_EQ(last.camera.exposure_ms, 4.0);
   EXPECT_EQ(last.estimator.paper.contour_points, estimator::pad::ContourPoints::kInteger);
   for (std::size_t i = 0; i < plan.flights.size(); ++i)
     EXPECT_EQ(plan.flights[i].position, static_cast<std::int64_t>(i));

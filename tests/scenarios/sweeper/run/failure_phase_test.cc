@@ -20,7 +20,7 @@ runner::FlightLog Through(const std::vector<Phase>& phases) {
 runner::FrameRecord Frame(Phase phase, bool is_found) {
   runner::FrameRecord frame;
   frame.phase = phase;
-  frame.status = is_found ? estimator::FrameStatus::kOk : estimator::FrameStatus::kNoPair;
+  frame.status = is_found ? estimator::FrameStatus::kOk : estimator::FrameStatus::kNotFound;
   if (is_found) frame.pose.emplace();
   frame.ring_in_view = true;
   return frame;

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::UnorderedElementsAre;
 
-FlightRow Row(const std::string& id) {
+FlightRow FlownRow(const std::string& id) {
   return {.id = id, .process = ProcessEnd::kFlown, .verdict = runner::Verdict::kPass};
 }
 
@@ -43,10 +43,10 @@ class TakeInRowsTest : public testing::Test {
 };
 
 TEST_F(TakeInRowsTest, TakesWholeRowsAndSetsDamagedOnesAside) {
-  RowFolder(folder_.path()).Leave(Row("whole"));
+  RowFolder(folder_.path()).Leave(FlownRow("whole"));
   folder_.Put("rows/empty.json", "");
-  folder_.Put("rows/half.json", RowJson(Row("half")).substr(0, 40));
-  nlohmann::json other = nlohmann::json::parse(RowJson(Row("end")));
+  folder_.Put("rows/half.json", RowJson(FlownRow("half")).substr(0, 40));
+  nlohmann::json other = nlohmann::json::parse(RowJson(FlownRow("end")));
   other["process"] = "flow";
   folder_.Put("rows/end.json", other.dump());
   other["process"] = "flown";

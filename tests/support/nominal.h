@@ -1,0 +1,16 @@
+#pragma once
+
+#include "models/signals.h"
+#include "models/time.h"
+#include "models/vehicle.h"
+
+namespace touchdown::tests {
+
+/// The nominal clock, vehicle, its weight in N, the period of its IMU and attitude loop in s, and gravity in m/s^2.
+inline constexpr models::TimeBase kTime;
+inline const models::Vehicle kVehicle;
+inline const double kWeight_n = kVehicle.mass_kg * models::kGravity_m_s2;
+inline constexpr double kPeriod_s = 0.005;
+inline constexpr double kG = models::kGravity_m_s2;
+
+}  // namespace touchdown::tests
