@@ -113,7 +113,7 @@ Json MeasureAmbiguity(const PaperVehicle& vehicle, double tilt_deg, int views,
     const Vector3d gravity_B = X_BC.linear() * (-X_WC.linear().transpose() * Vector3d::UnitZ());
     const auto seen = room.Estimate(image, gravity_B);
     if (!seen.pose) continue;
-    const auto& ring = seen.trace.ring_outer.value();
+    const auto& ring = *seen.overlay.FindEllipse("ring_outer");
     const auto poses = estimator::pad::PosesOfCircle(
         estimator::pad::NormalizedConic({ring.center, ring.semi_axes, ring.angle}, told.assumed_camera()),
         told.pad.outer_radius_m);

@@ -7,6 +7,7 @@
 #include "estimator/paper/binarize.h"
 #include "estimator/paper/classifier.h"
 #include "estimator/paper/components.h"
+#include "estimator/paper/reason.h"
 #include "models/angles.h"
 #include "models/random_stream.h"
 #include "scenarios/experiments/recognition_pictures.h"

@@ -127,7 +127,6 @@ class SeenPad {
  public:
   SeenPad(const LandingPad& pad, double height_m, double yaw)
       : pad_(pad),
-        outline_(pad),
         yaw_(yaw),
         letter_(pad),
         view_(pad, height_m, yaw),
