@@ -6,6 +6,8 @@
 #include <limits>
 #include <span>
 
+#include "models/angles.h"
+
 namespace touchdown::models {
 namespace {
 

@@ -41,6 +41,7 @@ const std::vector<LibraryRule>& LibraryRules() {
       {std::regex("scenarios/experiments/april_tag\\.cc"), std::regex("apriltag/.*")},
       {std::regex("scenarios/sweeper/plan/sweep_store\\.cc"), std::regex("(SQLiteCpp/.*|sqlite3\\.h)")},
       {std::regex("scenarios/util/statistics\\.cc"), std::regex("boost/math/.*")},
+      {std::regex("scenarios/util/utf8\\.cc"), std::regex("utf8\\.h")},
       {std::regex("scenarios/report/video_.*\\.cc"), std::regex("lib(av[a-z]+|swscale)/.*")},
       {std::regex("scenarios/datasets/(flight_bag\\.cc|bag_file\\.cc|bag_messages\\.h)"),
        std::regex("(rosbag|ros|(std|sensor|geometry|tf2)_msgs|boost|console_bridge)/.*")},

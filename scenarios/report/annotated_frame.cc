@@ -31,7 +31,7 @@ cv::Point Place(const Vector2d& pixel) {
 }
 
 /// From the lowest layer to the highest.
-constexpr std::array kRoles = {Role::kOther, Role::kOutline, Role::kMarking, Role::kFit};
+constexpr std::array kDrawingOrder = {Role::kOther, Role::kOutline, Role::kMarking, Role::kFit};
 
 cv::Scalar ColourOf(Role role) {
   switch (role) {
@@ -149,7 +149,7 @@ cv::Mat3b AnnotateFrame(const models::ImageView& image, const models::CameraMode
       if (shape.role == role) draw_one(shape);
     }
   };
-  for (const Role role : kRoles) {
+  for (const Role role : kDrawingOrder) {
     draw(overlay.boxes, role, [&](const Overlay::Box& box) { pen.Box(box); });
     draw(overlay.ellipses, role, [&](const Overlay::Ellipse& ellipse) { pen.EllipseWithAxes(ellipse); });
     draw(overlay.polylines, role, [&](const Overlay::Polyline& polyline) { pen.Polyline(polyline); });

@@ -150,11 +150,11 @@ Json VisionTimeJson(const FlightSeries& flight, double frame_period_s) {
 
 /// While the motors run: the 0 of before and after would hide what differs between them.
 Json RotorsJson(const FlightSeries& flight) {
-  constexpr std::array<const char*, 4> kRoles = {"first", "second", "third", "fourth"};
+  constexpr std::array<const char*, 4> kLineRoles = {"first", "second", "third", "fourth"};
   Sheet sheet{flight.t_s, {}};
   for (std::size_t i = 0; i < flight.command_rad_s.size(); ++i) {
     sheet.curves.push_back(
-        {fmt::format("rotor {}", i), kRoles[i], WhereThere(flight.command_rad_s[i], flight.set_point.z_m)});
+        {fmt::format("rotor {}", i), kLineRoles[i], WhereThere(flight.command_rad_s[i], flight.set_point.z_m)});
   }
   return PlotJson("Rotors", "Rotor commands", "rad/s", {sheet});
 }
@@ -253,7 +253,8 @@ Json ShapeJson(const models::PadShape& shape) {
 /// The pad's shapes in W, in the order of drawing.
 Json PadJson(const models::LandingPad& pad) {
   Json json{{"sheet_length_m", pad.sheet_length_m}, {"sheet_width_m", pad.sheet_width_m}};
-  for (const models::PadShape& shape : models::PadOutline(pad).shapes()) json["shapes"].push_back(ShapeJson(shape));
+  const models::PadOutline outline(pad);
+  for (const models::PadShape& shape : outline.shapes()) json["shapes"].push_back(ShapeJson(shape));
   return json;
 }
 

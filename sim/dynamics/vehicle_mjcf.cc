@@ -59,7 +59,7 @@ std::string At(const Vector3d& position, std::initializer_list<double> size) {
   return Attribute("pos", Numbers(position)) + Attribute("size", Numbers(size));
 }
 
-std::string Between(const Vector3d& from, const Vector3d& to, double radius) {
+std::string CapsuleBetween(const Vector3d& from, const Vector3d& to, double radius) {
   return Attribute("fromto", Numbers({from.x(), from.y(), from.z(), to.x(), to.y(), to.z()})) +
          Attribute("size", Numbers({radius}));
 }
@@ -82,8 +82,10 @@ std::string ArmGeoms(const models::Vehicle& vehicle, int rotor) {
   const Vector3d motor_base = hub - Vector3d(0, 0, 0.12 * vehicle.arm_m);
   const Vector3d root(0.15 * hub.x(), 0.15 * hub.y(), 0.0);
   const double disc_radius = vehicle.rotor.propeller_diameter_m / 2.0;
-  return Geom("arm_" + index, "capsule", Between(root, motor_base, 0.04 * vehicle.arm_m), kCarbon, Contact::kNone) +
-         Geom("motor_" + index, "cylinder", Between(motor_base, hub, 0.07 * vehicle.arm_m), kMetal, Contact::kNone) +
+  return Geom("arm_" + index, "capsule", CapsuleBetween(root, motor_base, 0.04 * vehicle.arm_m), kCarbon,
+              Contact::kNone) +
+         Geom("motor_" + index, "cylinder", CapsuleBetween(motor_base, hub, 0.07 * vehicle.arm_m), kMetal,
+              Contact::kNone) +
          Geom("rotor_" + index, "cylinder", At(hub, {disc_radius, 0.015 * vehicle.arm_m}),
               rotor < 2 ? kFrontRotor : kRearRotor, Contact::kBody);
 }
@@ -98,7 +100,7 @@ std::string LegGeoms(const models::Vehicle& vehicle, int foot) {
   if (gear.height_m > 3.0 * gear.foot_radius_m) {
     const Vector3d ankle = foot_center + Vector3d(0, 0, gear.foot_radius_m);
     geoms += Geom("leg_" + std::to_string(foot), "capsule",
-                  Between({forward, left, 0.0}, ankle, 0.45 * gear.foot_radius_m), kCarbon, Contact::kBody);
+                  CapsuleBetween({forward, left, 0.0}, ankle, 0.45 * gear.foot_radius_m), kCarbon, Contact::kBody);
   }
   return geoms;
 }

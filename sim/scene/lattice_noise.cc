@@ -27,7 +27,7 @@ std::pair<std::int32_t, double> WholeAndRest(double x) {
 
 double Smoothstep(double t) { return t * t * (3.0 - 2.0 * t); }
 
-double Between(double a, double b, double t) { return a + t * (b - a); }
+double Blend(double a, double b, double t) { return a + t * (b - a); }
 
 }  // namespace
 
@@ -44,9 +44,9 @@ double SmoothNoise(double x, double y, std::uint32_t seed) {
   const std::uint32_t bottom = seed ^ (static_cast<std::uint32_t>(whole_y) * kRowFactor);
   const std::uint32_t top = seed ^ (static_cast<std::uint32_t>(whole_y + 1) * kRowFactor);
   const double along = Smoothstep(rest_x);
-  const double low = Between(Scrambled(bottom ^ left), Scrambled(bottom ^ right), along);
-  const double high = Between(Scrambled(top ^ left), Scrambled(top ^ right), along);
-  return 2.0 * Between(low, high, Smoothstep(rest_y)) - 1.0;
+  const double low = Blend(Scrambled(bottom ^ left), Scrambled(bottom ^ right), along);
+  const double high = Blend(Scrambled(top ^ left), Scrambled(top ^ right), along);
+  return 2.0 * Blend(low, high, Smoothstep(rest_y)) - 1.0;
 }
 
 double FractalNoise(double x, double y, int octaves, std::uint32_t seed) {

@@ -127,7 +127,7 @@ TEST_F(PageInABrowser, OfTheSweepOverTheWindLooksAsInTheDocs) {
                               .results = sweeper::ReadRowsCsv(root / "docs/sweeps/wind.csv").results};
   sweep.planned = sweep.whole = sweep.results.size();
   for (sweeper::SweepResult& result : sweep.results)
-    result.row.scenario_yaml = runner::ScenarioYaml(runner::LoadScenario(file.base));
+    result.row.scenario = runner::ScenarioYaml(runner::LoadScenario(file.base));
   const fs::path page = folder_.Put("report.html", sweeper::SweepPage(sweep, sweeper::Summarize(sweep), "out/wind"));
   const std::string picture = (folder_ / "sweep.png").string();
   Node("photograph_page.mjs", {page.string(), picture, "1200", "1290"});
