@@ -7,6 +7,8 @@
 #include <fstream>
 #include <string>
 
+#include "tests/support/throws_input_error.h"
+
 namespace touchdown::config {
 namespace {
 
@@ -15,21 +17,10 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
+using tests::ThrowsInputError;
 
-/// The message of the error that `act` throws; a failure when it throws none.
-template <typename Act>
-std::string ErrorOf(const Act& act) {
-  try {
-    act();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  ADD_FAILURE() << "no InputError";
-  return "";
-}
-
-std::string ParseError(const std::string& text) {
-  return ErrorOf([&text] { ParseConfig(text, "f.yaml", ""); });
+auto Parsing(const std::string& text) {
+  return [text] { ParseConfig(text, "f.yaml", ""); };
 }
 
 class ConfigFile : public ::testing::Test {
@@ -60,15 +51,16 @@ TEST(ConfigNode, KeepsKeysListsTextAndTheirLines) {
 }
 
 TEST(ConfigNode, RefusesADuplicateKeyAndNamesBothLines) {
-  EXPECT_THAT(ParseError("a:\n  b: 1\n  b: 2\n"),
-              AllOf(StartsWith("f.yaml:3: b: duplicate key"), HasSubstr("f.yaml:2")));
+  EXPECT_THAT(Parsing("a:\n  b: 1\n  b: 2\n"),
+              ThrowsInputError(AllOf(StartsWith("f.yaml:3: b: duplicate key"), HasSubstr("f.yaml:2"))));
 }
 
 TEST(ConfigNode, ReadsAHundredThousandKeysInNoTime) {
   std::string text;
   for (int i = 0; i < 100000; ++i) text += "k" + std::to_string(i) + ":\n";
   const auto begin = std::chrono::steady_clock::now();
-  EXPECT_THAT(ParseError(text + "k7:\n"), StartsWith("f.yaml:100001: k7: duplicate key, first given at f.yaml:8"));
+  EXPECT_THAT(Parsing(text + "k7:\n"),
+              ThrowsInputError(StartsWith("f.yaml:100001: k7: duplicate key, first given at f.yaml:8")));
   // A second here; over a minute when every key is held against every other.
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
 }
@@ -78,35 +70,35 @@ TEST(ConfigNode, AllowsTheSameKeyInDifferentSections) {
 }
 
 TEST(ConfigNode, RefusesWhatIsNotAMapOfPlainKeys) {
-  EXPECT_THAT(ParseError(""), HasSubstr("f.yaml:1: is empty"));
-  EXPECT_THAT(ParseError("# only a comment\n"), HasSubstr("is empty"));
-  EXPECT_THAT(ParseError("[1, 2]"), HasSubstr("f.yaml:1: must be a list of `key: value`"));
-  EXPECT_THAT(ParseError("just text"), HasSubstr("must be a list of `key: value`"));
-  EXPECT_THAT(ParseError("[a, b]: 1\n"), HasSubstr("a key must be plain text"));
-  EXPECT_THAT(ParseError(": 1\n"), HasSubstr("a key must be plain text"));
+  EXPECT_THAT(Parsing(""), ThrowsInputError(HasSubstr("f.yaml:1: is empty")));
+  EXPECT_THAT(Parsing("# only a comment\n"), ThrowsInputError(HasSubstr("is empty")));
+  EXPECT_THAT(Parsing("[1, 2]"), ThrowsInputError(HasSubstr("f.yaml:1: must be a list of `key: value`")));
+  EXPECT_THAT(Parsing("just text"), ThrowsInputError(HasSubstr("must be a list of `key: value`")));
+  EXPECT_THAT(Parsing("[a, b]: 1\n"), ThrowsInputError(HasSubstr("a key must be plain text")));
+  EXPECT_THAT(Parsing(": 1\n"), ThrowsInputError(HasSubstr("a key must be plain text")));
 }
 
 TEST(ConfigNode, RefusesAnchorsAliasesTagsAndSecondDocuments) {
-  EXPECT_THAT(ParseError("a: &x 1\n"), HasSubstr("anchors"));
-  EXPECT_THAT(ParseError("b: 1\na: *x\n"), HasSubstr("f.yaml:2"));
-  EXPECT_THAT(ParseError("a: !!float 1\n"), HasSubstr("tags"));
-  EXPECT_THAT(ParseError("a: 1\n---\nb: 2\n"), HasSubstr("one YAML document"));
+  EXPECT_THAT(Parsing("a: &x 1\n"), ThrowsInputError(HasSubstr("anchors")));
+  EXPECT_THAT(Parsing("b: 1\na: *x\n"), ThrowsInputError(HasSubstr("f.yaml:2")));
+  EXPECT_THAT(Parsing("a: !!float 1\n"), ThrowsInputError(HasSubstr("tags")));
+  EXPECT_THAT(Parsing("a: 1\n---\nb: 2\n"), ThrowsInputError(HasSubstr("one YAML document")));
 }
 
 TEST(ConfigNode, RefusesABrokenFileWithTheLine) {
-  EXPECT_THAT(ParseError("a: 1\nb: [1, 2\n"), AllOf(StartsWith("f.yaml:"), HasSubstr("is not YAML")));
-  EXPECT_THAT(ParseError("a: 1\n\tb: 2\n"), HasSubstr("f.yaml:2"));
+  EXPECT_THAT(Parsing("a: 1\nb: [1, 2\n"), ThrowsInputError(AllOf(StartsWith("f.yaml:"), HasSubstr("is not YAML"))));
+  EXPECT_THAT(Parsing("a: 1\n\tb: 2\n"), ThrowsInputError(HasSubstr("f.yaml:2")));
 }
 
 TEST(ConfigNode, SurvivesAHundredThousandBrackets) {
   const std::string open(100000, '['), close(100000, ']');
-  EXPECT_THAT(ParseError("a: " + open + close), StartsWith("f.yaml:1: nested more than"));
+  EXPECT_THAT(Parsing("a: " + open + close), ThrowsInputError(StartsWith("f.yaml:1: nested more than")));
   for (const std::string& text : {"a: " + open, open, "a: " + std::string(100000, '{')}) {
-    EXPECT_EQ(ParseError(text), "f.yaml:1: a key must be plain text; is a bracket not closed?");
+    EXPECT_THAT(Parsing(text), ThrowsInputError("f.yaml:1: a key must be plain text; is a bracket not closed?"));
   }
   std::string blocks;
   for (int i = 0; i < 3000; ++i) blocks += std::string(static_cast<std::size_t>(i), ' ') + "a:\n";
-  EXPECT_THAT(ParseError(blocks), HasSubstr("nested more than"));
+  EXPECT_THAT(Parsing(blocks), ThrowsInputError(HasSubstr("nested more than")));
 }
 
 TEST(ConfigNode, PutsEveryErrorOnOneShortLine) {
@@ -117,21 +109,22 @@ TEST(ConfigNode, PutsEveryErrorOnOneShortLine) {
 }
 
 TEST_F(ConfigFile, NamesAFileThatIsMissingAFolderOrNoText) {
-  EXPECT_THAT(ErrorOf([&] { ReadConfigFile(folder_ / "none.yaml"); }), HasSubstr("none.yaml: no such file"));
-  EXPECT_THAT(ErrorOf([&] { ReadConfigFile(folder_); }), HasSubstr("is a folder"));
+  EXPECT_THAT([&] { ReadConfigFile(folder_ / "none.yaml"); }, ThrowsInputError(HasSubstr("none.yaml: no such file")));
+  EXPECT_THAT([&] { ReadConfigFile(folder_); }, ThrowsInputError(HasSubstr("is a folder")));
   const fs::path binary = Put("binary.yaml", std::string("\x7f"
                                                          "ELF\0\0\1\2\3",
                                                          9));
-  EXPECT_THAT(ErrorOf([&] { ReadConfigFile(binary); }), HasSubstr("binary.yaml"));
+  EXPECT_THAT([&] { ReadConfigFile(binary); }, ThrowsInputError(HasSubstr("binary.yaml")));
   const fs::path huge = Put("huge.yaml", "a: " + std::string(2 << 20, 'x'));
-  EXPECT_THAT(ErrorOf([&] { ReadConfigFile(huge); }), HasSubstr("larger than 1 MiB"));
+  EXPECT_THAT([&] { ReadConfigFile(huge); }, ThrowsInputError(HasSubstr("larger than 1 MiB")));
 }
 
 TEST_F(ConfigFile, IsUtf8) {
   EXPECT_EQ(ParseConfig("a: caf\u00e9 \U0001f681\nb: \"\\xe9\"\n", "f.yaml", "").Find("b")->text, "\u00e9");
-  EXPECT_EQ(ParseError("a: 1\n\nb: caf\xe9\n"), "f.yaml:3: is not UTF-8");
-  EXPECT_EQ(ErrorOf([] { ParseOverride("a=caf\xe9", "--set a"); }), "--set a: is not UTF-8");
-  EXPECT_THAT(ErrorOf([&] { ReadConfigFile(Put("caf\xe9.yaml", "a: 1\n")); }), HasSubstr("its name is not UTF-8"));
+  EXPECT_THAT(Parsing("a: 1\n\nb: caf\xe9\n"), ThrowsInputError("f.yaml:3: is not UTF-8"));
+  EXPECT_THAT([] { ParseOverride("a=caf\xe9", "--set a"); }, ThrowsInputError("--set a: is not UTF-8"));
+  EXPECT_THAT([&] { ReadConfigFile(Put("caf\xe9.yaml", "a: 1\n")); },
+              ThrowsInputError(HasSubstr("its name is not UTF-8")));
 }
 
 TEST_F(ConfigFile, SurvivesAnyBytes) {

@@ -5,20 +5,13 @@
 
 #include "models/error.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/throws_input_error.h"
 
 namespace touchdown::util {
 namespace {
 
 using ::testing::HasSubstr;
-
-std::string ErrorOf(const std::filesystem::path& file) {
-  try {
-    ReadTextFile(file);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
+using tests::ThrowsInputError;
 
 TEST(ReadTextFile, ReadsEveryByte) {
   const tests::TemporaryFolder folder;
@@ -30,8 +23,9 @@ TEST(ReadTextFile, ReadsEveryByte) {
 
 TEST(ReadTextFile, NamesTheFileAndTheCauseWhenItCannot) {
   const tests::TemporaryFolder folder;
-  EXPECT_THAT(ErrorOf(folder / "none"), HasSubstr("none: cannot be read: No such file"));
-  EXPECT_THAT(ErrorOf(folder.path()), HasSubstr(": cannot be read: Is a directory"));
+  EXPECT_THAT([&] { ReadTextFile(folder / "none"); },
+              ThrowsInputError(HasSubstr("none: cannot be read: No such file")));
+  EXPECT_THAT([&] { ReadTextFile(folder.path()); }, ThrowsInputError(HasSubstr(": cannot be read: Is a directory")));
 }
 
 TEST(ReadTextFileIfPresent, IsNulloptOnlyForAFileThatIsNotThere) {

@@ -5,27 +5,24 @@
 
 #include "models/error.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/throws_input_error.h"
 
 namespace touchdown::sweeper {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
+using tests::ThrowsInputError;
 
 class SweepFileTest : public testing::Test {
  protected:
   SweepFileTest() { folder_.Put("base.yaml", "script: [{do: hover, duration_s: 1}]\n"); }
 
   SweepFile Load(const std::string& text) { return LoadSweepFile(folder_.Put("s.yaml", "base: base.yaml\n" + text)); }
-  std::string ErrorOf(const std::string& text) {
-    try {
-      Load(text);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    ADD_FAILURE() << "no error for " << text;
-    return "";
+  auto Loading(const std::string& text) {
+    return [this, text] { Load(text); };
   }
 
   const tests::TemporaryFolder folder_;
@@ -75,10 +72,12 @@ TEST_F(SweepFileTest, EndsAtADecisionOnOnePassRateAlone) {
   const std::string stop = "\nstop_when: {good_pass_rate: 0.9, bad_pass_rate: 0.8}";
   const SweepFile file = Load("parameters: {a: {uniform: {min: 0, max: 1}}, b: [3]}" + stop);
   EXPECT_EQ(file.stop_when.value().good_pass_rate, 0.9);
-  EXPECT_THAT(ErrorOf("parameters: {a: [1, 2]}" + stop), HasSubstr("s.yaml:3: stop_when: is of one pass rate"));
-  EXPECT_THAT(ErrorOf("variants: [{name: a}, {name: b}]" + stop), HasSubstr("stop_when: is of one pass rate"));
-  EXPECT_THAT(ErrorOf("criteria: [{metric: pass_rate, min: 0.9, by: interval}]" + stop),
-              HasSubstr("stop_when: decides on the pass rate"));
+  EXPECT_THAT(Loading("parameters: {a: [1, 2]}" + stop),
+              ThrowsInputError(HasSubstr("s.yaml:3: stop_when: is of one pass rate")));
+  EXPECT_THAT(Loading("variants: [{name: a}, {name: b}]" + stop),
+              ThrowsInputError(HasSubstr("stop_when: is of one pass rate")));
+  EXPECT_THAT(Loading("criteria: [{metric: pass_rate, min: 0.9, by: interval}]" + stop),
+              ThrowsInputError(HasSubstr("stop_when: decides on the pass rate")));
 }
 
 TEST_F(SweepFileTest, KeepsTextThatIsNoPlainTextInOneLine) {
@@ -138,9 +137,7 @@ TEST_F(SweepFileTest, NamesFileLineAndKeyOfWhatIsWrong) {
       {"base: other.yaml", "s.yaml:2: base: duplicate key"},
   };
   for (const auto& [text, error] : cases) {
-    const std::string said = ErrorOf(text);
-    EXPECT_THAT(said, HasSubstr(error));
-    EXPECT_THAT(said, HasSubstr("s.yaml:"));
+    EXPECT_THAT(Loading(text), ThrowsInputError(AllOf(HasSubstr(error), HasSubstr("s.yaml:")))) << text;
   }
 }
 
