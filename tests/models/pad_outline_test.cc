@@ -19,7 +19,7 @@ LandingPad PadWithRectangle() {
 }
 
 /// A disc beside the H, a bar over the end of one of its strokes, a rotated bar.
-LandingPad MarkedPad() {
+LandingPad PadWithMarks() {
   LandingPad pad;
   pad.marks = {{.shape = PadMark::Shape::kDisc, .centre_m = {0.02, 0.05}, .diameter_m = 0.01},
                {.shape = PadMark::Shape::kBar, .centre_m = {0.05, 0.02}, .length_m = 0.03, .width_m = 0.004},
@@ -105,7 +105,7 @@ TEST(PadOutline, HasTheInkOfRingAndH) {
 }
 
 TEST(PadOutline, IsBlackOnTheMarksToo) {
-  const PadOutline marked(MarkedPad()), plain({});
+  const PadOutline marked(PadWithMarks()), plain({});
   const Vector2d along(std::cos(DegToRad(30.0)), 0.5), across(-0.5, std::cos(DegToRad(30.0)));
   for (double x = -0.1; x <= 0.1; x += 0.0007) {
     for (double y = -0.1; y <= 0.1; y += 0.0007) {
@@ -119,7 +119,7 @@ TEST(PadOutline, IsBlackOnTheMarksToo) {
 }
 
 TEST(PadOutline, SeparatesTheLetterFromRingAndMarks) {
-  const PadOutline marked(MarkedPad()), plain({});
+  const PadOutline marked(PadWithMarks()), plain({});
   EXPECT_TRUE(marked.IsLetter({0.0, 0.0}));
   EXPECT_TRUE(marked.IsLetter({0.049, 0.02})) << "under the bar";
   EXPECT_FALSE(marked.IsLetter({0.051, 0.02})) << "on the bar alone";
@@ -152,7 +152,7 @@ TEST(PadOutline, HasARectangleWhereTheStrokesMeetButForARounding) {
 }
 
 TEST(PadOutline, ListsItsShapesInTheOrderOfPrinting) {
-  const LandingPad pad = MarkedPad();
+  const LandingPad pad = PadWithMarks();
   const PadOutline outline(pad);
   const auto& shapes = outline.shapes();
   ASSERT_EQ(shapes.size(), 4u + pad.marks.size());
@@ -256,7 +256,7 @@ TEST(PadOutline, FindsTheNarrowestStripe) {
               }),
               0.012, 1e-12)
       << "a solid rectangle";
-  EXPECT_NEAR(narrowest([](LandingPad& p) { p.marks = MarkedPad().marks; }), 0.016, 1e-12) << "marks do not count";
+  EXPECT_NEAR(narrowest([](LandingPad& p) { p.marks = PadWithMarks().marks; }), 0.016, 1e-12) << "marks do not count";
 }
 
 }  // namespace

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "controller/guidance.h"
+#include "tests/support/nominal.h"
 
 namespace touchdown::tests {
 
-inline constexpr double kPeriod_s = 0.005, kStanding_m = 0.14;
+inline constexpr double kStanding_m = 0.14;
 inline const controller::GuidanceConfig kConfig;
-inline const models::TimeBase kTime;
 inline const double kBlindHeight_m = kStanding_m + kConfig.blind_clearance_m;
 
 inline const controller::Manoeuvre kTakeoff{.kind = controller::ManoeuvreKind::kTakeoff, .position_m = {0.0, 0.0, 1.0}};

@@ -76,7 +76,7 @@ TEST(PadDetector, TracesEveryComponentWithItsLabelAndPosterior) {
   const auto result = detector.Detect(SetOf({Box(1, 2, 30, 40), Box(50, 60, 28, 50)}));
   ASSERT_EQ(result.labelled.size(), 2u);
   EXPECT_EQ(result.labelled[0].label, Label::kOther);
-  EXPECT_EQ(result.labelled[0].height, 40);
+  EXPECT_EQ(result.labelled[0].box.height, 40);
   EXPECT_EQ(result.labelled[1].label, Label::kH);
   EXPECT_DOUBLE_EQ(result.labelled[1].probability, 0.7);
 }

@@ -64,8 +64,8 @@ TEST_F(PaperEstimatorTest, TracesWhatItSaw) {
   for (const Overlay::Box& box : seen.overlay.boxes) {
     circles += box.name == "circle";
     letters += box.name == "h";
-    EXPECT_GT(component.probability, 1.0 / 3.0);
-    EXPECT_LE(component.probability, 1.0);
+    EXPECT_GT(box.probability.value(), 1.0 / 3.0);
+    EXPECT_LE(box.probability.value(), 1.0);
   }
   EXPECT_GE(circles, 1);
   EXPECT_GE(letters, 1);

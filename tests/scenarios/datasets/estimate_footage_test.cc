@@ -9,6 +9,7 @@
 #include "scenarios/cli/flight_folder.h"
 #include "scenarios/datasets/euroc_sensor.h"
 #include "scenarios/datasets/poses_table.h"
+#include "scenarios/datasets/tum_file.h"
 #include "scenarios/runner/scenario.h"
 #include "tests/support/temporary_folder.h"
 
@@ -127,7 +128,10 @@ TEST_F(RecordedFlight, TellsThePoseOfTheCameraWithoutAMountingAndChoosesWithoutA
   setup.imu.clear();
   const auto estimates = EstimateFootage(*footage, setup);
   std::size_t chosen_by_print = 0, right = 0;
-  const runner::Trajectory& truth = result_.truth;
+  std::map<models::Tick, Eigen::Isometry3d> truth;
+  for (const TimedPose& pose : ReadTumFile(folder_ / "flight/truth.tum")) {
+    truth[footage->facts().time.FromSeconds(pose.t_s)] = pose.X_WB;
+  }
   for (const FootageEstimate& estimate : estimates) {
     if (!estimate.seen.pose || estimate.seen.choice->reason != estimator::PoseChoice::Reason::kPrint) continue;
     ++chosen_by_print;

@@ -88,7 +88,7 @@ class StandingImu final : public FlightObserver {
 
 TEST(ClosedLoop, StandsOnTheSlopeHeadingAsItStartsBeforeAFlightFromTheAir) {
   Scenario scenario;
-  scenario.start = {.airborne = true, .yaw = 0.5 * models::kPi};
+  scenario.start = {.airborne = true, .yaw_deg = 90.0};
   scenario.script = {{.kind = controller::ManoeuvreKind::kHover, .position_m = {0.0, 0.0, 1.0}, .duration_s = 60.0}};
   scenario.time_limit_s = 0.1;
   scenario.world.paint_textures = false;

@@ -6,15 +6,15 @@
 
 #include "models/error.h"
 #include "tests/support/nominal.h"
+#include "tests/support/worlds.h"
 
 namespace touchdown::sim {
 namespace {
 
 using tests::kTime;
+using tests::SameSpeed;
 
 constexpr VibrationConfig kBalanced{.imbalance_kg_m = 0.0};
-
-models::RotorCommand SameSpeed(double speed) { return {{speed, speed, speed, speed}}; }
 
 TEST(Rotors, FollowAStepAsAFirstOrderLag) {
   const models::Vehicle vehicle;

@@ -43,7 +43,7 @@ void Pretend(const FlightTask& task, const RowFolder& folder) {
                 .process = ProcessEnd::kFlown,
                 .verdict = runner::Verdict::kPass,
                 .outcome = runner::Outcome::kLanded,
-                .scenario_yaml = task.scenario_yaml});
+                .scenario = task.scenario_yaml});
 }
 
 class CrewTest : public testing::Test {
@@ -81,7 +81,7 @@ TEST_F(CrewTest, GoesOnWhenProcessesFailAndSaysWhatBecameOfThem) {
   EXPECT_EQ(rows_["crash"].process, ProcessEnd::kCrashed);
   EXPECT_THAT(rows_["crash"].reason, HasSubstr("Aborted"));
   EXPECT_EQ(rows_["crash"].stderr_tail, "crash flies\n");
-  EXPECT_EQ(rows_["crash"].scenario_yaml, "scenario of crash");
+  EXPECT_EQ(rows_["crash"].scenario, "scenario of crash");
   EXPECT_EQ(rows_["memory"].process, ProcessEnd::kOutOfMemory);
   EXPECT_EQ(rows_["silent"].process, ProcessEnd::kCrashed);
   EXPECT_THAT(rows_["status"].reason, HasSubstr("status 4"));
