@@ -53,7 +53,6 @@ class PrintMatch {
   /// Whether the print is at one of `places` on a ring's plane. The disc within the ring is rectified once for all.
   bool IsAt(const models::ImageView& image, const SeenPlane& plane, std::span<const PrintPlace> places) const;
 
-
   struct Found {
     PrintPlace place;
     double likeness = -1.0;  ///< Correlation, at most 1, with what is seen.

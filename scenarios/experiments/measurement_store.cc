@@ -28,7 +28,8 @@ std::optional<Json> MeasurementStore::Read(const std::string& id) const {
   const std::optional<std::string> text = util::ReadTextFileIfPresent(FileOf(id));
   if (!text) return std::nullopt;
   Json file = Json::parse(*text, nullptr, false);
-  if (!file.is_object() || file.value("kind", "") != kStoreSignature || file.value("origin", "") != origin_) return std::nullopt;
+  if (!file.is_object() || file.value("kind", "") != kStoreSignature || file.value("origin", "") != origin_)
+    return std::nullopt;
   return file;
 }
 

@@ -75,7 +75,7 @@ TEST_F(EurocSensorTest, NamesFileLineAndKeyOfWhatIsWrong) {
   EXPECT_THAT(ReadingWith("[0.0, -1.0,", "[0.1, -1.0,"), ThrowsInputError(HasSubstr("T_BS.data: must be a rotation")));
   EXPECT_THAT(ReadingWith("resolution: [752, 480]", ""), ThrowsInputError(HasSubstr("resolution: must be given")));
   EXPECT_THAT(ReadingWith("intrinsics: [458.654", "intrinsics: [-458.654"),
-              ThrowsInputError(HasSubstr("focal lengths must be positive")));
+              ThrowsInputError(HasSubstr("must be above 0")));
 }
 
 }  // namespace

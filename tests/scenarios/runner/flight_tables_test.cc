@@ -88,7 +88,7 @@ TEST(FlightCsv, HasARowForEveryTickThatReadsBackExactly) {
 TEST(FramesCsv, LeavesCellsEmptyWhereThereIsNoPose) {
   const std::vector<Row> rows = Read(FramesCsv(SmallLog()));
   ASSERT_EQ(rows.size(), 2u);
-  EXPECT_EQ(rows[0].at("status"), "no_component");
+  EXPECT_EQ(rows[0].at("status"), "not_found");
   EXPECT_EQ(rows[0].at("x_m"), "");
   EXPECT_EQ(rows[0].at("cov_x_rz"), "");
   EXPECT_EQ(rows[1].at("status"), "ok");

@@ -69,7 +69,7 @@ TEST(Scenario, RefusesAMarkThatIsNoneAndNamesItsLineAndKey) {
   EXPECT_THAT(ErrorOf(With("pad: {marks: 3}\n")), StartsWith("f.yaml:4: pad.marks: must be a list"));
   EXPECT_THAT(ErrorOf(With(kMarks), {"pad.ring_width_m=0.032"}), StartsWith("f.yaml:6: pad.marks.0: "));
   EXPECT_THAT(ErrorOf(With(kMarks), {"pad.marks.0.shape=bar"}),
-              StartsWith("f.yaml:6: pad.marks.0.length_m: must be above 0, is 0"));
+              StartsWith("--set pad.marks.0.shape=bar: pad.marks.0.length_m: must be above 0, is 0"));
   EXPECT_THAT(ErrorOf(With(kMarks), {"pad.marks.2.x_m=0"}), HasSubstr("pad.marks.2: unknown key"));
 }
 

@@ -70,15 +70,20 @@ template <typename T>
 class SchemaOf : public ::testing::Test {};
 
 using Structs =
-    ::testing::Types<Scenario, models::TimeBase, models::Vehicle, models::Rotor, models::Mounting, models::LandingGear,
+    ::testing::Types<models::TimeBase, models::Vehicle, models::Rotor, models::Mounting, models::LandingGear,
                      models::CameraModel, models::LandingPad, sim::CameraConfig, sim::ImuConfig,
                      sim::TrackingSystemConfig, sim::HandConfig, sim::SceneConfig, sim::Sun, sim::VibrationConfig,
-                     estimator::EstimatorConfig, estimator::AttitudeEstimatorConfig, estimator::PoseFilterConfig,
+                     estimator::paper::PaperOptions, estimator::AttitudeEstimatorConfig, estimator::PoseFilterConfig,
                      controller::GuidanceConfig, controller::PositionControllerConfig,
                      controller::AttitudeControllerConfig, controller::FlightControllerConfig, Criterion>;
 TYPED_TEST_SUITE(SchemaOf, Structs);
 
 TYPED_TEST(SchemaOf, HasAKeyForEveryField) { EXPECT_EQ(KeyCount<TypeParam>(), FieldCount<TypeParam>()); }
+
+TEST(SchemaOfScenario, HasTheTwoFiltersOfTheEstimatorAsKeysOfItsOwn) {
+  EXPECT_EQ(KeyCount<Scenario>(), FieldCount<Scenario>() + 2);
+  EXPECT_EQ(KeyCount<estimator::EstimatorConfig>() + 1, FieldCount<estimator::EstimatorConfig>());
+}
 
 TEST(SchemaOfCalibration, HasAKeyForEveryField) {
   Calibration all{.camera_model = models::CameraModel(), .camera = models::Mounting(), .imu = models::Mounting()};

@@ -194,7 +194,7 @@ TEST_F(SweepStoreTest, UndoesWhatAKilledProgramLeftHalfWrittenAlsoToRead) {
   }
   EXPECT_THAT(folder_.Content("killed/sweep.db"), HasSubstr("half written"));
   const SweepStore store(folder_ / "killed", SweepStore::Access::kRead);
-  EXPECT_EQ(store.Find("row 7")->verdict, "pass");
+  EXPECT_EQ(store.Find("row 7")->verdict, runner::Verdict::kPass);
 }
 
 TEST_F(SweepStoreTest, KeepsAndDoesNotCountWhatIsNotOfThePlanOrOfAnotherBuild) {
