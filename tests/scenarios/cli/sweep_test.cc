@@ -261,7 +261,7 @@ TEST_F(SweepCommand, TellsOfFlightsWhoseProcessCrashedOrHung) {
   EXPECT_TRUE(crashed);
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("3 of 3 flights"));
-  EXPECT_THAT(folder_.Content("rows.csv"), HasSubstr(",error,crashed,"));
+  EXPECT_THAT(folder_.Content("rows.csv"), HasSubstr(",crashed,error,"));
   EXPECT_THAT(Sweep().out, AllOf(HasSubstr("2 of 3;"), HasSubstr("1 crashed: --retry flies them again")))
       << "it is flown, and that is what became of it";
   EXPECT_THAT(Sweep({"--retry", "--csv", "rows.csv"}).out, HasSubstr("3 of 3;"));
@@ -270,14 +270,14 @@ TEST_F(SweepCommand, TellsOfFlightsWhoseProcessCrashedOrHung) {
                 {SIGCONT, [&] { return Signal(SIGSTOP); }})
                 .status,
             0);
-  EXPECT_THAT(folder_.Content("hung.csv"), HasSubstr(",error,hung,"));
+  EXPECT_THAT(folder_.Content("hung.csv"), HasSubstr(",hung,error,"));
 }
 
 TEST_F(SweepCommand, TellsOfAFlightThatNeedsTooMuchMemory) {
   for (const std::string limit : {"256", "400", "500"}) {
     PutSweep(1, "limits: {memory_mb: " + limit + "}\n");
     ASSERT_EQ(Run({"sweep", "sweep.yaml", "--out", limit, "--csv", limit + ".csv"}).status, 0);
-    EXPECT_THAT(folder_.Content(limit + ".csv"), HasSubstr(",error,out_of_memory,"));
+    EXPECT_THAT(folder_.Content(limit + ".csv"), HasSubstr(",out_of_memory,error,"));
     const sweeper::SweepResult result =
         sweeper::SweepStore(folder_ / limit, sweeper::SweepStore::Access::kRead).Results().at(0);
     EXPECT_EQ(result.row.process, sweeper::ProcessEnd::kOutOfMemory) << limit << " MB: " << result.row.reason;
