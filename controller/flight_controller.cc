@@ -48,7 +48,7 @@ void Describe(models::ConfigVisitor& v, FlightControllerConfig& c) {
 void FlightControllerConfig::Validate() const { models::ValidateConfig(*this); }
 
 FlightController::FlightController(const FlightControllerConfig& config, const models::Vehicle& vehicle,
-                                   const models::TimeBase& time, int rate_hz, std::vector<Manoeuvre> script,
+                                   const models::TimeBase& time, int rate_hz, std::vector<Maneuver> script,
                                    bool starts_airborne)
     : config_(config),
       weight_n_(Valid(vehicle).mass_kg * models::kGravity_m_s2),

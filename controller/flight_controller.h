@@ -46,7 +46,7 @@ struct ControlOutput {
   Eigen::Vector3d torque_n_m = Eigen::Vector3d::Zero();  ///< In B, achieved after saturation.
   models::VehicleEstimate::Motion motion;                ///< What the position loop went by: vision's, or predicted.
   bool motion_is_predicted = true;
-  bool script_done = false;  ///< Every manoeuvre has been flown: a flight that ends in the air may stop here.
+  bool script_done = false;  ///< Every maneuver has been flown: a flight that ends in the air may stop here.
 };
 
 /// Guidance, position loop, attitude loop and mixer in a row (Sec. V): one Update at every IMU sample.
@@ -54,7 +54,7 @@ class FlightController {
  public:
   /// Throws InputError for a configuration, a rate or a script that cannot be flown (see Guidance).
   FlightController(const FlightControllerConfig& config, const models::Vehicle& vehicle, const models::TimeBase& time,
-                   int rate_hz, std::vector<Manoeuvre> script, bool starts_airborne);
+                   int rate_hz, std::vector<Maneuver> script, bool starts_airborne);
 
   ControlOutput Update(const models::VehicleEstimate& estimate);
 

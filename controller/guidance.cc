@@ -14,7 +14,7 @@ namespace {
 using models::kMeter, models::kMeterPerSecond, models::kNoUnit, models::kPositive, models::kPositiveTime,
     models::kSecond, models::kTime;
 
-constexpr std::array<std::string_view, 3> kManoeuvreNames = {"takeoff", "hover", "land"};
+constexpr std::array<std::string_view, 3> kManeuverNames = {"takeoff", "hover", "land"};
 
 PhaseLimits LimitsOf(const GuidanceConfig& config, const models::TimeBase& time) {
   const double blind_path_m = config.blind_clearance_m + config.h_err_m - config.h_land_clearance_m;
@@ -32,24 +32,24 @@ PhaseLimits LimitsOf(const GuidanceConfig& config, const models::TimeBase& time)
   return limits;
 }
 
-void RequireFlyable(const std::vector<Manoeuvre>& script, bool starts_airborne, double blind_height_m) {
+void RequireFlyable(const std::vector<Maneuver>& script, bool starts_airborne, double blind_height_m) {
   if (script.empty()) throw InputError("the script is empty");
   for (std::size_t i = 0; i < script.size(); ++i) {
-    const Manoeuvre& manoeuvre = script[i];
+    const Maneuver& maneuver = script[i];
     const std::string which = "step " + std::to_string(i + 1) + " of the script: ";
     const bool on_ground = i == 0 && !starts_airborne;
-    if (on_ground != (manoeuvre.kind == ManoeuvreKind::kTakeoff)) {
+    if (on_ground != (maneuver.kind == ManeuverKind::kTakeoff)) {
       throw InputError(which + (on_ground ? "a vehicle on the ground must take off first"
                                           : "a takeoff can only come first, and only from the ground"));
     }
-    if (manoeuvre.kind == ManoeuvreKind::kLand) {
+    if (maneuver.kind == ManeuverKind::kLand) {
       if (i + 1 != script.size()) throw InputError(which + "nothing can follow a landing");
       continue;
     }
-    if (!manoeuvre.position_m.allFinite() || manoeuvre.position_m.z() < blind_height_m) {
+    if (!maneuver.position_m.allFinite() || maneuver.position_m.z() < blind_height_m) {
       throw InputError(which + "the set-point must be finite and above the blind height");
     }
-    if (!std::isfinite(manoeuvre.duration_s) || manoeuvre.duration_s < 0.0) {
+    if (!std::isfinite(maneuver.duration_s) || maneuver.duration_s < 0.0) {
       throw InputError(which + "the duration of a hover must be finite and not negative");
     }
   }
@@ -145,19 +145,19 @@ void DescribeSearch(models::ConfigVisitor& v, GuidanceConfig& c) {
 
 }  // namespace
 
-void Describe(models::ConfigVisitor& v, Manoeuvre& m) {
-  v.Choice({"do", "Maneuver to fly.", true}, m.kind, kManoeuvreNames);
+void Describe(models::ConfigVisitor& v, Maneuver& m) {
+  v.Choice({"do", "Maneuver to fly.", true}, m.kind, kManeuverNames);
   switch (m.kind) {
-    case ManoeuvreKind::kTakeoff:
+    case ManeuverKind::kTakeoff:
       v.Number({"height_m", "Height of the body's origin above the pad at the end of the takeoff (takeoff only)."},
                m.position_m.z(), kMeter, models::PositiveUpTo(20.0));
       break;
-    case ManoeuvreKind::kHover:
+    case ManeuverKind::kHover:
       v.Vector3({"position_m", "Set-point of the body's origin in W (hover only)."}, m.position_m, kMeter,
                 models::Between(-15.0, 15.0));
       v.Number({"duration_s", "Duration of the hover (hover only).", true}, m.duration_s, kSecond, kTime);
       break;
-    case ManoeuvreKind::kLand:
+    case ManeuverKind::kLand:
       break;
   }
 }
@@ -172,7 +172,7 @@ void Describe(models::ConfigVisitor& v, GuidanceConfig& c) {
 void GuidanceConfig::Validate() const { models::ValidateConfig(*this); }
 
 Guidance::Guidance(const GuidanceConfig& config, const models::TimeBase& time, double period_s,
-                   double standing_height_m, std::vector<Manoeuvre> script, bool starts_airborne)
+                   double standing_height_m, std::vector<Maneuver> script, bool starts_airborne)
     : config_(config),
       time_(time),
       limits_(LimitsOf(config, time)),
@@ -195,7 +195,7 @@ Guidance::Output Guidance::Update(const Input& input) {
 
   const Phase next = NextPhase(phase_, Judge(input), now_ - entered_, limits_);
   if (next != phase_) {
-    FinishManoeuvre(phase_, next);
+    FinishManeuver(phase_, next);
     Enter(next, input);
   }
   MoveSetPoint(input);
@@ -210,7 +210,7 @@ Guidance::Output Guidance::Update(const Input& input) {
   return output;
 }
 
-std::optional<ManoeuvreKind> Guidance::Task() const {
+std::optional<ManeuverKind> Guidance::Task() const {
   if (step_ >= script_.size()) return std::nullopt;
   return script_[step_].kind;
 }
@@ -226,7 +226,7 @@ Conditions Guidance::Judge(const Input& input) const {
   if (phase_ == Phase::kBlindClimb && height_m < standing_height_m_ + config_.vision_floor_clearance_m) {
     conditions.pad_found = false;
   }
-  conditions.arrived = Task() == ManoeuvreKind::kTakeoff && p_m_.z() == script_[step_].position_m.z() &&
+  conditions.arrived = Task() == ManeuverKind::kTakeoff && p_m_.z() == script_[step_].position_m.z() &&
                        std::abs(height_m - p_m_.z()) < config_.arrival_error_m;
   conditions.ready_for_blind_descent = phase_ == Phase::kLanding && landing_height_m_ == BlindHeight() &&
                                        satisfied_since_.has_value() &&
@@ -238,7 +238,7 @@ Conditions Guidance::Judge(const Input& input) const {
   return conditions;
 }
 
-void Guidance::FinishManoeuvre(Phase left, Phase entered) {
+void Guidance::FinishManeuver(Phase left, Phase entered) {
   const bool took_off = left == Phase::kRamp && entered == Phase::kHover;
   if (took_off || entered == Phase::kTouchdown) ++step_;
 }
@@ -279,7 +279,7 @@ void Guidance::MoveSetPoint(const Input& input) {
   v_m_s_.setZero();
   switch (phase_) {
     case Phase::kRamp:
-      if (Task() == ManoeuvreKind::kTakeoff) MoveHeight(script_[step_].position_m.z(), config_.climb_rate_m_s);
+      if (Task() == ManeuverKind::kTakeoff) MoveHeight(script_[step_].position_m.z(), config_.climb_rate_m_s);
       break;
     case Phase::kHover:
       FlyHover();
@@ -299,11 +299,11 @@ void Guidance::MoveSetPoint(const Input& input) {
 }
 
 void Guidance::FlyHover() {
-  if (Task() != ManoeuvreKind::kHover) return;
-  const Manoeuvre& manoeuvre = script_[step_];
-  p_m_ = manoeuvre.position_m;
+  if (Task() != ManeuverKind::kHover) return;
+  const Maneuver& maneuver = script_[step_];
+  p_m_ = maneuver.position_m;
   hovered_ += now_ - previous_;
-  if (hovered_ < time_.FromSeconds(manoeuvre.duration_s)) return;
+  if (hovered_ < time_.FromSeconds(maneuver.duration_s)) return;
   hovered_ = 0;
   ++step_;
 }

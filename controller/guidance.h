@@ -13,14 +13,14 @@
 namespace touchdown::controller {
 
 /// One step of what the vehicle is to do.
-struct Manoeuvre {
-  using Kind = ManoeuvreKind;
+struct Maneuver {
+  using Kind = ManeuverKind;
   Kind kind = Kind::kHover;
   Eigen::Vector3d position_m{0.0, 0.0, 1.0};  ///< In W; of a takeoff, its height alone counts.
   double duration_s = 0.0;
 };
 
-void Describe(models::ConfigVisitor& v, Manoeuvre& manoeuvre);
+void Describe(models::ConfigVisitor& v, Maneuver& maneuver);
 
 /// Heights are those of the body's origin in W, clearances those of the landing gear contact points over the pad.
 struct GuidanceConfig {
@@ -84,28 +84,28 @@ class Guidance {
     Eigen::Vector3d p_m = Eigen::Vector3d::Zero();    ///< Set-point in W.
     Eigen::Vector3d v_m_s = Eigen::Vector3d::Zero();  ///< Its velocity.
     double thrust_ratio = 0.0;                        ///< Blind climb only: thrust over nominal weight.
-    bool script_done = false;                         ///< Every manoeuvre of the script has been flown.
+    bool script_done = false;                         ///< Every maneuver of the script has been flown.
   };
 
   /// `period_s` is the time between two calls of Update, `standing_height_m` the body's height when it stands on its
   /// gear. Throws InputError when the script cannot be flown from where it starts: an empty one, a takeoff in the air,
   /// anything else on the ground, anything after a landing, a set-point below the blind height, a negative duration.
   Guidance(const GuidanceConfig& config, const models::TimeBase& time, double period_s, double standing_height_m,
-           std::vector<Manoeuvre> script, bool starts_airborne);
+           std::vector<Maneuver> script, bool starts_airborne);
 
   Output Update(const Input& input);
 
   Phase phase() const { return phase_; }
 
  private:
-  std::optional<ManoeuvreKind> Task() const;
+  std::optional<ManeuverKind> Task() const;
   double BlindHeight() const { return standing_height_m_ + config_.blind_clearance_m; }
   double LandHeight() const { return standing_height_m_ + config_.h_land_clearance_m; }
   double ConeRadiusAt(double height_m) const;
 
   Conditions Judge(const Input& input) const;
   void Enter(Phase phase, const Input& input);
-  void FinishManoeuvre(Phase left, Phase entered);
+  void FinishManeuver(Phase left, Phase entered);
   void MoveSetPoint(const Input& input);
   void FlyHover();
   void StepDown(const Input& input);
@@ -116,7 +116,7 @@ class Guidance {
   PhaseLimits limits_;
   double period_s_;
   double standing_height_m_;
-  std::vector<Manoeuvre> script_;
+  std::vector<Maneuver> script_;
   std::size_t step_ = 0;  ///< In the script.
 
   Phase phase_;
@@ -124,7 +124,7 @@ class Guidance {
   bool begun_ = false;
   bool pad_known_ = false;  ///< Found at least once: positions mean something.
   double entry_height_m_ = 0.0;
-  models::Tick hovered_ = 0;  ///< Of the current manoeuvre.
+  models::Tick hovered_ = 0;  ///< Of the current maneuver.
 
   double landing_height_m_ = 0.0;                ///< Of P_set (Sec. V), towards which the set-point moves.
   std::optional<models::Tick> satisfied_since_;  ///< In Q' with little error of height.

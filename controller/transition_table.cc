@@ -4,7 +4,7 @@ namespace touchdown::controller {
 namespace {
 
 using enum Phase;
-using Kind = ManoeuvreKind;
+using Kind = ManeuverKind;
 
 constexpr std::array<std::string_view, kPhaseCount> kNames{"standby",      "blind_climb",   "ramp",      "hover",
                                                            "landing",      "blind_descent", "touchdown", "hold",

@@ -28,11 +28,11 @@ inline constexpr int kPhaseCount = 10;
 /// "gave_up".
 std::string_view Name(Phase phase);
 
-enum class ManoeuvreKind { kTakeoff, kHover, kLand };
+enum class ManeuverKind { kTakeoff, kHover, kLand };
 
 /// What the transitions depend on, beside the time.
 struct Conditions {
-  std::optional<ManoeuvreKind> task = std::nullopt;  ///< The manoeuvre that the script is at; nullopt: all are flown.
+  std::optional<ManeuverKind> task = std::nullopt;  ///< The maneuver that the script is at; nullopt: all are flown.
   bool pad_lost = false;                             ///< Not seen for pad_lost_s, or never.
   bool pad_found = false;                            ///< Seen for pad_found_s without being lost.
   bool arrived = false;                              ///< The ramp's set-point has stopped and the vehicle is there.

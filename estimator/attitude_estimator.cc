@@ -11,7 +11,7 @@ namespace {
 using models::kGravity_m_s2;
 
 /// Density of what the vehicle's own acceleration adds to the accelerometer's idea of down: some 0.3 m/s^2 over 0.7 s.
-constexpr double kManoeuvreDensity_rad2_s = 0.0015;
+constexpr double kManeuverDensity_rad2_s = 0.0015;
 /// The same at rest: the accelerometer's noise (6.4e-3 m/s^2/sqrt(Hz)).
 constexpr double kRestDensity_rad2_s = 4e-7;
 /// For how long after the first sample the tilt is averaged as at rest: its noise goes, the vehicle's own acceleration,
@@ -135,11 +135,11 @@ Eigen::Vector2d AttitudeEstimator::Gain(double dt_s, double weight, bool at_rest
   Eigen::Matrix2d F, Q;
   F << 1.0, -dt_s, 0.0, 1.0;
   Q << tilt_gain * tilt_gain - 2.0 * bias_gain, 0.0, 0.0, bias_gain * bias_gain;
-  covariance_ = F * covariance_ * F.transpose() + kManoeuvreDensity_rad2_s * dt_s * Q;
+  covariance_ = F * covariance_ * F.transpose() + kManeuverDensity_rad2_s * dt_s * Q;
   if (weight <= 0.0 || dt_s <= 0.0) return Eigen::Vector2d::Zero();
 
   if (age_s_ < kSettling_s) return {dt_s / age_s_, 0.0};
-  const double density = at_rest ? kRestDensity_rad2_s : kManoeuvreDensity_rad2_s;
+  const double density = at_rest ? kRestDensity_rad2_s : kManeuverDensity_rad2_s;
   const Eigen::Vector2d gain = covariance_.col(0) / (covariance_(0, 0) + density / (weight * dt_s));
   covariance_ -= gain * covariance_.row(0).eval();
   return gain;

@@ -7,10 +7,10 @@
 
 namespace touchdown::models {
 
-/// The grey value at a place in an image, px, interpolated bilinearly between the four pixels around it, whose centers
+/// The gray value at a place in an image, px, interpolated bilinearly between the four pixels around it, whose centers
 /// lie on integer coordinates. The place must lie in [0, width - 1) x [0, height - 1).
 template <typename Scalar>
-Scalar BilinearGrey(const ImageView& image, const Eigen::Vector2d& place) {
+Scalar BilinearGray(const ImageView& image, const Eigen::Vector2d& place) {
   const int u = static_cast<int>(place.x()), v = static_cast<int>(place.y());
   const auto a = static_cast<Scalar>(place.x() - u), b = static_cast<Scalar>(place.y() - v);
   const std::uint8_t* const upper = image.Row(v) + u;
@@ -18,7 +18,7 @@ Scalar BilinearGrey(const ImageView& image, const Eigen::Vector2d& place) {
   return (1 - b) * ((1 - a) * upper[0] + a * upper[1]) + b * ((1 - a) * lower[0] + a * lower[1]);
 }
 
-/// Whether a place lies where BilinearGrey is defined.
+/// Whether a place lies where BilinearGray is defined.
 inline bool IsBetweenPixels(const ImageView& image, const Eigen::Vector2d& place) {
   return place.x() >= 0.0 && place.y() >= 0.0 && place.x() < image.width - 1 && place.y() < image.height - 1;
 }

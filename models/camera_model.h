@@ -10,7 +10,7 @@ namespace touchdown::models {
 /// A pinhole camera with radial and tangential distortion (ROS `plumb_bob`; Brown 1966), of which the paper has the
 /// first two radial terms (Sec. IV-B).
 ///
-/// Frame C: X right, Y down, Z forward, origin at the optical centre. Pixel centres lie on integer coordinates,
+/// Frame C: X right, Y down, Z forward, origin at the optical center. Pixel centers lie on integer coordinates,
 /// so the image covers [-0.5, width - 0.5] x [-0.5, height - 0.5]. "Normalized" points are (x/z, y/z) in C.
 struct CameraModel {
   int width_px = 640;

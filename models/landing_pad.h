@@ -12,9 +12,9 @@ namespace touchdown::models {
 /// What stands within a landing pad's ring: the letter H, or in its place a solid rectangle (Sec. IV-C.3).
 enum class PadLetter { kH, kRectangle };
 
-/// The landing pad (Sec. III-B): a black ring around a black letter H, centred on a white sheet.
+/// The landing pad (Sec. III-B): a black ring around a black letter H, centered on a white sheet.
 ///
-/// Frame W lies at the pad's centre, Z up. The H's long strokes run along X, its cross-bar along Y, and the
+/// Frame W lies at the pad's center, Z up. The H's long strokes run along X, its cross-bar along Y, and the
 /// sheet's long side along X. An H whose two strokes meet, 2 h_stroke_m = h_width_m, is a solid rectangle of h_height_m
 /// by h_width_m. A pad may bear marks beside its H; the built-in one has none. PadOutline gives its shapes.
 struct LandingPad {
@@ -29,7 +29,7 @@ struct LandingPad {
 
   double inner_radius_m() const { return outer_radius_m - ring_width_m; }
 
-  /// A rectangle when the strokes meet, to a nanometre.
+  /// A rectangle when the strokes meet, to a nanometer.
   PadLetter letter() const;
 
   /// Throws InputError, without a file name, for a value out of its range (see Describe), or when the H's strokes

@@ -10,8 +10,8 @@ namespace {
 
 /// From W's origin to the mark's farthest point.
 double Reach(const PadMark& mark) {
-  if (mark.shape == PadMark::Shape::kDisc) return mark.centre_m.norm() + 0.5 * mark.diameter_m;
-  const Eigen::Vector2d along_bar = Eigen::Rotation2Dd(-DegToRad(mark.angle_deg)) * mark.centre_m;
+  if (mark.shape == PadMark::Shape::kDisc) return mark.center_m.norm() + 0.5 * mark.diameter_m;
+  const Eigen::Vector2d along_bar = Eigen::Rotation2Dd(-DegToRad(mark.angle_deg)) * mark.center_m;
   return (along_bar.cwiseAbs() + 0.5 * Eigen::Vector2d(mark.length_m, mark.width_m)).norm();
 }
 
@@ -24,8 +24,8 @@ void PadMark::Validate(double radius_m) const {
 
 void Describe(ConfigVisitor& v, PadMark& m) {
   v.Choice({"shape", "Shape of the marking: a disc, or a bar (a rectangle).", true}, m.shape, PadMark::kShapeNames);
-  v.Number({"x_m", "X of the marking's center in W.", true}, m.centre_m.x(), kMeter, kAny);
-  v.Number({"y_m", "Y of the marking's center in W.", true}, m.centre_m.y(), kMeter, kAny);
+  v.Number({"x_m", "X of the marking's center in W.", true}, m.center_m.x(), kMeter, kAny);
+  v.Number({"y_m", "Y of the marking's center in W.", true}, m.center_m.y(), kMeter, kAny);
   switch (m.shape) {
     case PadMark::Shape::kDisc:
       v.Number({"diameter_m", "Diameter of the disc (disc only).", true}, m.diameter_m, kMeter, kPositive);

@@ -18,7 +18,7 @@ struct PadMark {
   static constexpr std::array<std::string_view, 2> kShapeNames = {"disc", "bar"};
 
   Shape shape = Shape::kDisc;
-  Eigen::Vector2d centre_m = Eigen::Vector2d::Zero();
+  Eigen::Vector2d center_m = Eigen::Vector2d::Zero();
   double diameter_m = 0.0;
   double length_m = 0.0;
   double width_m = 0.0;

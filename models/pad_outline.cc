@@ -118,8 +118,8 @@ Polygon Mirrored(const std::vector<Vector2d>& quarter) {
 }
 
 PadShape ShapeOf(const PadMark& mark) {
-  if (mark.shape == PadMark::Shape::kDisc) return {Color::kBlack, Circle{mark.centre_m, 0.5 * mark.diameter_m}};
-  return {Color::kBlack, Rectangle({mark.length_m, mark.width_m}, mark.centre_m, DegToRad(mark.angle_deg))};
+  if (mark.shape == PadMark::Shape::kDisc) return {Color::kBlack, Circle{mark.center_m, 0.5 * mark.diameter_m}};
+  return {Color::kBlack, Rectangle({mark.length_m, mark.width_m}, mark.center_m, DegToRad(mark.angle_deg))};
 }
 
 /// The smallest width of one of the shapes or gap between two of them.

@@ -14,7 +14,7 @@
 
 namespace touchdown::models {
 
-/// An 8-bit grey image that somebody else owns. `stride` is in bytes, from a row to the next.
+/// An 8-bit gray image that somebody else owns. `stride` is in bytes, from a row to the next.
 struct ImageView {
   const std::uint8_t* data = nullptr;
   int width = 0;
@@ -25,7 +25,7 @@ struct ImageView {
   std::uint8_t At(int u, int v) const { return Row(v)[u]; }
 };
 
-/// An 8-bit grey image without padding between rows.
+/// An 8-bit gray image without padding between rows.
 struct Image {
   int width = 0;
   int height = 0;

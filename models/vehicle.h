@@ -41,7 +41,7 @@ struct LandingGear {
   double foot_radius_m = 0.012;
 };
 
-/// A quadrotor in X configuration (Sec. III-A). Body frame B: X forward, Y left, Z up, origin at the centre of gravity.
+/// A quadrotor in X configuration (Sec. III-A). Body frame B: X forward, Y left, Z up, origin at the center of gravity.
 ///
 /// Rotors 0 to 3: front left, front right, rear right, rear left. Rotors 0 and 2 spin clockwise seen from above (about
 /// -Z_B), so that their drag turns the body left (+Z_B); 1 and 3 spin the other way.

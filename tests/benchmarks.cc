@@ -113,7 +113,7 @@ void SimulatedCameraPeriod(benchmark::State& state, sim::SceneConfig::Setting se
   X_WB.translation().z() = 1.0;
   models::RotorCommand hover;
   hover.speed_rad_s.fill(vehicle.rotor.SpeedFor(vehicle.HoverThrustPerRotor()));
-  // The vehicle drifts by millimetres: nobody controls it.
+  // The vehicle drifts by millimeters: nobody controls it.
   world.Reset(X_WB, true);
   for (auto _ : state) {
     for (int tick = 0; tick < 20; ++tick) {

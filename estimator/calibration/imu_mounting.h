@@ -28,7 +28,7 @@ struct ImuMounting {
 };
 
 /// The IMU's mounting from samples taken while the vehicle stands on level ground (Sec. III-D): the shortest rotation
-/// with g_B = R_BU g_U, where g_U is the mean specific force, normalised, and g_B = (0, 0, 1) as the paper has it: what
+/// with g_B = R_BU g_U, where g_U is the mean specific force, normalized, and g_B = (0, 0, 1) as the paper has it: what
 /// an accelerometer at rest measures points up. An IMU mounted upside down, for which there is no shortest rotation, is
 /// turned about an axis across, which one is arbitrary.
 ///

@@ -31,25 +31,25 @@ constexpr double kUsualContrast = 100.0;
 
 constexpr double kAligned = 0.7;  // Cosine between an edge's gradient and the ring's normal.
 
-/// The grey values around the pad, with their edges.
+/// The gray values around the pad, with their edges.
 struct Patch {
   int u, v, width, height;
-  cv::Mat grey;                    // The image's own pixels.
+  cv::Mat gray;                    // The image's own pixels.
   cv::Mat gradient_u, gradient_v;  // Sobel, 16 bit.
   cv::Mat edges;
   double faintness;  // 1, or less where the patch has little contrast.
 
   Vector2d GradientAt(int x, int y) const { return {gradient_u.at<short>(y, x), gradient_v.at<short>(y, x)}; }
 
-  models::ImageView view() const { return {grey.data, width, height, static_cast<std::ptrdiff_t>(grey.step)}; }
-  double GreyAt(const Vector2d& p) const { return models::BilinearGrey<double>(view(), p); }
+  models::ImageView view() const { return {gray.data, width, height, static_cast<std::ptrdiff_t>(gray.step)}; }
+  double GrayAt(const Vector2d& p) const { return models::BilinearGray<double>(view(), p); }
   bool Holds(const Vector2d& p) const { return models::IsBetweenPixels(view(), p); }
 };
 
-/// Of a picture of two grey values, about as much of each.
-double Contrast(const cv::Mat& grey) {
+/// Of a picture of two gray values, about as much of each.
+double Contrast(const cv::Mat& gray) {
   cv::Scalar mean, deviation;
-  cv::meanStdDev(grey, mean, deviation);
+  cv::meanStdDev(gray, mean, deviation);
   return 2.0 * deviation[0];
 }
 
@@ -59,17 +59,17 @@ Patch MakePatch(const models::ImageView& image, const PixelBox& ring_box, const 
   patch.v = std::max(0, ring_box.v - kPatchMargin_px);
   patch.width = std::min(image.width, ring_box.u + ring_box.width + kPatchMargin_px) - patch.u;
   patch.height = std::min(image.height, ring_box.v + ring_box.height + kPatchMargin_px) - patch.v;
-  patch.grey = cv::Mat(patch.height, patch.width, CV_8UC1, const_cast<std::uint8_t*>(image.Row(patch.v) + patch.u),
+  patch.gray = cv::Mat(patch.height, patch.width, CV_8UC1, const_cast<std::uint8_t*>(image.Row(patch.v) + patch.u),
                        static_cast<std::size_t>(image.stride));
-  cv::Sobel(patch.grey, patch.gradient_u, CV_16S, 1, 0);
-  cv::Sobel(patch.grey, patch.gradient_v, CV_16S, 0, 1);
-  patch.faintness = std::min(1.0, Contrast(patch.grey) / kUsualContrast);
+  cv::Sobel(patch.gray, patch.gradient_u, CV_16S, 1, 0);
+  cv::Sobel(patch.gray, patch.gradient_v, CV_16S, 0, 1);
+  patch.faintness = std::min(1.0, Contrast(patch.gray) / kUsualContrast);
   cv::Canny(patch.gradient_u, patch.gradient_v, patch.edges, patch.faintness * config.canny_low,
             patch.faintness * config.canny_high, true);
   return patch;
 }
 
-/// The place along the gradient about which the window's mean is midway between its ends: where a window centred on it
+/// The place along the gradient about which the window's mean is midway between its ends: where a window centered on it
 /// sees as much dark as bright. A blur that is the same on both sides does not move it, even when the window cuts its
 /// tails off. The window reaches `reach`, px, to both sides, less what is not a whole step. nullopt where it leaves the
 /// patch, the contrast is too weak or the place too far from the pixel.
@@ -83,12 +83,12 @@ std::optional<Vector2d> SubpixelPlace(const Patch& patch, const Vector2d& pixel,
     const Vector2d middle = pixel + move * to_bright;
     const Vector2d dark_end = middle - half_window * to_bright, bright_end = middle + half_window * to_bright;
     if (!patch.Holds(dark_end) || !patch.Holds(bright_end)) return std::nullopt;
-    const double dark = patch.GreyAt(dark_end), bright = patch.GreyAt(bright_end);
+    const double dark = patch.GrayAt(dark_end), bright = patch.GrayAt(bright_end);
     const double contrast = bright - dark;
     if (contrast < patch.faintness * kLeastContrast) return std::nullopt;
     double above_dark = 0.5 * contrast;
     for (int i = 1 - half_count; i < half_count; ++i) {
-      above_dark += patch.GreyAt(middle + i * kProfileStep_px * to_bright) - dark;
+      above_dark += patch.GrayAt(middle + i * kProfileStep_px * to_bright) - dark;
     }
     move += std::clamp(half_window - kProfileStep_px * above_dark / contrast, -1.0, 1.0);
   }

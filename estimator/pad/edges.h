@@ -19,7 +19,7 @@ enum class ContourPoints { kInteger, kSubpixel };
 
 struct EdgeConfig {
   ContourPoints contour_points = ContourPoints::kSubpixel;
-  /// Canny's thresholds on Sobel's gradient (3x3; four times the grey values' difference over two pixels). Lower ones
+  /// Canny's thresholds on Sobel's gradient (3x3; four times the gray values' difference over two pixels). Lower ones
   /// follow blurred or faint edges, higher ones keep noise out: sigma 3 of 255 gives some 15. They are lowered
   /// for a pad of faint contrast.
   double canny_low = 60.0;

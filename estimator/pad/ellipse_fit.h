@@ -21,7 +21,7 @@ struct Ellipse {
   /// R diag(a^2, b^2) R^T: the ellipse is (x - center)^T Shape()^-1 (x - center) = 1.
   Eigen::Matrix2d Shape() const;
 
-  /// The ellipse with this centre and this Shape(); nullopt when the shape is not positive definite, or a number not
+  /// The ellipse with this center and this Shape(); nullopt when the shape is not positive definite, or a number not
   /// finite.
   static std::optional<Ellipse> FromShape(const Eigen::Vector2d& center, const Eigen::Matrix2d& shape);
 

@@ -14,7 +14,7 @@ namespace touchdown::estimator::pad {
 struct OutlierGateConfig {
   double fastest_m_s = 3.0;         ///< The vehicle's speed; the room grows with the time since the reference.
   double room_m = 0.10;             ///< Room at no time, near the pad ...
-  double room_per_distance = 0.10;  ///< ... and what is added per metre of distance from it: noise grows with it.
+  double room_per_distance = 0.10;  ///< ... and what is added per meter of distance from it: noise grows with it.
   double fastest_rad_s = 4.0;       ///< The rate at which the tilt changes.
   double room_rad = 0.20;
   int agreeing_outliers = 3;  ///< So many rejected poses in a row that agree with each other are the truth.

@@ -14,7 +14,7 @@ namespace touchdown::estimator::pad {
 struct PoseCovarianceConfig {
   /// What an edge point is off by at least, 1-sigma, px: what is left of the pixels' grid.
   double smallest_edge_sigma_px = 0.02;
-  /// Neighbouring edge points share pixels, and so errors: this many count as one.
+  /// Neighboring edge points share pixels, and so errors: this many count as one.
   double points_per_independent_point = 3.0;
   /// 1-sigma of the direction of the ellipse fitted to a letter H against that of the H, rad.
   double letter_sigma_rad = 0.01;

@@ -29,9 +29,9 @@ float Quantile(const std::vector<float>& values, double share) {
 }
 
 /// Interpolated bilinearly; nullopt outside the image.
-std::optional<float> GreyAt(const models::ImageView& image, const Vector2d& pixel) {
+std::optional<float> GrayAt(const models::ImageView& image, const Vector2d& pixel) {
   if (!models::IsBetweenPixels(image, pixel)) return std::nullopt;
-  return models::BilinearGrey<float>(image, pixel);
+  return models::BilinearGray<float>(image, pixel);
 }
 
 /// What is printed within the ring.
@@ -149,10 +149,10 @@ std::optional<PrintMatch::Found> PrintMatch::Find(const models::ImageView& image
   if (!within) return std::nullopt;
   const auto& [disc, ring_contrast] = *within;
   constexpr double kNoiseShare = 0.15, kLeastLikeness = 0.3;
-  const Cells levelled = disc.Levelled(kNoiseShare * ring_contrast);
-  const PrintPlace turned = Turned(levelled, disc);
-  if (Likeness(levelled, disc, turned, 1) < kLeastLikeness) return std::nullopt;
-  const Found found = Refined(levelled, disc, turned);
+  const Cells leveled = disc.Leveled(kNoiseShare * ring_contrast);
+  const PrintPlace turned = Turned(leveled, disc);
+  if (Likeness(leveled, disc, turned, 1) < kLeastLikeness) return std::nullopt;
+  const Found found = Refined(leveled, disc, turned);
   constexpr double kLargestSize = 1.1;
   const double size = std::sqrt(found.place.scale.prod());
   if (size > kLargestSize || size < 1.0 / kLargestSize) return std::nullopt;
@@ -185,8 +185,8 @@ PrintMatch::Seen PrintMatch::At(const RectifiedDisc& disc, const PrintPlace& pla
       if (is_sure) parts(row, column) = PartAt(pad_, outline_, margin_m, p_W).value_or(-1);
     }
   }
-  const Cells paper = RectifiedDisc::LocalMean(disc.grey(), white);
-  const Cells ink = RectifiedDisc::LocalMean(disc.grey(), black);
+  const Cells paper = RectifiedDisc::LocalMean(disc.gray(), white);
+  const Cells ink = RectifiedDisc::LocalMean(disc.gray(), black);
   Seen seen;
   seen.contrast = ((paper - ink) * black).sum() / std::max(1.0F, black.sum());
 
@@ -197,7 +197,7 @@ PrintMatch::Seen PrintMatch::At(const RectifiedDisc& disc, const PrintPlace& pla
       const int part = parts(row, column);
       if (part < 0) continue;
       const double contrast = std::max<double>(paper(row, column) - ink(row, column), kFaintest * seen.contrast);
-      const bool is_dark = paper(row, column) - disc.grey()(row, column) > kDark * contrast;
+      const bool is_dark = paper(row, column) - disc.gray()(row, column) > kDark * contrast;
       const auto i = static_cast<std::size_t>(part);
       all[i] += 1.0;
       right[i] += is_dark == (expected(row, column) > 0.5F);
@@ -228,7 +228,7 @@ bool PrintMatch::Passes(const Seen& seen, double ring_contrast) const {
 }
 
 /// Correlation, -1 to 1, of every stride-th cell with the print.
-double PrintMatch::Likeness(const Cells& levelled, const RectifiedDisc& disc, const PrintPlace& place,
+double PrintMatch::Likeness(const Cells& leveled, const RectifiedDisc& disc, const PrintPlace& place,
                             int stride) const {
   const Eigen::Matrix2d to_print =
       place.scale.cwiseInverse().asDiagonal() * Eigen::Rotation2Dd(-place.angle).toRotationMatrix();
@@ -237,7 +237,7 @@ double PrintMatch::Likeness(const Cells& levelled, const RectifiedDisc& disc, co
     for (int column = 0; column < kCells; column += stride) {
       if (!disc.Holds(column, row)) continue;
       const Vector2d p = disc.PointOf(column, row);
-      const double seen = levelled(row, column), print = BlackAt(blurred_, to_print * (p - place.offset_m));
+      const double seen = leveled(row, column), print = BlackAt(blurred_, to_print * (p - place.offset_m));
       count += 1.0;
       a += seen;
       aa += seen * seen;
@@ -250,20 +250,20 @@ double PrintMatch::Likeness(const Cells& levelled, const RectifiedDisc& disc, co
   return variances > 0.0 ? (ab - a * b / count) / std::sqrt(variances) : -1.0;
 }
 
-PrintPlace PrintMatch::Turned(const Cells& levelled, const RectifiedDisc& disc) const {
+PrintPlace PrintMatch::Turned(const Cells& leveled, const RectifiedDisc& disc) const {
   constexpr int kAngles = 45, kCoarse = 2;
   const int half_turns = pad_.marks.empty() ? 1 : 2;  // After one the H looks the same, marks may not.
   Found best{{}, -2.0};
   for (int i = 0; i < half_turns * kAngles; ++i) {
     const PrintPlace place{.angle = models::kPi * i / kAngles};
-    const double likeness = Likeness(levelled, disc, place, kCoarse);
+    const double likeness = Likeness(leveled, disc, place, kCoarse);
     if (likeness > best.likeness) best = {place, likeness};
   }
   return best.place;
 }
 
 /// The place of the greatest likeness near `start`, a coordinate after the other in ever smaller steps.
-PrintMatch::Found PrintMatch::Refined(const Cells& levelled, const RectifiedDisc& disc, const PrintPlace& start) const {
+PrintMatch::Found PrintMatch::Refined(const Cells& leveled, const RectifiedDisc& disc, const PrintPlace& start) const {
   const double radius = pad_.inner_radius_m(), farthest = kFarthestOffset * radius;
   const auto moved = [&](PrintPlace place, int coordinate, double step) {
     constexpr double kTurn = 0.05, kShift = 0.03, kStretch = 0.05;
@@ -279,7 +279,7 @@ PrintMatch::Found PrintMatch::Refined(const Cells& levelled, const RectifiedDisc
   Found best{start, -1.0};
   for (const double step : {1.0, 0.5, 0.25, 0.125}) {
     const int stride = step >= 0.5 ? 2 : 1;
-    best.likeness = Likeness(levelled, disc, best.place, stride);
+    best.likeness = Likeness(leveled, disc, best.place, stride);
     constexpr int kRounds = 3;
     constexpr double kLeastGain = 1e-3;
     for (int round = 0; round < kRounds; ++round) {
@@ -287,7 +287,7 @@ PrintMatch::Found PrintMatch::Refined(const Cells& levelled, const RectifiedDisc
       for (int coordinate = 0; coordinate < 5; ++coordinate) {
         for (const double sign : {-1.0, 1.0}) {
           const PrintPlace place = moved(best.place, coordinate, sign * step);
-          const double likeness = Likeness(levelled, disc, place, stride);
+          const double likeness = Likeness(leveled, disc, place, stride);
           if (likeness > best.likeness) best = {place, likeness};
         }
       }
@@ -310,13 +310,13 @@ PrintMatch::SeenRing PrintMatch::RingAt(const models::ImageView& image, const Se
   std::vector<float> contrasts, ratios;  // Of white to black, and over the white: the same in a shadow.
   for (int i = 0; i < kDirections; ++i) {
     const double angle = 2.0 * models::kPi * i / kDirections;
-    const auto grey_at = [&](double radius_m) -> std::optional<float> {
+    const auto gray_at = [&](double radius_m) -> std::optional<float> {
       const auto pixel = plane.PixelAt(radius_m * Vector2d(std::cos(angle), std::sin(angle)));
-      return pixel ? GreyAt(image, *pixel) : std::nullopt;
+      return pixel ? GrayAt(image, *pixel) : std::nullopt;
     };
-    auto darkest = grey_at(from_m + step_m);
-    for (int k = 2; k <= kSteps; ++k) darkest = std::min(darkest, grey_at(from_m + k * step_m));
-    const auto within = grey_at(white_m_), outside = has_margin ? grey_at(outside_m) : within;
+    auto darkest = gray_at(from_m + step_m);
+    for (int k = 2; k <= kSteps; ++k) darkest = std::min(darkest, gray_at(from_m + k * step_m));
+    const auto within = gray_at(white_m_), outside = has_margin ? gray_at(outside_m) : within;
     if (!within || !darkest) return {};
     const float around = outside.value_or(*within);
     const float white = is_white_within_ ? std::min(*within, around) : has_margin ? around : std::max(*within, around);

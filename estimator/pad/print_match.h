@@ -43,7 +43,7 @@ struct PrintMatchConfig {
 };
 
 /// Whether what lies within a ring is the print of the pad as described, letter and marks, and where: the geometric
-/// constraint of Sec. IV-A.4 on grey values instead of boxes, on the plane that the ring's ellipse tells. It does not
+/// constraint of Sec. IV-A.4 on gray values instead of boxes, on the plane that the ring's ellipse tells. It does not
 /// ask that the letter hangs together: glare may break it, blur may join it with a mark.
 class PrintMatch {
  public:
@@ -81,9 +81,9 @@ class PrintMatch {
   std::optional<WithinRing> Within(const models::ImageView& image, const SeenPlane& plane) const;
   Seen At(const RectifiedDisc& disc, const PrintPlace& place) const;
   bool Passes(const Seen& seen, double ring_contrast) const;
-  double Likeness(const Cells& levelled, const RectifiedDisc& disc, const PrintPlace& place, int stride) const;
-  PrintPlace Turned(const Cells& levelled, const RectifiedDisc& disc) const;
-  Found Refined(const Cells& levelled, const RectifiedDisc& disc, const PrintPlace& start) const;
+  double Likeness(const Cells& leveled, const RectifiedDisc& disc, const PrintPlace& place, int stride) const;
+  PrintPlace Turned(const Cells& leveled, const RectifiedDisc& disc) const;
+  Found Refined(const Cells& leveled, const RectifiedDisc& disc, const PrintPlace& start) const;
   float BlackAt(const Cells& print, const Eigen::Vector2d& p_W) const;
 
   models::LandingPad pad_;

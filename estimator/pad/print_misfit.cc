@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Points of the normalized image, laid onto the plane of `pose`, from the circle's centre, in axes of the plane.
+/// Points of the normalized image, laid onto the plane of `pose`, from the circle's center, in axes of the plane.
 std::vector<Vector2d> OnPlane(std::span<const Vector2d> points, const CirclePose& pose) {
   const Eigen::Matrix3d plane_from_camera = models::ShortestRotation(pose.n_C, Eigen::Vector3d::UnitZ());
   const double distance = pose.n_C.dot(pose.p_CW);
@@ -52,9 +52,9 @@ double BestLetterSquares(const std::vector<Vector2d>& points, const models::PadO
   for (int i = 1; i < kCoarseAngles; ++i) look_at(i * coarse_step);
   constexpr double kFinest = 1e-4;
   for (double step = 0.5 * coarse_step; step > kFinest; step *= 0.5) {
-    const double centre = best_angle;
-    look_at(centre - step);
-    look_at(centre + step);
+    const double center = best_angle;
+    look_at(center - step);
+    look_at(center + step);
   }
   return best;
 }

@@ -29,7 +29,7 @@ Cells WindowMean(const Cells& values) {
 
 /// The part of the image that holds `places`, so smooth that a cell sees all of its own area.
 struct SmoothPart {
-  cv::Mat1f grey;
+  cv::Mat1f gray;
   cv::Point origin;
 };
 
@@ -44,11 +44,11 @@ SmoothPart PartAround(const models::ImageView& image, const cv::Mat2f& places) {
   const cv::Rect whole(0, 0, image.width, image.height);
   const cv::Rect part = whole & cv::Rect(cv::Point(cvFloor(least_u - margin), cvFloor(least_v - margin)),
                                          cv::Point(cvCeil(most_u + margin), cvCeil(most_v + margin)));
-  const cv::Mat grey(part.height, part.width, CV_8UC1, const_cast<std::uint8_t*>(image.Row(part.y) + part.x),
+  const cv::Mat gray(part.height, part.width, CV_8UC1, const_cast<std::uint8_t*>(image.Row(part.y) + part.x),
                      static_cast<std::size_t>(image.stride));
   SmoothPart smooth{{}, part.tl()};
-  grey.convertTo(smooth.grey, CV_32F);
-  if (px_per_cell > 1.2) cv::GaussianBlur(smooth.grey, smooth.grey, {}, 0.4 * px_per_cell);
+  gray.convertTo(smooth.gray, CV_32F);
+  if (px_per_cell > 1.2) cv::GaussianBlur(smooth.gray, smooth.gray, {}, 0.4 * px_per_cell);
   return smooth;
 }
 
@@ -91,13 +91,13 @@ std::optional<RectifiedDisc> RectifiedDisc::Of(const models::ImageView& image, c
                                                double radius_m) {
   RectifiedDisc disc(radius_m, Cells(kCells, kCells));
   const auto grid = PixelGrid::Of([&](const Vector2d& cell) { return plane.PixelAt(disc.PointOf(cell)); });
-  const auto centre = plane.PixelAt(Vector2d::Zero());
-  if (!grid || !centre) return std::nullopt;
+  const auto center = plane.PixelAt(Vector2d::Zero());
+  if (!grid || !center) return std::nullopt;
   cv::Mat2f places(kCells, kCells);
   for (int row = 0; row < kCells; ++row) {
     for (int column = 0; column < kCells; ++column) {
       const bool inside = disc.Holds(column, row);
-      const Vector2d pixel = inside ? grid->At(column, row) : *centre;
+      const Vector2d pixel = inside ? grid->At(column, row) : *center;
       if (!(pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() <= image.width - 1 && pixel.y() <= image.height - 1)) {
         return std::nullopt;
       }
@@ -106,8 +106,8 @@ std::optional<RectifiedDisc> RectifiedDisc::Of(const models::ImageView& image, c
   }
   const SmoothPart part = PartAround(image, places);
   places -= cv::Scalar(part.origin.x, part.origin.y);
-  cv::Mat1f grey = View(disc.grey_);
-  cv::remap(part.grey, grey, places, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  cv::Mat1f gray = View(disc.gray_);
+  cv::remap(part.gray, gray, places, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
   return disc;
 }
 
@@ -116,14 +116,14 @@ Cells RectifiedDisc::LocalMean(const Cells& values, const Cells& weights) {
   return WindowMean(values * weights) / (WindowMean(weights) + kNothing);
 }
 
-Cells RectifiedDisc::Levelled(double noise) const {
+Cells RectifiedDisc::Leveled(double noise) const {
   Cells inside(kCells, kCells);
   for (int row = 0; row < kCells; ++row) {
     for (int column = 0; column < kCells; ++column) inside(row, column) = Holds(column, row) ? 1.0F : 0.0F;
   }
-  const Cells mean = LocalMean(grey_, inside);
-  const Cells variance = LocalMean(grey_.square(), inside) - mean.square();
-  return (mean - grey_) / variance.max(static_cast<float>(noise * noise)).sqrt();
+  const Cells mean = LocalMean(gray_, inside);
+  const Cells variance = LocalMean(gray_.square(), inside) - mean.square();
+  return (mean - gray_) / variance.max(static_cast<float>(noise * noise)).sqrt();
 }
 
 }  // namespace touchdown::estimator::pad

@@ -23,10 +23,10 @@ struct EdgeMap {
   cv::Mat1s gradient_u, gradient_v;
 
   EdgeMap(const models::ImageView& image, const RingSearchConfig& config) {
-    const cv::Mat grey(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.data),
+    const cv::Mat gray(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.data),
                        static_cast<std::size_t>(image.stride));
     cv::Mat smooth;
-    cv::GaussianBlur(grey, smooth, {3, 3}, 0.0);
+    cv::GaussianBlur(gray, smooth, {3, 3}, 0.0);
     cv::Sobel(smooth, gradient_u, CV_16S, 1, 0);
     cv::Sobel(smooth, gradient_v, CV_16S, 0, 1);
     cv::Canny(gradient_u, gradient_v, edges, config.canny_low, config.canny_high, true);
@@ -56,7 +56,7 @@ bool AreAligned(const Vector2d& a, const Vector2d& b) {
   return dot > 0.0 && dot * dot > kLeastCosine * kLeastCosine * a.squaredNorm() * b.squaredNorm();
 }
 
-/// Edge pixels linked to neighbours whose gradients point nearly the same way: a chain ends at a corner, and where
+/// Edge pixels linked to neighbors whose gradients point nearly the same way: a chain ends at a corner, and where
 /// another edge crosses or touches. Only those long and bent enough.
 std::vector<Chain> ChainsOf(const EdgeMap& map) {
   constexpr std::size_t kFewestOfChain = 20;
@@ -91,7 +91,7 @@ std::vector<Chain> ChainsOf(const EdgeMap& map) {
   return chains;
 }
 
-/// Edge pixels near an ellipse that are bright outwards, at most one in each direction from the centre.
+/// Edge pixels near an ellipse that are bright outwards, at most one in each direction from the center.
 struct Support {
   std::vector<Vector2d> points;
   double coverage = 0.0;

@@ -22,7 +22,7 @@ struct ReducedView {
   }
 };
 
-/// The plane on which a ring lies, with the ring's centre as origin, in a reduced image. What it is made of must
+/// The plane on which a ring lies, with the ring's center as origin, in a reduced image. What it is made of must
 /// outlive it.
 class SeenPlane {
  public:

@@ -15,7 +15,7 @@ class UndistortTable {
   explicit UndistortTable(const models::CameraModel& camera);
 
   /// The undistorted pixel, at the camera's own focal lengths and principal point, of a raw pixel of the image, which
-  /// need not be whole: between pixel centres the table is interpolated bilinearly (off by less than 0.001 px for a
+  /// need not be whole: between pixel centers the table is interpolated bilinearly (off by less than 0.001 px for a
   /// lens like the default one), beyond the outermost ones it is continued.
   Eigen::Vector2d At(const Eigen::Vector2d& pixel) const;
 

@@ -42,8 +42,8 @@ class IntegralImage {
 
 /// Along one axis, the part of the window around a pixel that lies inside the image: [begin, end).
 struct WindowSpan {
-  WindowSpan(int centre, int radius, int size)
-      : begin(std::max(0, centre - radius)), end(std::min(size, centre + radius + 1)) {}
+  WindowSpan(int center, int radius, int size)
+      : begin(std::max(0, center - radius)), end(std::min(size, center + radius + 1)) {}
   int length() const { return end - begin; }
   int begin, end;
 };

@@ -39,7 +39,7 @@ class LabelSets {
   std::vector<int> representative_, next_, tail_;
 };
 
-struct LabelledRuns {
+struct LabeledRuns {
   std::vector<Run> runs;
   std::vector<int> labels;  // Provisional, one a run.
   LabelSets sets;
@@ -58,8 +58,8 @@ void AppendRunsOfRow(const models::ImageView& dark, int v, std::vector<Run>& run
   }
 }
 
-LabelledRuns FirstScan(const models::ImageView& dark) {
-  LabelledRuns scan;
+LabeledRuns FirstScan(const models::ImageView& dark) {
+  LabeledRuns scan;
   std::size_t above_begin = 0, above_end = 0;
   for (int v = 0; v < dark.height; ++v) {
     const std::size_t row_begin = scan.runs.size();
@@ -115,7 +115,7 @@ void ComponentsConfig::Validate() const {
 }
 
 ComponentSet ExtractComponents(const models::ImageView& dark, const ComponentsConfig& config) {
-  const LabelledRuns scan = FirstScan(dark);
+  const LabeledRuns scan = FirstScan(dark);
   std::vector<Extent> extents(static_cast<std::size_t>(scan.sets.size()));
   for (std::size_t i = 0; i < scan.runs.size(); ++i) {
     extents[static_cast<std::size_t>(scan.sets.Representative(scan.labels[i]))].Include(scan.runs[i]);

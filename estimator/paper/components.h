@@ -53,7 +53,7 @@ struct ComponentsConfig {
 };
 
 /// The 8-connected components of the pixels of `dark` that are not 0, without those too small. Run-based two-scan
-/// labelling (He, Chao, Suzuki: A run-based two-scan labeling algorithm, IEEE Trans. Image Processing 17(5), 2008).
+/// labeling (He, Chao, Suzuki: A run-based two-scan labeling algorithm, IEEE Trans. Image Processing 17(5), 2008).
 ComponentSet ExtractComponents(const models::ImageView& dark, const ComponentsConfig& config = {});
 
 }  // namespace touchdown::estimator::paper

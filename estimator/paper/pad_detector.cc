@@ -18,7 +18,7 @@ double PosteriorOf(const Classification& classification, ComponentClass label) {
   return classification.posterior[static_cast<std::size_t>(label)];
 }
 
-/// From the centre of b's box to that of a's, px.
+/// From the center of b's box to that of a's, px.
 Eigen::Vector2d CenterOffset(const Component& a, const Component& b) {
   return 0.5 * Eigen::Vector2d(2 * a.u + a.width - 2 * b.u - b.width, 2 * a.v + a.height - 2 * b.v - b.height);
 }
@@ -73,7 +73,7 @@ PadDetector::Result PadDetector::Detect(const ComponentSet& components) const {
   for (const Component& component : components.components) {
     const Classification seen = classify_(components, component);
     const double posterior = PosteriorOf(seen, seen.label);
-    result.labelled.push_back({{component.u, component.v, component.width, component.height}, seen.label, posterior});
+    result.labeled.push_back({{component.u, component.v, component.width, component.height}, seen.label, posterior});
     if (seen.label == ComponentClass::kCircle && !components.IsCutByBorder(component)) {
       circles.push_back({&component, posterior});
     }

@@ -20,7 +20,7 @@ struct PadDetectorConfig {
   /// How far the H's size over the ring's may leave the range that it has under an affine view, as a factor, for the
   /// perspective within the pad and for blur.
   double size_tolerance = 1.25;
-  /// How far the centres of both boxes may lie apart, as a share of the ring's box: near and tilted, perspective moves
+  /// How far the centers of both boxes may lie apart, as a share of the ring's box: near and tilted, perspective moves
   /// them by up to (R / 2d) sin(tilt), 0.15 for R = 90 mm at d = 0.23 m and 50 degrees.
   double center_tolerance = 0.15;
   int most_candidates = 6;          ///< So many pairs are handed on.
@@ -31,7 +31,7 @@ struct PadDetectorConfig {
 };
 
 /// A component's bounding box, and what it was classified as.
-struct LabelledComponent {
+struct LabeledComponent {
   PixelBox box;
   ComponentClass label = ComponentClass::kOther;
   double probability = 0.0;  ///< Posterior of `label`.
@@ -51,15 +51,15 @@ class PadDetector {
   struct Result {
     /// What may be the pad, the likeliest first, or which stage failed: kNoComponent, kNoCircle, kNoH or kNoPair.
     std::variant<std::vector<DetectedPad>, Reason> outcome;
-    std::vector<LabelledComponent> labelled;  ///< Every component, in the set's order.
+    std::vector<LabeledComponent> labeled;  ///< Every component, in the set's order.
   };
 
   /// A circle counts when it lies in the image whole: below the blind height "the circle is not fully visible"
   /// (Sec. VI-B.1). The pairs of a circle and an H that meet the geometric constraint, by the product of their
-  /// posteriors, and of equal ones the one with the nearest centres first.
+  /// posteriors, and of equal ones the one with the nearest centers first.
   Result Detect(const ComponentSet& components) const;
 
-  /// The geometric constraint on two bounding boxes: the H's lies within the ring's, and its size and centre are those
+  /// The geometric constraint on two bounding boxes: the H's lies within the ring's, and its size and center are those
   /// that the pad's have under some view.
   bool MayBePad(const Component& ring, const Component& letter) const;
 

@@ -70,8 +70,8 @@ PadSearch::Result PadSearch::ByComponents(const pad::ReducedImage& seen) const {
   const models::Image dark = Binarize(seen.image, config_.binarize);
   const ComponentSet components = ExtractComponents(dark.View(), config_.components);
   PadDetector::Result detection = detector_.Detect(components);
-  Result result{.pad = std::nullopt, .failed = Reason::kNoEllipse, .labelled = std::move(detection.labelled)};
-  for (LabelledComponent& each : result.labelled) each.box = pad::Scaled(each.box, seen.view.reduction);
+  Result result{.pad = std::nullopt, .failed = Reason::kNoEllipse, .labeled = std::move(detection.labeled)};
+  for (LabeledComponent& each : result.labeled) each.box = pad::Scaled(each.box, seen.view.reduction);
   if (const auto* failed = std::get_if<Reason>(&detection.outcome)) {
     result.failed = *failed;
     return result;

@@ -51,7 +51,7 @@ class PadSearch {
     std::optional<pad::FoundPad> pad;
     /// The step at which the search by components failed; without meaning with a pad.
     Reason failed = Reason::kNoComponent;
-    std::vector<LabelledComponent> labelled;  ///< Without those of the pad where its edges showed it.
+    std::vector<LabeledComponent> labeled;  ///< Without those of the pad where its edges showed it.
   };
 
   Result Find(const models::ImageView& image) const;

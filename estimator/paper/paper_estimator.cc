@@ -33,7 +33,7 @@ std::vector<Vector2d> Normalized(std::span<const Vector2d> pixels, const models:
   return normalized;
 }
 
-Overlay::Box Drawn(const LabelledComponent& component) {
+Overlay::Box Drawn(const LabeledComponent& component) {
   const auto role = component.label == ComponentClass::kCircle ? Overlay::Role::kOutline
                     : component.label == ComponentClass::kH    ? Overlay::Role::kMarking
                                                                : Overlay::Role::kOther;
@@ -77,7 +77,7 @@ FrameResult PaperEstimator::Estimate(const models::ImageView& image, models::Tic
   result.mid_exposure = mid_exposure;
 
   const PadSearch::Result found = search_.Find(image);
-  for (const LabelledComponent& component : found.labelled) result.overlay.boxes.push_back(Drawn(component));
+  for (const LabeledComponent& component : found.labeled) result.overlay.boxes.push_back(Drawn(component));
   if (!found.pad) {
     result.reason = Name(found.failed);
     return result;

@@ -28,7 +28,7 @@ struct PaperEstimatorConfig {
 /// The paper's method (Sec. IV), a step after the other.
 class PaperEstimator final : public VisionEstimator {
  public:
-  /// Components are labelled by the compiled-in network of the pad's letter (Sec. IV-A.3). Throws InputError when the
+  /// Components are labeled by the compiled-in network of the pad's letter (Sec. IV-A.3). Throws InputError when the
   /// camera, the pad or a setting is impossible.
   explicit PaperEstimator(const EstimatorSetup& setup, const PaperEstimatorConfig& config = {});
 

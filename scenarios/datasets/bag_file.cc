@@ -18,7 +18,7 @@
 #include "scenarios/datasets/bag_messages.h"
 #include "scenarios/datasets/flight_bag.h"
 #include "scenarios/datasets/flight_facts.h"
-#include "scenarios/datasets/grey_image.h"
+#include "scenarios/datasets/gray_image.h"
 
 namespace touchdown::datasets {
 namespace {
@@ -53,7 +53,7 @@ const Encoding& FindEncoding(const std::string& name) {
   throw InputError(fmt::format("has the encoding {}, which is none of {}", name, fmt::join(names, ", ")));
 }
 
-models::Image GreyImage(const ros1::Image& message) {
+models::Image GrayImage(const ros1::Image& message) {
   const Encoding& encoding = FindEncoding(message.encoding);
   constexpr std::uint32_t kLargestSide_px = 1 << 15;
   const std::uint64_t row = std::uint64_t{message.width} * CV_ELEM_SIZE(encoding.type);
@@ -65,22 +65,22 @@ models::Image GreyImage(const ros1::Image& message) {
   if (message.is_bigendian && CV_MAT_DEPTH(encoding.type) == CV_16U) throw InputError("is of big-endian numbers");
   cv::Mat picture(static_cast<int>(message.height), static_cast<int>(message.width), encoding.type,
                   const_cast<std::uint8_t*>(message.data.data()), message.step);
-  if (!encoding.is_red_first) return ToGreyImage(picture);
+  if (!encoding.is_red_first) return ToGrayImage(picture);
   cv::Mat blue_first;
   cv::cvtColor(picture, blue_first, picture.channels() == 4 ? cv::COLOR_RGBA2BGR : cv::COLOR_RGB2BGR);
-  return ToGreyImage(blue_first);
+  return ToGrayImage(blue_first);
 }
 
-models::Image GreyImage(const ros1::CompressedImage& message) {
+models::Image GrayImage(const ros1::CompressedImage& message) {
   const std::vector<std::uint8_t> file(message.data.begin(), message.data.end());
-  cv::Mat grey;
+  cv::Mat gray;
   try {
-    grey = cv::imdecode(file, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);
+    gray = cv::imdecode(file, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);
   } catch (const cv::Exception&) {
-    grey.release();
+    gray.release();
   }
-  if (grey.empty()) throw InputError(fmt::format("is no picture ({}) that can be read", message.format));
-  return ToGreyImage(grey);
+  if (gray.empty()) throw InputError(fmt::format("is no picture ({}) that can be read", message.format));
+  return ToGrayImage(gray);
 }
 
 /// Of pictures that were rectified.
@@ -317,7 +317,7 @@ struct BagFile::Impl {
   template <typename Message>
   FootageFrame FrameOf(const rosbag::MessageInstance& instance) const {
     const auto message = Read<Message>(instance);
-    return {file.filename().string(), TickOf(message->header, instance.getTime()), GreyImage(*message)};
+    return {file.filename().string(), TickOf(message->header, instance.getTime()), GrayImage(*message)};
   }
 
   std::optional<FootageFrame> Next() {

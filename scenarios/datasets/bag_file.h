@@ -26,7 +26,7 @@ class BagFile final : public Footage {
 
   const FootageFacts& facts() const override;
 
-  /// Throws InputError for a picture that cannot be read, as one with the colours of a Bayer pattern.
+  /// Throws InputError for a picture that cannot be read, as one with the colors of a Bayer pattern.
   std::optional<FootageFrame> Next() override;
 
  private:

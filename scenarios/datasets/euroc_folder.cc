@@ -57,7 +57,7 @@ std::optional<FootageFrame> EurocFolder::Next() {
   if (next_ == frames_.size()) return std::nullopt;
   const util::StampedRow& row = frames_[next_++];
   return FootageFrame{row.cells.front(), facts_.time.FromNanoseconds(row.time_ns),
-                      ReadGreyImage(mav0_ / "cam0" / "data" / row.cells.front())};
+                      ReadGrayImage(mav0_ / "cam0" / "data" / row.cells.front())};
 }
 
 }  // namespace touchdown::datasets

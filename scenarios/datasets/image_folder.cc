@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "models/error.h"
-#include "scenarios/datasets/grey_image.h"
+#include "scenarios/datasets/gray_image.h"
 
 namespace touchdown::datasets {
 namespace {
@@ -28,15 +28,15 @@ bool IsPicture(const fs::path& file) {
 
 }  // namespace
 
-models::Image ReadGreyImage(const fs::path& file) {
-  cv::Mat grey;
+models::Image ReadGrayImage(const fs::path& file) {
+  cv::Mat gray;
   try {
-    grey = cv::imread(file.string(), cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);
+    gray = cv::imread(file.string(), cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);
   } catch (const cv::Exception&) {
-    grey.release();
+    gray.release();
   }
-  if (grey.empty()) throw InputError(fmt::format("{}: no picture that can be read", file.string()));
-  return ToGreyImage(grey);
+  if (gray.empty()) throw InputError(fmt::format("{}: no picture that can be read", file.string()));
+  return ToGrayImage(gray);
 }
 
 ImageFolder::ImageFolder(const fs::path& folder) {
@@ -55,7 +55,7 @@ ImageFolder::ImageFolder(const fs::path& folder) {
 std::optional<FootageFrame> ImageFolder::Next() {
   if (next_ == files_.size()) return std::nullopt;
   const fs::path& file = files_[next_++];
-  return FootageFrame{file.filename().string(), std::nullopt, ReadGreyImage(file)};
+  return FootageFrame{file.filename().string(), std::nullopt, ReadGrayImage(file)};
 }
 
 }  // namespace touchdown::datasets

@@ -7,9 +7,9 @@
 
 namespace touchdown::datasets {
 
-/// The file's picture in grey, as stored: a camera's note of how it was held (EXIF) turns nothing, since a calibration
+/// The file's picture in gray, as stored: a camera's note of how it was held (EXIF) turns nothing, since a calibration
 /// is of the sensor. Throws InputError, naming the file, when it cannot be read.
-models::Image ReadGreyImage(const std::filesystem::path& file);
+models::Image ReadGrayImage(const std::filesystem::path& file);
 
 /// A folder of pictures that have nothing to do with each other: every file that OpenCV reads by its name's ending, in
 /// the order of the names, numbers in them by their value. Folders within it are not looked into.

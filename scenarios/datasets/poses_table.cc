@@ -50,14 +50,14 @@ std::string PosesCsv(std::span<const FootageEstimate> estimates, const models::T
 
 std::string ChoicesCsv(std::span<const FootageEstimate> estimates) {
   util::CsvWriter table("frame,source,reason,chosen_angle_deg,other_angle_deg,chosen_misfit_mm,other_misfit_mm");
-  constexpr double kMillimetresPerMetre = 1000.0;
+  constexpr double kMillimetersPerMeter = 1000.0;
   for (std::size_t i = 0; i < estimates.size(); ++i) {
     const std::optional<PoseChoice>& choice = estimates[i].seen.choice;
     if (!choice) continue;
     table << i;
     table << estimates[i].source << Name(choice->reason);
     if (choice->reason == PoseChoice::Reason::kPrint) {
-      table.Empty(2) << kMillimetresPerMetre * choice->chosen << kMillimetresPerMetre * choice->other;
+      table.Empty(2) << kMillimetersPerMeter * choice->chosen << kMillimetersPerMeter * choice->other;
     } else {
       (table << models::RadToDeg(choice->chosen) << models::RadToDeg(choice->other)).Empty(2);
     }

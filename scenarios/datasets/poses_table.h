@@ -10,7 +10,7 @@
 namespace touchdown::datasets {
 
 /// One row for each frame; a cell is empty where there is nothing to tell. The pose is that of every frame that has
-/// one, X_WB or, without a mounting, X_WC; pixels are raw, the ellipse is the ring's outer one, its centre left out,
+/// one, X_WB or, without a mounting, X_WC; pixels are raw, the ellipse is the ring's outer one, its center left out,
 /// with semi-axes in undistorted pixels and its angle from +u towards +v; the box encloses the ring.
 std::string PosesCsv(std::span<const FootageEstimate> estimates, const models::TimeBase& time);
 

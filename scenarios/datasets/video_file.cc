@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "models/error.h"
-#include "scenarios/datasets/grey_image.h"
+#include "scenarios/datasets/gray_image.h"
 
 namespace touchdown::datasets {
 
@@ -33,7 +33,7 @@ std::optional<FootageFrame> VideoFile::Next() {
   ++read_;
   constexpr double kMillisecond_s = 1e-3;
   const double time_s = capture_.get(cv::CAP_PROP_POS_MSEC) * kMillisecond_s;
-  return FootageFrame{file_.filename().string(), facts_.time.FromSeconds(time_s), ToGreyImage(picture)};
+  return FootageFrame{file_.filename().string(), facts_.time.FromSeconds(time_s), ToGrayImage(picture)};
 }
 
 }  // namespace touchdown::datasets

@@ -32,7 +32,7 @@ constexpr double kHandShift_m = 0.005;
 constexpr double kGravity_rad = DegToRad(0.5);
 constexpr double kPublishedAttitude_deg = 1.5;
 
-/// The body with its camera at that distance from the pad, the pad's centre on the optical axis.
+/// The body with its camera at that distance from the pad, the pad's center on the optical axis.
 Eigen::Isometry3d PoseOf(const models::Vehicle& vehicle, double distance_m, double roll_rad, RandomStream& hand) {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   X_WB.linear() = models::RotationFromTaitBryan({.roll = roll_rad + kHandTilt_rad * hand.Normal(),
@@ -44,7 +44,7 @@ Eigen::Isometry3d PoseOf(const models::Vehicle& vehicle, double distance_m, doub
   return X_WB;
 }
 
-/// Step of the grey values across the ring's edge, as a frame shows it: paper less ink.
+/// Step of the gray values across the ring's edge, as a frame shows it: paper less ink.
 double EdgeStep(const models::Image& image, const models::LandingPad& pad, const models::CameraModel& camera,
                 const Eigen::Isometry3d& X_WC) {
   constexpr int kPoints = 24;
@@ -53,12 +53,12 @@ double EdgeStep(const models::Image& image, const models::LandingPad& pad, const
   double step = 0.0;
   for (int i = 0; i < kPoints; ++i) {
     const double angle = 2.0 * models::kPi * i / kPoints;
-    const auto grey = [&](double radius_m) -> double {
+    const auto gray = [&](double radius_m) -> double {
       const Vector3d p_W(radius_m * std::cos(angle), radius_m * std::sin(angle), 0.0);
       const Eigen::Vector2d pixel = camera.Project(X_WC.inverse() * p_W).value();
       return image.View().At(static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())));
     };
-    step += (grey(paper_m) - grey(ink_m)) / kPoints;
+    step += (gray(paper_m) - gray(ink_m)) / kPoints;
   }
   return step;
 }
@@ -191,19 +191,19 @@ std::string CellsCsv(const std::vector<Cell>& cells) {
 
 /// A line for each distance over roll, and the limit of the nearest and the farthest dashed.
 std::string PlotOverRoll(const std::string& column, const std::string& limit, const std::string& label) {
-  constexpr std::array<const char*, 5> kColours = {"SECOND", "ESTIMATE", "FOURTH", "FIRST", "SET_POINT"};
+  constexpr std::array<const char*, 5> kColors = {"SECOND", "ESTIMATE", "FOURTH", "FIRST", "SET_POINT"};
   std::string curves;
   for (std::size_t i = 0; i < kDistances_m.size(); ++i) {
     curves += fmt::format(
         "data using 'roll_deg':(column('distance_m')=={0} ? column('{1}') : NaN) with linespoints pt 7 ps 0.6 lw 1.6 "
         "lc rgb {2} title '{0} m', \\\n",
-        kDistances_m[i], column, kColours[i]);
+        kDistances_m[i], column, kColors[i]);
   }
   for (const std::size_t i : {std::size_t{0}, kDistances_m.size() - 1}) {
     curves += fmt::format(
         "data using 'roll_deg':(column('distance_m')=={0} ? column('{1}') : NaN) with lines dt 2 lw 1.2 lc rgb {2} "
         "title 'limit, {0} m', \\\n",
-        kDistances_m[i], limit, kColours[i]);
+        kDistances_m[i], limit, kColors[i]);
   }
   return fmt::format(
       "set key outside right\nset xlabel 'roll, deg'\nset ylabel '{}'\nset yrange [0:*]\nset xrange [-2:42]\nset "
@@ -218,7 +218,7 @@ PaperSection ReportAccuracy(const PaperPlan& plan, const Measured& measured) {
   }
   PaperSection section{{.id = "accuracy", .title = "5 DOF accuracy (Sec. VI-B.5, Fig. 10)"}};
   section.paragraphs = {fmt::format(
-      "The vehicle is held still with the pad's centre on the optical axis: {} placements a cell, each in a room of "
+      "The vehicle is held still with the pad's center on the optical axis: {} placements a cell, each in a room of "
       "its own, {} frames each. A placement's mean error is systematic (calibration, pixel grid), what remains over "
       "its frames is random. Roll and pitch errors together are the attitude's; the vertical that chooses between the "
       "circle's two poses is 0.5° off about each axis. The limit is the Cram&eacute;r-Rao bound for the ring's outer "

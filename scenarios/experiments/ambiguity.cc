@@ -29,7 +29,7 @@ constexpr std::array<double, 3> kAmbiguityDistances_m = {0.5, 1.0, 1.5};
 constexpr int kDirections = 12;                  // Of the gravity's error, for each of its sizes.
 constexpr double kFarApart_rad = DegToRad(2.0);  // Poses that are nearer to each other may be taken one for the other.
 
-/// The camera above the pad's centre, which lies on its optical axis, tilted in a drawn direction.
+/// The camera above the pad's center, which lies on its optical axis, tilted in a drawn direction.
 Eigen::Isometry3d DrawView(double tilt_rad, double distance_m, RandomStream& random) {
   const double yaw = random.Uniform(-1.2, 1.2), direction = random.Uniform(-models::kPi, models::kPi);
   const Eigen::Matrix3d R_WL = models::RotationFromTaitBryan({.roll = models::kPi, .yaw = yaw});
@@ -175,13 +175,13 @@ PaperSection ReportAmbiguity(const PaperPlan& plan, const Measured& measured) {
   }
   section.tables = {std::move(rates), std::move(caught)};
   std::string curves;
-  constexpr std::array<const char*, 7> kColours = {"MUTED", "SECOND", "ESTIMATE", "FOURTH",
+  constexpr std::array<const char*, 7> kColors = {"MUTED", "SECOND", "ESTIMATE", "FOURTH",
                                                    "THIRD", "FIRST",  "SET_POINT"};
   for (std::size_t i = 0; i < kGravityErrors_deg.size(); ++i) {
     curves += fmt::format(
         "data using 'tilt_deg':(column('gravity_error_deg')=={0} ? 100*column('wrong_share') : NaN) with linespoints "
         "pt 7 ps 0.5 lw 1.4 lc rgb {1} title '{0} deg', \\\n",
-        kGravityErrors_deg[i], kColours[i]);
+        kGravityErrors_deg[i], kColors[i]);
   }
   section.figures.push_back({.name = "ambiguity",
                              .title = "Wrong choices",

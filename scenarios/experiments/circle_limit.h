@@ -16,7 +16,7 @@ struct CircleLimit {
 
 /// The Cramer-Rao limit of a pose from the image of a circle's edge alone: a dark disc of `radius_m` about W's origin,
 /// the camera at X_WC with known heading, the pixels' noise white and Gaussian, `noise_share` its 1-sigma over the
-/// edge's step in grey values, and the image as sharp as square pixels let it be (each pixel the mean over its area:
+/// edge's step in gray values, and the image as sharp as square pixels let it be (each pixel the mean over its area:
 /// moving an edge of length l px across itself by d px changes the pixels' squares by l d^2 steps).
 ///
 /// nullopt where the information is singular: seen frontally, a tilt moves the circle's edge as a shift does.

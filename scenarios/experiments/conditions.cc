@@ -50,7 +50,7 @@ runner::Scenario HoverIn(const Condition& condition, const PaperPlan& plan, cons
   runner::Scenario scenario = ShippedFlight("takeoff_hover_land", static_cast<std::uint64_t>(seed));
   scenario.start = {.airborne = true, .position_m = {0.05, -0.05, 1.0}};
   scenario.script = {
-      {.kind = controller::ManoeuvreKind::kHover, .position_m = {0.0, 0.0, 1.0}, .duration_s = plan.condition_hover_s}};
+      {.kind = controller::ManeuverKind::kHover, .position_m = {0.0, 0.0, 1.0}, .duration_s = plan.condition_hover_s}};
   scenario.expect = runner::Outcome::kHovered;
   vehicle.Equip(scenario);
   condition.change(scenario);

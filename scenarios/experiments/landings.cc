@@ -100,7 +100,7 @@ PaperSection ReportLandings(const PaperPlan& plan, const Measured& measured) {
   section.paragraphs.push_back(fmt::format(
       "In a row: the {} autonomous flights above. Beyond them {} landings from about the hover at 1 m, 0.1 "
       "m (1 sigma, along X and Y) off and 5° turned, each in a room of its own: {} came to rest on their "
-      "gear (95 %: {} to {} %). Deviations are of the vehicle at rest, from the pad's centre and heading.",
+      "gear (95 %: {} to {} %). Deviations are of the vehicle at rest, from the pad's center and heading.",
       row.count(), many.count(), landed, util::Fixed(100.0 * share.low, 1), util::Fixed(100.0 * share.high, 1)));
   Compare(fmt::format("{} landings in a row", row.count()), row, section);
   Compare(fmt::format("{} landings", many.count()), many, section);

@@ -110,7 +110,7 @@ ComponentClass ClassOf(const estimator::Overlay::Box& box) {
 /// Of a room's frames without a pad: components and frames that were taken for what they are not.
 Json CountFalse(const runner::Scenario& told, int number, int frames, const util::StopRequested& stop_requested) {
   Room room(told, number, false);
-  // By the true class: how many there are, and how many of them are labelled circle and H.
+  // By the true class: how many there are, and how many of them are labeled circle and H.
   std::array<std::array<int, 3>, 3> given{};
   int frames_false_circle = 0, frames_false_letter = 0, pairs = 0, pads = 0;
   for (int i = 0; i < frames; ++i) {
@@ -181,7 +181,7 @@ struct FalseCounts {
   std::array<std::array<int, 3>, 3> given{};
   int frames = 0, frames_false_circle = 0, frames_false_letter = 0, pairs = 0, pads = 0;
 
-  /// Of the components that are no circles (H), the share labelled so: p1 and p2.
+  /// Of the components that are no circles (H), the share labeled so: p1 and p2.
   util::Interval FalseShare(ComponentClass label) const {
     const auto as = static_cast<std::size_t>(label);
     int wrong = 0, others = 0;

@@ -24,7 +24,7 @@ using models::DegToRad;
 
 /// From where a picture is taken, and how well.
 struct Look {
-  double distance_m;  ///< From the pad's centre.
+  double distance_m;  ///< From the pad's center.
   double tilt_deg, direction_deg, yaw_deg;
   double off_u_px, off_v_px;  ///< Of the pad from the image's middle.
   Vector3d v_m_s = Vector3d::Zero();
@@ -69,7 +69,7 @@ class Studio {
   StillRoom room_;
 };
 
-cv::Mat3b Coloured(models::Image& image) {
+cv::Mat3b Colored(models::Image& image) {
   cv::Mat3b picture;
   cv::cvtColor(cv::Mat1b(image.height, image.width, image.pixels.data()), picture, cv::COLOR_GRAY2BGR);
   return picture;
@@ -141,7 +141,7 @@ Json Stages(const runner::Scenario& told) {
                                      .off_v_px = 30.0});
   models::Image dark = estimator::paper::Binarize(taken.image.View());
   const estimator::paper::ComponentSet set = estimator::paper::ExtractComponents(dark.View());
-  cv::Mat3b boxes = Coloured(taken.image);
+  cv::Mat3b boxes = Colored(taken.image);
   for (const estimator::paper::Component& each : set.components) {
     cv::rectangle(boxes, cv::Rect(each.u, each.v, each.width, each.height), {0, 170, 240});
   }
@@ -152,7 +152,7 @@ Json Stages(const runner::Scenario& told) {
   return PictureJson("fig_2_stages", "Fig. 2: the steps of the recognition",
                      "The image, its dark pixels, the connected components, and their classes: circles green, letters "
                      "H blue, others red, the pad an orange cross.",
-                     Grid({Coloured(taken.image), Coloured(dark), boxes, classified}, 2),
+                     Grid({Colored(taken.image), Colored(dark), boxes, classified}, 2),
                      kComponentHead + ComponentLines(1, taken.seen.overlay));
 }
 
@@ -246,7 +246,7 @@ Json FittedPatches(const runner::Scenario& told) {
       return scaled;
     };
     csv += EllipseLines(static_cast<int>(patches.size()) + 1, taken.seen.overlay);
-    patches.push_back(tile(Coloured(taken.image)));
+    patches.push_back(tile(Colored(taken.image)));
     fitted.push_back(tile(drawn));
   }
   const int columns = static_cast<int>(patches.size());

@@ -60,7 +60,7 @@ const char* WhyOf(const report::TableOneRow& row, std::size_t column) {
                : "Tilts are small, and the unrectified H is nearly the true one.";
   }
   if (row.key == "z_mm") {
-    return "Against the truth; the paper's own reference is good to a few millimetres.";
+    return "Against the truth; the paper's own reference is good to a few millimeters.";
   }
   return "Sub-pixel contour points; whole pixels give the figures of the table below.";
 }

@@ -18,7 +18,7 @@ constexpr double kPublishedEllipse_deg = 3.0, kPublishedMoments_deg = 1.0;
 
 constexpr std::array<const char*, kYawMethodNames.size()> kMethodWords = {
     "ellipse of the H, whole pixels",         "ellipse of the H, sub-pixel",
-    "moments of the H, binary image",         "moments of the H, grey image",
+    "moments of the H, binary image",         "moments of the H, gray image",
     "ellipse of the rectangle, whole pixels", "ellipse of the rectangle, sub-pixel"};
 
 std::string TurnedId(double height_m) { return fmt::format("yaw_{:.0f}_cm", 100.0 * height_m); }
@@ -103,7 +103,7 @@ void ReportTurned(const Measured& measured, PaperSection& section) {
        .published = kPublishedMoments_deg,
        .ours = largest(YawMethod::kMomentsOfHGrey),
        .spread = fmt::format("of the binary image {}", util::Fixed(largest(YawMethod::kMomentsOfHBinary), 3)),
-       .why = "All pixels count, and grey ones by how dark they are."});
+       .why = "All pixels count, and gray ones by how dark they are."});
   section.compared.push_back(
       {.quantity = "Yaw of a turned rectangle by its ellipse, largest error",
        .unit = "deg",

@@ -45,7 +45,7 @@ class FrontalView {
         side_px_(static_cast<int>(std::ceil(2.0 * kMargin * pad.outer_radius_m / m_per_px_))),
         W_from_image_(Eigen::Rotation2Dd(yaw - models::kPi / 2.0)) {}
 
-  /// A square picture about the pad's centre.
+  /// A square picture about the pad's center.
   models::Image Picture() const {
     const int corners = side_px_ + 1;
     cv::Mat1b black(corners, corners);
@@ -74,8 +74,8 @@ class FrontalView {
 
   /// In W. The image's up is turned left by the yaw from W's X axis.
   Vector2d PointAt(const Vector2d& pixel) const {
-    const Vector2d from_centre = pixel - Vector2d::Constant(0.5 * (side_px_ - 1));
-    return m_per_px_ * (W_from_image_ * Vector2d(from_centre.x(), -from_centre.y()));
+    const Vector2d from_center = pixel - Vector2d::Constant(0.5 * (side_px_ - 1));
+    return m_per_px_ * (W_from_image_ * Vector2d(from_center.x(), -from_center.y()));
   }
 
   bool IsBlack(const Vector2d& pixel) const { return outline_.IsBlack(PointAt(pixel)); }
@@ -146,7 +146,7 @@ class SeenPad {
     return Error_deg({.angle = MajorAxis(Darkness(view_, image_) > 0.5 * (kPaper - kInk))});
   }
 
-  double ErrorOfGreyMoments_deg() const { return Error_deg({.angle = MajorAxis(Darkness(view_, image_))}); }
+  double ErrorOfGrayMoments_deg() const { return Error_deg({.angle = MajorAxis(Darkness(view_, image_))}); }
 
  private:
   double Error_deg(const estimator::pad::Ellipse& seen) const {
@@ -178,7 +178,7 @@ std::vector<YawErrors> StudyYaw(double height_m) {
     rows.push_back({yaw_deg,
                     {h.ErrorOfEllipse_deg(estimator::pad::ContourPoints::kInteger),
                      h.ErrorOfEllipse_deg(estimator::pad::ContourPoints::kSubpixel), h.ErrorOfBinaryMoments_deg(),
-                     h.ErrorOfGreyMoments_deg(), rectangle.ErrorOfEllipse_deg(estimator::pad::ContourPoints::kInteger),
+                     h.ErrorOfGrayMoments_deg(), rectangle.ErrorOfEllipse_deg(estimator::pad::ContourPoints::kInteger),
                      rectangle.ErrorOfEllipse_deg(estimator::pad::ContourPoints::kSubpixel)}});
   }
   return rows;

@@ -30,7 +30,7 @@ struct YawErrors {
 };
 
 /// The experiment of Sec. IV-C.3 on synthetic images: a camera of the default focal length, without noise, looks
-/// straight down from `height_m` over the centre of the built-in pad, and of one with a solid rectangle as large as the
+/// straight down from `height_m` over the center of the built-in pad, and of one with a solid rectangle as large as the
 /// H, and is turned by one degree after the other over a whole turn. From 0.32 m the H is 100 px high. Throws
 /// InputError when the height is not within [0.1, 2] m, where the letter is a component of its own.
 std::vector<YawErrors> StudyYaw(double height_m = 0.32);

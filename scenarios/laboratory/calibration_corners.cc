@@ -18,7 +18,7 @@ cv::Point2f Middle(const cv::Point2f& a, const cv::Point2f& b, const cv::Point2f
   return (a + b + c + d) / 4.0F;
 }
 
-/// Grey level in the middle of the square whose first corner is the one of that number.
+/// Gray level in the middle of the square whose first corner is the one of that number.
 double SquareLevel(const cv::Mat1b& picture, const std::vector<cv::Point2f>& corners, int columns, int first) {
   const auto at = [&](int i) { return corners[static_cast<std::size_t>(i)]; };
   const cv::Point2f middle = Middle(at(first), at(first + 1), at(first + columns), at(first + columns + 1));

@@ -64,9 +64,9 @@ Json CameraJson(const CameraCalibration& camera, const runner::Scenario& scenari
 /// A view with its corners drawn in, at half size.
 cv::Mat3b Tile(const CalibrationPicture& picture, const Chessboard& board) {
   const models::Image& image = picture.image;
-  const cv::Mat1b grey(image.height, image.width, const_cast<std::uint8_t*>(image.pixels.data()));
+  const cv::Mat1b gray(image.height, image.width, const_cast<std::uint8_t*>(image.pixels.data()));
   cv::Mat3b drawn;
-  cv::cvtColor(grey, drawn, cv::COLOR_GRAY2BGR);
+  cv::cvtColor(gray, drawn, cv::COLOR_GRAY2BGR);
   if (picture.corners) {
     std::vector<cv::Point2f> corners;
     for (const Eigen::Vector2d& pixel : *picture.corners) {

@@ -12,14 +12,14 @@ constexpr double kFloorDepth_m = 0.001;
 constexpr double kFloorHalfSize_m = 50.0;
 constexpr double kInk = 0.08, kPaper = 0.88, kFloor = 0.45;
 
-/// A flat rectangle of one grey, at a place in E.
+/// A flat rectangle of one gray, at a place in E.
 std::string Rectangle(const Eigen::Isometry3d& X_WE, const Eigen::Vector3d& p_E, const Eigen::Vector2d& half_size_m,
-                      double grey) {
+                      double gray) {
   const Eigen::Vector3d p_W = X_WE * p_E;
   return fmt::format(
-      "    <geom type='plane' pos='{} {} {}' euler='0 0 {}' size='{} {} 100' rgba='{grey} {grey} {grey} 1'/>\n",
+      "    <geom type='plane' pos='{} {} {}' euler='0 0 {}' size='{} {} 100' rgba='{gray} {gray} {gray} 1'/>\n",
       p_W.x(), p_W.y(), p_W.z(), models::TaitBryanFromRotation(X_WE.linear()).yaw, half_size_m.x(), half_size_m.y(),
-      fmt::arg("grey", grey));
+      fmt::arg("gray", gray));
 }
 
 }  // namespace

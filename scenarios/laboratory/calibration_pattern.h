@@ -8,7 +8,7 @@
 
 namespace touchdown::laboratory {
 
-/// A chessboard on a white sheet, as camera calibration uses it (Sec. III-D). Frame E: origin at the board's centre, X
+/// A chessboard on a white sheet, as camera calibration uses it (Sec. III-D). Frame E: origin at the board's center, X
 /// along its rows, Y along its columns, Z out of the sheet. The square at the end of +Y and -X is black; an even and an
 /// odd number of squares tell the board from itself turned by 180 degrees.
 struct Chessboard {

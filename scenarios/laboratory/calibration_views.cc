@@ -31,7 +31,7 @@ Matrix3d DrawRotation(const Vector3d& ray_C, models::RandomStream& random) {
          models::ShortestRotation(ray_C, Vector3d::UnitZ());
 }
 
-/// Places of the board's centre in the image, as shares of its half width and height: the centre, edges and corners.
+/// Places of the board's center in the image, as shares of its half width and height: the center, edges and corners.
 Vector2d ShareOf(int view) {
   constexpr double kAside = 0.35;
   const int place = view % 9;
@@ -49,7 +49,7 @@ bool ShowsWhole(const Chessboard& board, const models::CameraModel& camera, cons
   return std::all_of(outer.begin(), outer.end(), shows);
 }
 
-/// From where the board's centre lies on the ray, `distance_m` away.
+/// From where the board's center lies on the ray, `distance_m` away.
 Isometry3d Looking(const Matrix3d& R_EC, const Vector3d& ray_C, double distance_m) {
   Isometry3d X_EC = Isometry3d::Identity();
   X_EC.linear() = R_EC;

@@ -9,7 +9,7 @@
 
 namespace touchdown::laboratory {
 
-/// Poses X_EC from which a camera sees the whole board, one after the other with the board at the image's centre, edges
+/// Poses X_EC from which a camera sees the whole board, one after the other with the board at the image's center, edges
 /// and corners, as near as it fits or up to a quarter farther, tilted against the line of sight by up to 45
 /// degrees about any axis, and turned anyhow. Throws InputError when the camera's lens does not show the board whole
 /// from anywhere.

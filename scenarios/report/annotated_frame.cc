@@ -19,7 +19,7 @@ using Eigen::Vector2d;
 // Blue, green, red.
 const cv::Scalar kGreen(60, 190, 60), kBlue(230, 110, 30), kRed(60, 60, 220), kOrange(0, 140, 255),
     kYellow(0, 230, 255), kWhite(255, 255, 255);
-const std::array<cv::Scalar, 3> kAxisColours = {cv::Scalar(0, 0, 255), cv::Scalar(0, 220, 0), cv::Scalar(255, 60, 0)};
+const std::array<cv::Scalar, 3> kAxisColors = {cv::Scalar(0, 0, 255), cv::Scalar(0, 220, 0), cv::Scalar(255, 60, 0)};
 
 constexpr double kCaptionHeight_px = 27.0;
 
@@ -33,7 +33,7 @@ cv::Point Place(const Vector2d& pixel) {
 /// From the lowest layer to the highest.
 constexpr std::array kDrawingOrder = {Role::kOther, Role::kOutline, Role::kMarking, Role::kFit};
 
-cv::Scalar ColourOf(Role role) {
+cv::Scalar ColorOf(Role role) {
   switch (role) {
     case Role::kOther:
       return kRed;
@@ -57,7 +57,7 @@ class Pen {
       : picture_(picture), camera_(camera), scale_(ScaleOf(picture.size())) {}
 
   void Box(const Overlay::Box& box) {
-    cv::rectangle(picture_, cv::Rect(box.box.u, box.box.v, box.box.width, box.box.height), ColourOf(box.role),
+    cv::rectangle(picture_, cv::Rect(box.box.u, box.box.v, box.box.width, box.box.height), ColorOf(box.role),
                   Width(box.role == Role::kOther ? 1.0 : 2.0));
   }
 
@@ -67,7 +67,7 @@ class Pen {
       if (!IsNear(point)) return;
       points.push_back(Place(point));
     }
-    cv::polylines(picture_, points, polyline.closed, ColourOf(polyline.role), Width(1.0), cv::LINE_AA, kShift);
+    cv::polylines(picture_, points, polyline.closed, ColorOf(polyline.role), Width(1.0), cv::LINE_AA, kShift);
   }
 
   void Text(const Overlay::Label& label) {
@@ -75,7 +75,7 @@ class Pen {
     if (!IsNear(label.place)) return;
     cv::putText(picture_, label.text,
                 {static_cast<int>(std::lround(label.place.x())), static_cast<int>(std::lround(label.place.y()))},
-                cv::FONT_HERSHEY_SIMPLEX, kFontScale * scale_, ColourOf(label.role), Width(1.0), cv::LINE_AA);
+                cv::FONT_HERSHEY_SIMPLEX, kFontScale * scale_, ColorOf(label.role), Width(1.0), cv::LINE_AA);
   }
 
   void EllipseWithAxes(const Overlay::Ellipse& ellipse) {
@@ -87,10 +87,10 @@ class Pen {
       const double t = 2.0 * models::kPi * i / kPoints;
       points.push_back(Place(RawPixel(ellipse.center + std::cos(t) * major + std::sin(t) * minor)));
     }
-    const cv::Scalar colour = ColourOf(ellipse.role);
-    cv::polylines(picture_, points, true, colour, Width(1.0), cv::LINE_AA, kShift);
+    const cv::Scalar color = ColorOf(ellipse.role);
+    cv::polylines(picture_, points, true, color, Width(1.0), cv::LINE_AA, kShift);
     for (const Vector2d& axis : {major, minor}) {
-      Line(RawPixel(ellipse.center - axis), RawPixel(ellipse.center + axis), colour, 1.0);
+      Line(RawPixel(ellipse.center - axis), RawPixel(ellipse.center + axis), color, 1.0);
     }
   }
 
@@ -106,7 +106,7 @@ class Pen {
     for (int axis = 0; axis < 3; ++axis) {
       const auto tip = camera_.Project(X_CW * (length_m * Eigen::Vector3d::Unit(axis)));
       if (!origin || !tip || !IsNear(*origin) || !IsNear(*tip)) continue;
-      Line(*origin, *tip, kAxisColours[static_cast<std::size_t>(axis)], 3.0);
+      Line(*origin, *tip, kAxisColors[static_cast<std::size_t>(axis)], 3.0);
     }
   }
 
@@ -124,8 +124,8 @@ class Pen {
     return camera_.PixelFromNormalized(camera_.Distort(camera_.NormalizedFromPixel(undistorted)));
   }
 
-  void Line(const Vector2d& from, const Vector2d& to, const cv::Scalar& colour, double width_px) {
-    cv::line(picture_, Place(from), Place(to), colour, Width(width_px), cv::LINE_AA, kShift);
+  void Line(const Vector2d& from, const Vector2d& to, const cv::Scalar& color, double width_px) {
+    cv::line(picture_, Place(from), Place(to), color, Width(width_px), cv::LINE_AA, kShift);
   }
 
   cv::Mat3b& picture_;
@@ -138,10 +138,10 @@ class Pen {
 cv::Mat3b AnnotateFrame(const models::ImageView& image, const models::CameraModel& camera,
                         const FrameAnnotation& annotation) {
   // OpenCV has no read-only header; the picture is a copy.
-  const cv::Mat grey(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.data),
+  const cv::Mat gray(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.data),
                      static_cast<std::size_t>(image.stride));
   cv::Mat3b picture;
-  cv::cvtColor(grey, picture, cv::COLOR_GRAY2BGR);
+  cv::cvtColor(gray, picture, cv::COLOR_GRAY2BGR);
   Pen pen(picture, camera);
   const Overlay& overlay = annotation.overlay;
   const auto draw = [](const auto& shapes, Role role, const auto& draw_one) {
@@ -160,7 +160,7 @@ cv::Mat3b AnnotateFrame(const models::ImageView& image, const models::CameraMode
   return picture;
 }
 
-cv::Scalar CaptionColour(estimator::FrameStatus status) {
+cv::Scalar CaptionColor(estimator::FrameStatus status) {
   return status == estimator::FrameStatus::kOk ? kWhite : kYellow;
 }
 
@@ -168,14 +168,14 @@ int CaptionHeight(const cv::Size& picture) {
   return std::clamp(static_cast<int>(std::lround(kCaptionHeight_px * ScaleOf(picture))), 1, picture.height);
 }
 
-void DrawCaption(cv::Mat3b strip, const std::string& text, const cv::Scalar& colour) {
+void DrawCaption(cv::Mat3b strip, const std::string& text, const cv::Scalar& color) {
   constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
   constexpr double kFontScale = 0.58, kLeft_px = 8.0, kBaseline_px = 19.0;
   const double text_width_px = 2.0 * kLeft_px + cv::getTextSize(text, kFont, kFontScale, 1, nullptr).width;
   const double scale = std::min(strip.rows / kCaptionHeight_px, strip.cols / text_width_px);
   const auto px = [scale](double nominal_px) { return static_cast<int>(std::lround(scale * nominal_px)); };
   strip = cv::Vec3b(0, 0, 0);
-  cv::putText(strip, text, {px(kLeft_px), px(kBaseline_px)}, kFont, kFontScale * scale, colour, std::max(1, px(1.0)),
+  cv::putText(strip, text, {px(kLeft_px), px(kBaseline_px)}, kFont, kFontScale * scale, color, std::max(1, px(1.0)),
               cv::LINE_AA);
 }
 

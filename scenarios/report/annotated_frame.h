@@ -16,7 +16,7 @@ namespace touchdown::report {
 /// What is drawn into a frame.
 struct FrameAnnotation {
   estimator::Overlay overlay;
-  std::optional<Eigen::Vector2d> pad_px;  ///< Centre of the detected pad, raw px.
+  std::optional<Eigen::Vector2d> pad_px;  ///< Center of the detected pad, raw px.
   std::optional<Eigen::Isometry3d> X_WC;  ///< The camera's estimated pose.
   double axis_length_m = 0.09;            ///< Of the axes that show that pose: about the pad's outer radius.
 };
@@ -29,14 +29,14 @@ struct FrameAnnotation {
 cv::Mat3b AnnotateFrame(const models::ImageView& image, const models::CameraModel& camera,
                         const FrameAnnotation& annotation);
 
-/// White, or yellow when a frame gave no pose: the colour of its caption.
-cv::Scalar CaptionColour(estimator::FrameStatus status);
+/// White, or yellow when a frame gave no pose: the color of its caption.
+cv::Scalar CaptionColor(estimator::FrameStatus status);
 
 /// How high a caption suits a picture, px: 27 at 640x480.
 int CaptionHeight(const cv::Size& picture);
 
 /// Makes a black strip with a line of text of a picture's rows, as in DrawCaption(picture.rowRange(0, height), ...).
 /// The text is as high as suits the strip, or smaller where it is too long for it.
-void DrawCaption(cv::Mat3b strip, const std::string& text, const cv::Scalar& colour);
+void DrawCaption(cv::Mat3b strip, const std::string& text, const cv::Scalar& color);
 
 }  // namespace touchdown::report

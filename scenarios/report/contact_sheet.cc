@@ -61,7 +61,7 @@ cv::Mat ContactSheet::Tile(const Kept& kept) const {
   cv::Mat3b picture =
       AnnotateFrame(kept.image.View(), camera_, {.overlay = kept.overlay, .pad_px = kept.record.pad_px, .X_WC = {}});
   DrawCaption(picture.rowRange(0, CaptionHeight(picture.size())),
-              TileCaption(kept.record, time_.ToSeconds(kept.record.mid_exposure)), CaptionColour(kept.record.status));
+              TileCaption(kept.record, time_.ToSeconds(kept.record.mid_exposure)), CaptionColor(kept.record.status));
   cv::Mat tile;
   cv::resize(picture, tile, tile_, 0.0, 0.0, cv::INTER_AREA);
   return tile;

@@ -26,14 +26,14 @@ namespace fs = std::filesystem;
 
 constexpr double kSvgUnitsPerCm = 48.0;
 
-using Colours = std::vector<std::pair<std::string, std::string>>;
+using Colors = std::vector<std::pair<std::string, std::string>>;
 
-/// The page's colours by day, by the names of its variables: of each the first in its style sheet.
-const Colours& PageColours() {
-  static const Colours colours = [] {
+/// The page's colors by day, by the names of its variables: of each the first in its style sheet.
+const Colors& PageColors() {
+  static const Colors colors = [] {
     const std::string style(PageStyle());
     static const std::regex variable(R"(--([a-z-]+):\s*(#[0-9a-f]{6}))");
-    Colours found;
+    Colors found;
     for (std::sregex_iterator match(style.begin(), style.end(), variable), end; match != end; ++match) {
       const std::string name = (*match)[1];
       const bool is_known =
@@ -42,7 +42,7 @@ const Colours& PageColours() {
     }
     return found;
   }();
-  return colours;
+  return colors;
 }
 
 void RunGnuplot(const fs::path& script) {
@@ -68,10 +68,10 @@ std::string ReadDrawing(const fs::path& file, const std::string& figure) {
   return *std::move(drawing);
 }
 
-/// Names of the page's colours for the gnuplot commands: `lc rgb ESTIMATE`.
-std::string ColourNames() {
+/// Names of the page's colors for the gnuplot commands: `lc rgb ESTIMATE`.
+std::string ColorNames() {
   std::string commands;
-  for (const auto& [name, hex] : PageColours()) {
+  for (const auto& [name, hex] : PageColors()) {
     std::string upper;
     for (const char c : name) upper += c == '-' ? '_' : static_cast<char>(std::toupper(c));
     commands += fmt::format("{} = '{}'\n", upper, hex);
@@ -80,7 +80,7 @@ std::string ColourNames() {
 }
 
 std::string Style() {
-  return ColourNames() + R"(set datafile separator comma
+  return ColorNames() + R"(set datafile separator comma
 set datafile columnheaders
 set border 3 lc rgb MUTED lw 0.8
 set tics nomirror textcolor rgb MUTED scale 0.6
@@ -118,13 +118,13 @@ std::string Replaced(const std::string& text, const std::regex& pattern,
 }
 
 std::string VariableFor(const std::string& hex, const std::string& otherwise) {
-  for (const auto& [name, colour] : PageColours()) {
-    if (colour == hex) return fmt::format("var(--{})", name);
+  for (const auto& [name, color] : PageColors()) {
+    if (color == hex) return fmt::format("var(--{})", name);
   }
   return otherwise;
 }
 
-/// The drawing as a part of the page: no XML head, names of its own, the page's colours.
+/// The drawing as a part of the page: no XML head, names of its own, the page's colors.
 std::string ForThePage(const std::string& svg, const std::string& name) {
   std::string part = svg.substr(svg.find("<svg"));
   static const std::regex decimal(R"(rgb\(\s*(\d+),\s*(\d+),\s*(\d+)\))"), hex("#[0-9a-fA-F]{6}"),

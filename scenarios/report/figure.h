@@ -18,7 +18,7 @@ struct Figure {
 struct DrawnFigure {
   std::string svg = {};
   std::string
-      page_svg;  ///< A part of a page whose colours it takes by their CSS variables, so that it follows its theme.
+      page_svg;  ///< A part of a page whose colors it takes by their CSS variables, so that it follows its theme.
   std::string pdf = {};
 };
 

@@ -132,7 +132,7 @@ void PutGlance(const Json& metrics, const JsonFile& timing, data& page) {
     double scale;
     const char* unit;
   };
-  constexpr std::array<Item, 7> kItems = {{{"Touchdown off the centre", "flight.touchdown_xy_error_m", 1e3, "mm"},
+  constexpr std::array<Item, 7> kItems = {{{"Touchdown off the center", "flight.touchdown_xy_error_m", 1e3, "mm"},
                                            {"Touchdown speed", "flight.touchdown_speed_m_s", 1.0, "m/s"},
                                            {"Hover, off the set-point, RMS", "flight.hover_xyz_rmse_m", 1e3, "mm"},
                                            {"Vision, horizontal, RMSE", "estimate.xy_rmse_m", 1e3, "mm"},

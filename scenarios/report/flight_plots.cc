@@ -17,13 +17,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kBuckets = 1100;
-constexpr double kMillimetres = 1000.0;
+constexpr double kMillimeters = 1000.0;
 
 // From the first stage that can fail to a pose.
 constexpr std::array<std::string_view, 7> kStages = {"no_component", "no_circle", "no_h", "no_pair",
                                                      "no_ellipse",   "outlier",   "ok"};
 
-/// A series under its name in the legend. The page gives each role its colour and line.
+/// A series under its name in the legend. The page gives each role its color and line.
 struct Curve {
   std::string label;
   std::string role;
@@ -119,9 +119,9 @@ Json CoordinateJson(const FlightSeries& flight, std::string_view section, std::s
 }
 
 std::vector<Curve> PositionErrors(const PoseSeries& of, const PoseSeries& from) {
-  return {{"x", "first", Difference(of.x_m, from.x_m, kMillimetres)},
-          {"y", "second", Difference(of.y_m, from.y_m, kMillimetres)},
-          {"z", "third", Difference(of.z_m, from.z_m, kMillimetres)}};
+  return {{"x", "first", Difference(of.x_m, from.x_m, kMillimeters)},
+          {"y", "second", Difference(of.y_m, from.y_m, kMillimeters)},
+          {"z", "third", Difference(of.z_m, from.z_m, kMillimeters)}};
 }
 
 std::vector<Curve> AttitudeErrors(const PoseSeries& of, const PoseSeries& from) {

@@ -81,7 +81,7 @@ void FlightVideo::OnFrame(const models::CameraFrame& frame, const estimator::Fra
   seen_from_outside.copyTo(
       picture_(cv::Rect(cv::Point(picture_.cols - seen_from_outside.cols, 0), seen_from_outside.size())));
   DrawCaption(picture_.rowRange(kHeight_px, picture_.rows), VideoCaption(record, time_.ToSeconds(frame.mid_exposure)),
-              CaptionColour(record.status));
+              CaptionColor(record.status));
   writer_->Write(picture_);
 }
 

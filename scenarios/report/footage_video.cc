@@ -40,7 +40,7 @@ void FootageVideo::Add(const datasets::FootageFrame& frame, const datasets::Foot
   cv::resize(AnnotateFrame(frame.image.View(), camera_, annotation), picture, size_, 0.0, 0.0, cv::INTER_AREA);
   std::string caption = fmt::format("{}  {}", frame.source, estimator::ReasonOrStatus(seen.status, seen.reason));
   if (frame.mid_exposure) caption = fmt::format("{:.2f} s  {}", time_.ToSeconds(*frame.mid_exposure), caption);
-  DrawCaption(picture.rowRange(0, CaptionHeight(size_)), caption, CaptionColour(seen.status));
+  DrawCaption(picture.rowRange(0, CaptionHeight(size_)), caption, CaptionColor(seen.status));
   writer_.Write(picture);
 }
 

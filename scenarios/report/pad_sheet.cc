@@ -21,13 +21,13 @@ using models::LandingPad;
 
 // The page's lengths are in mm, x to the right and y down.
 constexpr double kPointsPerMm = 72.0 / 25.4;
-constexpr double kMmPerMetre = 1000.0;
+constexpr double kMmPerMeter = 1000.0;
 constexpr double kRuler_mm = 100.0;
 constexpr double kMargin_mm = 6.0;
 constexpr double kLegendHeight_mm = 24.0;
 constexpr double kTextSize_mm = 3.2;
 constexpr double kHairline_mm = 0.15;
-constexpr double kLegendGrey = 0.35;
+constexpr double kLegendGray = 0.35;
 /// How far a curve may deviate.
 constexpr double kTolerance_mm = 0.001;
 
@@ -39,8 +39,8 @@ struct Page {
 };
 
 Page PageFor(const LandingPad& pad) {
-  const double sheet_width_mm = kMmPerMetre * pad.sheet_width_m, sheet_height_mm = kMmPerMetre * pad.sheet_length_m;
-  const double free_below_mm = 0.5 * sheet_height_mm - kMmPerMetre * pad.outer_radius_m;
+  const double sheet_width_mm = kMmPerMeter * pad.sheet_width_m, sheet_height_mm = kMmPerMeter * pad.sheet_length_m;
+  const double free_below_mm = 0.5 * sheet_height_mm - kMmPerMeter * pad.outer_radius_m;
   const bool high_enough = free_below_mm >= kLegendHeight_mm + 2.0 * kMargin_mm;
   const bool wide_enough = sheet_width_mm >= kRuler_mm + 2.0 * kMargin_mm;
   if (high_enough && wide_enough) {
@@ -72,15 +72,15 @@ class Drawing {
 
  private:
   cairo_t* cairo() { return cairo_.get(); }
-  double Mm(double length_m) const { return kMmPerMetre * length_m; }
+  double Mm(double length_m) const { return kMmPerMeter * length_m; }
 
   /// Black on the white of the page. All shapes make one path, so that no seam shows where two black ones touch: the
   /// white ones go round the other way and cut holes.
   void DrawPad() {
     cairo_save(cairo());
     const cairo_matrix_t page_from_W = {.xx = 0.0,
-                                        .yx = -kMmPerMetre,
-                                        .xy = -kMmPerMetre,
+                                        .yx = -kMmPerMeter,
+                                        .xy = -kMmPerMeter,
                                         .yy = 0.0,
                                         .x0 = 0.5 * page_.width_mm,
                                         .y0 = 0.5 * Mm(pad_.sheet_length_m)};
@@ -131,7 +131,7 @@ class Drawing {
   }
 
   void SetPen() {
-    cairo_set_source_rgb(cairo(), kLegendGrey, kLegendGrey, kLegendGrey);
+    cairo_set_source_rgb(cairo(), kLegendGray, kLegendGray, kLegendGray);
     cairo_set_line_width(cairo(), kHairline_mm);
   }
 
@@ -146,7 +146,7 @@ class Drawing {
     cairo_stroke(cairo());
   }
 
-  /// Centred, and smaller where the page is too narrow.
+  /// Centered, and smaller where the page is too narrow.
   void Write(const std::string& text, double baseline) {
     cairo_select_font_face(cairo(), "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(cairo(), kTextSize_mm);

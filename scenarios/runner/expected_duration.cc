@@ -6,8 +6,8 @@ namespace touchdown::runner {
 namespace {
 
 using controller::GuidanceConfig;
-using controller::Manoeuvre;
-using controller::ManoeuvreKind;
+using controller::Maneuver;
+using controller::ManeuverKind;
 
 double Takeoff_s(const GuidanceConfig& c, double height_m) {
   const double thrust_rise_s = (1.0 - c.start_thrust_ratio) / c.thrust_ratio_rate_1_s;
@@ -28,19 +28,19 @@ double ExpectedDuration_s(const Scenario& scenario) {
   constexpr double kTransfer_m_s = 0.5;
   double duration_s = 0.0;
   Eigen::Vector3d position_m = scenario.start.airborne ? scenario.start.position_m : Eigen::Vector3d::Zero();
-  for (const Manoeuvre& manoeuvre : scenario.script) {
-    switch (manoeuvre.kind) {
-      case ManoeuvreKind::kTakeoff:
-        duration_s += Takeoff_s(guidance, manoeuvre.position_m.z());
+  for (const Maneuver& maneuver : scenario.script) {
+    switch (maneuver.kind) {
+      case ManeuverKind::kTakeoff:
+        duration_s += Takeoff_s(guidance, maneuver.position_m.z());
         break;
-      case ManoeuvreKind::kHover:
-        duration_s += (manoeuvre.position_m - position_m).norm() / kTransfer_m_s + manoeuvre.duration_s;
+      case ManeuverKind::kHover:
+        duration_s += (maneuver.position_m - position_m).norm() / kTransfer_m_s + maneuver.duration_s;
         break;
-      case ManoeuvreKind::kLand:
+      case ManeuverKind::kLand:
         duration_s += Landing_s(guidance, position_m.z());
         continue;
     }
-    position_m = manoeuvre.position_m;
+    position_m = maneuver.position_m;
   }
   return std::min(duration_s, scenario.time_limit_s);
 }

@@ -29,13 +29,13 @@ constexpr MetricInfo kMetrics[] = {
     {"flight.max_tilt_deg", "deg", "Largest true tilt from start to end."},
     {"flight.landing_time_s", "s", "From the beginning of the landing phase to first contact."},
     {"flight.touchdown_time_s", "s", "Simulated time of the first contact of a foot in a landing, from the start."},
-    {"flight.touchdown_xy_error_m", "m", "True horizontal distance from the pad's centre at first contact of a foot."},
+    {"flight.touchdown_xy_error_m", "m", "True horizontal distance from the pad's center at first contact of a foot."},
     {"flight.touchdown_x_m", "m", "True place of the body's origin along W's X then."},
     {"flight.touchdown_y_m", "m", "The same along W's Y."},
     {"flight.touchdown_yaw_error_deg", "deg", "True yaw then, modulo 180 degrees, absolute."},
     {"flight.touchdown_speed_m_s", "m/s", "True sink rate just before first contact."},
     {"flight.touchdown_tilt_deg", "deg", "True tilt at first contact."},
-    {"flight.rest_xy_error_m", "m", "True horizontal distance from the pad's centre at the end of a landing."},
+    {"flight.rest_xy_error_m", "m", "True horizontal distance from the pad's center at the end of a landing."},
     {"estimate.xy_rmse_m", "m", "RMS horizontal error of vision's unfiltered position in frames with status ok."},
     {"estimate.z_rmse_m", "m", "The same, vertical."},
     {"estimate.xyz_rmse_m", "m", "The same, in space."},
@@ -44,7 +44,7 @@ constexpr MetricInfo kMetrics[] = {
     {"estimate.yaw_rmse_deg", "deg", "The same of yaw, modulo 180 degrees."},
     {"estimate.availability", "", "Frames with status ok over frames with the whole ring in view.", true},
     {"estimate.ring_frames", "", "Frames with the whole ring in view."},
-    {"estimate.false_pads", "", "Frames whose detected pad's centre is over 30 px from the true one."},
+    {"estimate.false_pads", "", "Frames whose detected pad's center is over 30 px from the true one."},
 };
 
 /// Root of the mean of squares; absent when nothing was added.

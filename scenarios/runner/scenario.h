@@ -90,7 +90,7 @@ struct Scenario {
   std::optional<Outcome> expect;
   Start start;
   sim::HandConfig hand;
-  std::vector<controller::Manoeuvre> script;
+  std::vector<controller::Maneuver> script;
   std::vector<Event> events;
   std::vector<Criterion> criteria;
 

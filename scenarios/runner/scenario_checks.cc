@@ -36,9 +36,9 @@ void CheckPlaces(models::ConfigVisitor& v, const Scenario& s) {
     v.Check("start.y_m", [&s] { RequireInRoom(s, s.start.position_m.y()); });
   }
   for (std::size_t i = 0; i < s.script.size(); ++i) {
-    const controller::Manoeuvre& m = s.script[i];
-    if (m.kind == controller::ManoeuvreKind::kLand) continue;
-    const char* const key = m.kind == controller::ManoeuvreKind::kTakeoff ? "height_m" : "position_m";
+    const controller::Maneuver& m = s.script[i];
+    if (m.kind == controller::ManeuverKind::kLand) continue;
+    const char* const key = m.kind == controller::ManeuverKind::kTakeoff ? "height_m" : "position_m";
     v.Check(fmt::format("script.{}.{}", i, key), [&] { RequireInRoom(s, m.position_m); });
   }
 }

@@ -49,9 +49,9 @@ double ConfusionMatrix::FalsePositiveRate(int given_class) const {
   return total == 0 ? 0.0 : static_cast<double>(wrong) / total;
 }
 
-ConfusionMatrix Confuse(const Perceptron& network, std::span<const LabelledPattern> patterns) {
+ConfusionMatrix Confuse(const Perceptron& network, std::span<const LabeledPattern> patterns) {
   ConfusionMatrix matrix;
-  for (const LabelledPattern& sample : patterns) {
+  for (const LabeledPattern& sample : patterns) {
     const auto given = static_cast<std::size_t>(LabelOf(network, sample.pattern));
     ++matrix.count[static_cast<std::size_t>(sample.label)][given];
   }
@@ -87,11 +87,11 @@ std::string ToJson(const ConfusionMatrix& matrix, PadLetter letter) {
   return json.dump(2) + "\n";
 }
 
-cv::Mat1b PatternSheet(std::span<const LabelledPattern> patterns, ComponentClass label, int columns, int rows) {
+cv::Mat1b PatternSheet(std::span<const LabeledPattern> patterns, ComponentClass label, int columns, int rows) {
   constexpr int kScale = 3, kPitch = estimator::paper::kPatternSide * kScale + 4;
   cv::Mat1b sheet(rows * kPitch, columns * kPitch, std::uint8_t{128});
   int placed = 0;
-  for (const LabelledPattern& sample : patterns) {
+  for (const LabeledPattern& sample : patterns) {
     if (sample.label != label || placed == columns * rows) continue;
     cv::Mat1b small(estimator::paper::kPatternSide, estimator::paper::kPatternSide);
     std::transform(sample.pattern.begin(), sample.pattern.end(), small.begin(),

@@ -31,7 +31,7 @@ struct ConfusionMatrix {
   double FalsePositiveRate(int given_class) const;
 };
 
-ConfusionMatrix Confuse(const Perceptron& network, std::span<const LabelledPattern> patterns);
+ConfusionMatrix Confuse(const Perceptron& network, std::span<const LabeledPattern> patterns);
 
 /// The matrix of a network for pads of this letter as a table for people ...
 std::string ToText(const ConfusionMatrix& matrix, models::PadLetter letter);
@@ -39,7 +39,7 @@ std::string ToText(const ConfusionMatrix& matrix, models::PadLetter letter);
 std::string ToJson(const ConfusionMatrix& matrix, models::PadLetter letter);
 
 /// The first patterns of a class as a sheet of `columns` x `rows` enlarged pictures.
-cv::Mat1b PatternSheet(std::span<const LabelledPattern> patterns, estimator::paper::ComponentClass label, int columns,
+cv::Mat1b PatternSheet(std::span<const LabeledPattern> patterns, estimator::paper::ComponentClass label, int columns,
                        int rows);
 
 }  // namespace touchdown::training

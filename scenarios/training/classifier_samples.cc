@@ -39,7 +39,7 @@ sim::Scene DrawScene(const SceneSamplesConfig& config, RandomStream& random) {
   return drawn;
 }
 
-cv::Scalar Colour(const std::optional<ComponentClass>& label) {
+cv::Scalar Color(const std::optional<ComponentClass>& label) {
   if (!label) return {0, 220, 255};
   if (*label == ComponentClass::kCircle) return {0, 200, 0};
   return *label == ComponentClass::kH ? cv::Scalar(255, 80, 0) : cv::Scalar(0, 0, 230);
@@ -50,7 +50,7 @@ cv::Mat3b Picture(models::Image& image, const ComponentSet& set, const Labels& l
   cv::cvtColor(cv::Mat1b(image.height, image.width, image.pixels.data()), picture, cv::COLOR_GRAY2BGR);
   for (std::size_t i = 0; i < set.components.size(); ++i) {
     const Component& component = set.components[i];
-    cv::rectangle(picture, cv::Rect(component.u, component.v, component.width, component.height), Colour(labels[i]));
+    cv::rectangle(picture, cv::Rect(component.u, component.v, component.width, component.height), Color(labels[i]));
   }
   return picture;
 }

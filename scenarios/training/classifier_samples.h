@@ -17,7 +17,7 @@
 namespace touchdown::training {
 
 /// A component as the classifier sees it, and what it is.
-struct LabelledPattern {
+struct LabeledPattern {
   estimator::paper::Pattern pattern{};
   estimator::paper::ComponentClass label = estimator::paper::ComponentClass::kOther;
 };
@@ -38,9 +38,9 @@ struct SceneSamplesConfig {
 };
 
 struct SceneSamples {
-  std::vector<LabelledPattern> patterns;
+  std::vector<LabeledPattern> patterns;
   int unclear = 0;                  ///< Components left out since their truth is unclear.
-  std::vector<cv::Mat3b> pictures;  ///< The first frames, with each component's box in its label's colour.
+  std::vector<cv::Mat3b> pictures;  ///< The first frames, with each component's box in its label's color.
 };
 
 /// A landing pad of this letter, of proportions that somebody might print: half the time those of the default one.

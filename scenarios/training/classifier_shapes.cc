@@ -12,7 +12,7 @@ namespace {
 
 using estimator::paper::ComponentClass;
 
-constexpr double kTexelsPerMetre = 1000.0;
+constexpr double kTexelsPerMeter = 1000.0;
 
 /// A sheet on the floor: what is printed on it, and where it lies.
 struct Sheet {
@@ -28,8 +28,8 @@ struct Sheet {
 };
 
 cv::Size Texels(const Eigen::Vector2d& size_m) {
-  return {static_cast<int>(std::ceil(size_m.x() * kTexelsPerMetre)),
-          static_cast<int>(std::ceil(size_m.y() * kTexelsPerMetre))};
+  return {static_cast<int>(std::ceil(size_m.x() * kTexelsPerMeter)),
+          static_cast<int>(std::ceil(size_m.y() * kTexelsPerMeter))};
 }
 
 cv::Mat1b WhiteWithin(const std::vector<cv::Point>& hull, const cv::Mat1b& ink) {
@@ -45,7 +45,7 @@ double LargestDisc(const cv::Mat1b& texels) {
   cv::distanceTransform(texels, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
   double largest = 0.0;
   cv::minMaxLoc(distance, nullptr, &largest);
-  return 2.0 * largest / kTexelsPerMetre;
+  return 2.0 * largest / kTexelsPerMeter;
 }
 
 GroundShape ShapeOf(ComponentClass label, const Sheet& sheet) {

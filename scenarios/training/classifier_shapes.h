@@ -15,7 +15,7 @@ namespace touchdown::training {
 /// A ring or a letter as the pad's printed on the floor, as the truth has it.
 struct GroundShape {
   estimator::paper::ComponentClass label = estimator::paper::ComponentClass::kOther;
-  Eigen::Vector2d position_m = Eigen::Vector2d::Zero();  ///< Centre of its ink's bounding box, in W.
+  Eigen::Vector2d position_m = Eigen::Vector2d::Zero();  ///< Center of its ink's bounding box, in W.
   double yaw = 0.0;                                      ///< Of its axes, from W's.
   double radius_m = 0.0;                                 ///< From there to the farthest ink.
   std::vector<Eigen::Vector2d> hull_m;                   ///< Convex hull of its ink, in W.
@@ -31,7 +31,7 @@ struct ProjectedShape {
   cv::Rect2d box;          ///< Of its ink, px; a pixel at (u, v) covers [u - 0.5, u + 0.5] x [v - 0.5, v + 0.5].
   cv::Rect2d visible_box;  ///< The part of `box` inside the image; empty when it is outside.
   double gap = 0.0;        ///< Of the shape's gap_m, foreshortened in the direction that is worst, px.
-  double obliquity = 0.0;  ///< Angle between the ray to the shape's centre and the floor's normal, rad.
+  double obliquity = 0.0;  ///< Angle between the ray to the shape's center and the floor's normal, rad.
   double hull_area = 0.0;  ///< Of the whole shape's convex hull, square px.
   double ink_area = 0.0;   ///< Of its ink, square px; as large as hull_area where the shape is solid.
 };

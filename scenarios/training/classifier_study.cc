@@ -14,7 +14,7 @@ namespace {
 
 using estimator::paper::ComponentClass;
 using models::RandomStream;
-using Patterns = std::vector<LabelledPattern>;
+using Patterns = std::vector<LabeledPattern>;
 
 constexpr int kPictures = 12;
 
@@ -69,7 +69,7 @@ Pool Collect(const ClassifierStudyConfig& config, std::uint64_t seed, const std:
 Patterns OfClass(const Patterns& patterns, ComponentClass label) {
   Patterns result;
   std::copy_if(patterns.begin(), patterns.end(), std::back_inserter(result),
-               [&](const LabelledPattern& each) { return each.label == label; });
+               [&](const LabeledPattern& each) { return each.label == label; });
   return result;
 }
 
@@ -88,7 +88,7 @@ void Append(Patterns& to, const Patterns& more) { to.insert(to.end(), more.begin
 
 std::vector<TrainingSample> SamplesOf(const Patterns& patterns) {
   std::vector<TrainingSample> samples;
-  for (const LabelledPattern& each : patterns) {
+  for (const LabeledPattern& each : patterns) {
     samples.push_back({{each.pattern.begin(), each.pattern.end()}, static_cast<int>(each.label)});
   }
   return samples;
@@ -98,7 +98,7 @@ std::vector<TrainingSample> SamplesOf(const Patterns& patterns) {
 void SortByHardness(Patterns& clutter, const Perceptron& network) {
   constexpr auto kOther = static_cast<std::size_t>(ComponentClass::kOther);
   std::vector<double> posterior;
-  for (const LabelledPattern& each : clutter) posterior.push_back(network.Posteriors(each.pattern)[kOther]);
+  for (const LabeledPattern& each : clutter) posterior.push_back(network.Posteriors(each.pattern)[kOther]);
   std::vector<std::size_t> order(clutter.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -180,7 +180,7 @@ ClassifierStudy StudyClassifier(const ClassifierStudyConfig& config, std::uint64
                         .pictures = std::move(test.pictures),
                         .unclear = test.unclear};
   std::copy_if(study.test_patterns.begin(), study.test_patterns.end(), std::back_inserter(study.mistaken),
-               [&](const LabelledPattern& each) { return LabelOf(study.network, each.pattern) != each.label; });
+               [&](const LabeledPattern& each) { return LabelOf(study.network, each.pattern) != each.label; });
   return study;
 }
 

@@ -41,9 +41,9 @@ struct ClassifierStudy {
   Perceptron network;
   ConfusionMatrix training;
   ConfusionMatrix test;
-  std::vector<LabelledPattern> test_patterns;
-  std::vector<LabelledPattern> mistaken;  ///< Those of the test that the network gets wrong.
-  std::vector<cv::Mat3b> pictures;        ///< Frames of the test scenes, boxes coloured by the truth.
+  std::vector<LabeledPattern> test_patterns;
+  std::vector<LabeledPattern> mistaken;  ///< Those of the test that the network gets wrong.
+  std::vector<cv::Mat3b> pictures;        ///< Frames of the test scenes, boxes colored by the truth.
   int unclear = 0;                        ///< Test components left out since their truth is unclear.
 };
 

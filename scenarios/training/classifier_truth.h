@@ -25,7 +25,7 @@ struct TruthConfig {
 
 /// The class of each component, from where the scene's rings and letters are known to be (the n-th of `shapes` appears
 /// as the n-th of `projections`). nullopt where the truth is unclear: what is partly hidden, cut by the image's border,
-/// or has melted together with its neighbours is in no set. `blur_px` is how far the image moved over its exposure.
+/// or has melted together with its neighbors is in no set. `blur_px` is how far the image moved over its exposure.
 std::vector<std::optional<estimator::paper::ComponentClass>> LabelComponents(
     const estimator::paper::ComponentSet& set, std::span<const GroundShape> shapes,
     std::span<const std::optional<ProjectedShape>> projections, const cv::Size& image, double blur_px,

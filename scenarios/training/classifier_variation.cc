@@ -32,7 +32,7 @@ cv::Matx33d DrawHomography(RandomStream& random) {
   return {1.0, shear_x, 0.0, shear_y, 1.0, 0.0, tilt_x, tilt_y, 1.0};
 }
 
-/// From cells (pixel centres at whole numbers) to [-1, 1].
+/// From cells (pixel centers at whole numbers) to [-1, 1].
 cv::Matx33d Normalized(int side) {
   return {2.0 / side, 0.0, 1.0 / side - 1.0, 0.0, 2.0 / side, 1.0 / side - 1.0, 0.0, 0.0, 1.0};
 }

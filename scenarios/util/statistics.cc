@@ -107,9 +107,9 @@ Interval ShareInterval(int successes, int trials, int clusters) {
   RequireClusters(clusters, static_cast<std::size_t>(trials));
   const double n = clusters, p = static_cast<double>(successes) / trials;
   const double z = NormalQuantile(kUpper);
-  const double centre = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);
+  const double center = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);
   const double half = z / (1.0 + z * z / n) * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
-  return {p, successes == 0 ? 0.0 : centre - half, successes == trials ? 1.0 : centre + half};
+  return {p, successes == 0 ? 0.0 : center - half, successes == trials ? 1.0 : center + half};
 }
 
 }  // namespace touchdown::util

@@ -6,7 +6,7 @@ namespace touchdown::sim {
 
 /// How the ground lies, and the pad on it: W stays the pad's frame, and it is gravity that tilts in it.
 ///
-/// L is the level frame that W becomes when the ground is levelled: R_LW = Ry(pitch) Rx(roll). A positive roll lowers
+/// L is the level frame that W becomes when the ground is leveled: R_LW = Ry(pitch) Rx(roll). A positive roll lowers
 /// the ground towards -Y, a positive pitch towards +X.
 struct GroundTilt {
   double roll_deg = 0.0;

@@ -42,13 +42,13 @@ void CameraOptics::MakeLookups(const models::CameraModel& camera) {
   std::vector<Eigen::Vector2d> points;
   points.reserve(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
   view_.focal_px = std::max(camera.fx_px, camera.fy_px);
-  const Eigen::Vector2d centre(camera.cx_px, camera.cy_px);
-  Eigen::Vector2d least = centre, most = centre;
+  const Eigen::Vector2d center(camera.cx_px, camera.cy_px);
+  Eigen::Vector2d least = center, most = center;
   for (int v = 0; v < height_; ++v) {
     for (int u = 0; u < width_; ++u) {
       const auto ideal = camera.Undistort(camera.NormalizedFromPixel({u, v}));
       if (!ideal) throw InputError("camera: its lens distortion cannot be undone within the image");
-      points.push_back(view_.focal_px * *ideal + centre);
+      points.push_back(view_.focal_px * *ideal + center);
       least = least.cwiseMin(points.back());
       most = most.cwiseMax(points.back());
     }
@@ -60,8 +60,8 @@ void CameraOptics::MakeLookups(const models::CameraModel& camera) {
   }
   view_.width_px = static_cast<int>(size.x());
   view_.height_px = static_cast<int>(size.y());
-  view_.cx_px = centre.x() - origin.x();
-  view_.cy_px = centre.y() - origin.y();
+  view_.cx_px = center.x() - origin.x();
+  view_.cy_px = center.y() - origin.y();
   for (const Eigen::Vector2d& point : points) {
     lookups_x_.push_back(ToFixed(point.x() - origin.x()));
     lookups_y_.push_back(ToFixed(point.y() - origin.y()));
@@ -78,8 +78,8 @@ int CameraOptics::NodeRow(int j) const { return std::min(j * kCell_px, height_ -
 
 Eigen::Vector2d CameraOptics::ShiftAt(const Eigen::Vector2d& pixel, const Eigen::Isometry3d& X_WM,
                                       const Eigen::Isometry3d& X_WS) const {
-  const Eigen::Vector2d centre(view_.cx_px, view_.cy_px);
-  const Eigen::Vector2d ray = (pixel - centre) / view_.focal_px;
+  const Eigen::Vector2d center(view_.cx_px, view_.cy_px);
+  const Eigen::Vector2d ray = (pixel - center) / view_.focal_px;
   const Eigen::Vector3d ray_W = X_WS.linear() * Eigen::Vector3d(ray.x(), ray.y(), 1.0);
   const double height = X_WS.translation().z();
   // The floor's point on the ray, divided by its depth so that a ray to the horizon or above it has one too: turned
@@ -88,7 +88,7 @@ Eigen::Vector2d CameraOptics::ShiftAt(const Eigen::Vector2d& pixel, const Eigen:
   const Eigen::Vector3d point_M =
       X_WM.linear().transpose() * (ray_W + inverse_depth * (X_WS.translation() - X_WM.translation()));
   if (point_M.z() <= 0.0) return Eigen::Vector2d::Zero();
-  return view_.focal_px * point_M.head<2>() / point_M.z() + centre - pixel;
+  return view_.focal_px * point_M.head<2>() / point_M.z() + center - pixel;
 }
 
 CameraOptics::ShiftGrid CameraOptics::ShiftsBetween(const Eigen::Isometry3d& X_WM,

@@ -17,7 +17,7 @@ namespace touchdown::sim {
 /// camera at rest.
 using ExposurePath = std::span<const Eigen::Isometry3d>;
 
-/// The pose at `fraction` (0 to 1) of the exposure, interpolated between its neighbours; 0.5 is mid-exposure.
+/// The pose at `fraction` (0 to 1) of the exposure, interpolated between its neighbors; 0.5 is mid-exposure.
 Eigen::Isometry3d PoseAlong(ExposurePath X_WC, double fraction);
 
 /// The lens and the shutter: turns one wide pinhole view, taken at mid-exposure, into what falls on the sensor, in a

@@ -13,7 +13,7 @@ struct mjModel_;
 
 namespace touchdown::sim {
 
-/// The room in colour with the vehicle in it, from a camera that follows it: for the eyes of people, no sensor. It has
+/// The room in color with the vehicle in it, from a camera that follows it: for the eyes of people, no sensor. It has
 /// a model and a GL context of its own, so that a flight beside it goes as it would without.
 class ChaseView {
  public:

@@ -25,10 +25,10 @@ mjvGLCamera CameraFor(const PinholeView& view, const Eigen::Isometry3d& X_WC) {
     camera.forward[i] = static_cast<float>(X_WC.linear()(i, 2));
     camera.up[i] = static_cast<float>(-X_WC.linear()(i, 1));
   }
-  const double metres_per_px = kNearPlane_m / view.focal_px;
-  camera.frustum_center = static_cast<float>((0.5 * (view.width_px - 1) - view.cx_px) * metres_per_px);
-  camera.frustum_top = static_cast<float>((view.cy_px + 0.5) * metres_per_px);
-  camera.frustum_bottom = static_cast<float>((view.cy_px + 0.5 - view.height_px) * metres_per_px);
+  const double meters_per_px = kNearPlane_m / view.focal_px;
+  camera.frustum_center = static_cast<float>((0.5 * (view.width_px - 1) - view.cx_px) * meters_per_px);
+  camera.frustum_top = static_cast<float>((view.cy_px + 0.5) * meters_per_px);
+  camera.frustum_bottom = static_cast<float>((view.cy_px + 0.5 - view.height_px) * meters_per_px);
   camera.frustum_near = static_cast<float>(kNearPlane_m);
   camera.frustum_far = static_cast<float>(kFarPlane_m);
   return camera;
@@ -42,15 +42,15 @@ void AttachBuffer(GLenum attachment, GLenum format, const PinholeView& view) {
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
 }
 
-/// Gives the off-screen buffer that is bound now the colours that are read and no more, and depth without a stencil
+/// Gives the off-screen buffer that is bound now the colors that are read and no more, and depth without a stencil
 /// interleaved, which is slow to clear around.
-void KeepOnlyColourAndDepth(const PinholeView& view, GLenum colour_format) {
+void KeepOnlyColorAndDepth(const PinholeView& view, GLenum color_format) {
   constexpr GLuint kNone = 0;
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, kNone);
   AttachBuffer(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, view);
-  AttachBuffer(GL_COLOR_ATTACHMENT0, colour_format, view);
+  AttachBuffer(GL_COLOR_ATTACHMENT0, color_format, view);
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw std::runtime_error("OpenGL cannot render into a buffer of colour and depth alone");
+    throw std::runtime_error("OpenGL cannot render into a buffer of color and depth alone");
   }
 }
 
@@ -82,7 +82,7 @@ GlScene::GlScene(const mjModel& model, const PinholeView& view, Pixels pixels, s
   if (resources_.currentBuffer != mjFB_OFFSCREEN || resources_.offWidth < view.width_px) {
     throw std::runtime_error("MuJoCo's renderer cannot make an off-screen buffer for the camera's view");
   }
-  KeepOnlyColourAndDepth(view, pixels == Pixels::kRed ? GL_R8 : GL_RGBA8);
+  KeepOnlyColorAndDepth(view, pixels == Pixels::kRed ? GL_R8 : GL_RGBA8);
 }
 
 void GlScene::List(mjData& data, const mjvOption& options) {

@@ -9,14 +9,14 @@
 
 namespace touchdown::sim {
 
-/// A frame before its noise: grey levels in units of 1/256, row by row.
+/// A frame before its noise: gray levels in units of 1/256, row by row.
 struct FineImage {
   int width = 0;
   int height = 0;
   std::vector<std::uint16_t> pixels;
 };
 
-/// A grey image laid out for fast bilinear lookups: each word holds a pixel and its three neighbours to the right and
+/// A gray image laid out for fast bilinear lookups: each word holds a pixel and its three neighbors to the right and
 /// below. All arithmetic is on integers, so that sums do not depend on the instructions a CPU has.
 class PackedImage {
  public:
@@ -38,7 +38,7 @@ class PackedImage {
   /// Takes the place of what was packed before. The image has at least 2 x 2 px.
   void Pack(const models::Image& image);
 
-  /// Adds the grey levels of a run, interpolated at 1/256 px, to sums[0] to sums[count - 1], in 1/65536 grey level.
+  /// Adds the gray levels of a run, interpolated at 1/256 px, to sums[0] to sums[count - 1], in 1/65536 gray level.
   void AddLookups(const Run& run, std::uint32_t* sums) const;
 
  private:
@@ -48,7 +48,7 @@ class PackedImage {
   std::vector<std::uint32_t> words_;
 };
 
-/// Divides sums of `taps` lookups each (up to 32) by their number: levels[i] is their mean in 1/256 grey level.
+/// Divides sums of `taps` lookups each (up to 32) by their number: levels[i] is their mean in 1/256 gray level.
 void WriteMeans(std::span<const std::uint32_t> sums, int taps, std::uint16_t* levels);
 
 }  // namespace touchdown::sim

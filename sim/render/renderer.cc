@@ -15,10 +15,10 @@
 namespace touchdown::sim {
 namespace {
 
-/// Whether all that the view shows lies above or on the floor's centre.
-bool LiesOnTheFloorsCentre(const FloorFootprint& footprint) {
+/// Whether all that the view shows lies above or on the floor's center.
+bool LiesOnTheFloorsCenter(const FloorFootprint& footprint) {
   constexpr double kMargin_m = 0.02;
-  return footprint.reach_m < 0.5 * kFloorCentreSize_m - kMargin_m;
+  return footprint.reach_m < 0.5 * kFloorCenterSize_m - kMargin_m;
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ const models::Image& Renderer::Render(mjData_& data, const Eigen::Isometry3d& X_
   Impl& impl = *impl_;
   impl.scene.MakeCurrent();
   const std::optional<FloorFootprint> footprint = FootprintOf(view_, X_WC);
-  impl.options.geomgroup[kSurroundings] = footprint && LiesOnTheFloorsCentre(*footprint) ? 0 : 1;
+  impl.options.geomgroup[kSurroundings] = footprint && LiesOnTheFloorsCenter(*footprint) ? 0 : 1;
   impl.filter.SuitTo(footprint, view_.focal_px);
   impl.scene.List(data, impl.options);
   impl.scene.Draw(X_WC, impl.shadow.Cast(data), image_.Row(0));

@@ -11,7 +11,7 @@
 namespace touchdown::sim {
 namespace {
 
-/// One level serves depths that differ by no more than two neighbouring levels do.
+/// One level serves depths that differ by no more than two neighboring levels do.
 constexpr double kMostDepthRatio = 2.0;
 constexpr int kAllLevels = 1000;
 /// The pad's level from less than 0.2 m.

@@ -20,11 +20,11 @@ constexpr double kSlabJoint_m = 0.03;
 constexpr double kFinest_m = 0.003;
 constexpr double kBladesPerM2 = 22000.0;
 
-Eigen::Vector2d TexelCentre(int column, int row, double side_m, int texels) {
+Eigen::Vector2d TexelCenter(int column, int row, double side_m, int texels) {
   return side_m * Eigen::Vector2d((column + 0.5) / texels - 0.5, 0.5 - (row + 0.5) / texels);
 }
 
-cv::Vec3b Colour(const Eigen::Vector3d& reflectance) {
+cv::Vec3b Color(const Eigen::Vector3d& reflectance) {
   return {cv::saturate_cast<std::uint8_t>(reflectance.x()), cv::saturate_cast<std::uint8_t>(reflectance.y()),
           cv::saturate_cast<std::uint8_t>(reflectance.z())};
 }
@@ -58,7 +58,7 @@ GrassPattern::GrassPattern(std::uint64_t seed, const models::LandingPad& pad) {
   const double dryness = random.Uniform(0.0, 1.0);
   green_ = random.Uniform(0.85, 1.2) * Eigen::Vector3d(52.0 + 40.0 * dryness, 88.0 + 12.0 * dryness, 30.0);
   path_ = random.Chance(0.5) ? Path::kGravel : Path::kSlabs;
-  path_grey_ = random.Uniform(95.0, 150.0);
+  path_gray_ = random.Uniform(95.0, 150.0);
   const double heading = random.Uniform(-models::kPi, models::kPi);
   path_along_ << std::cos(heading), std::sin(heading);
   path_left_ << -path_along_.y(), path_along_.x();
@@ -103,14 +103,14 @@ cv::Mat3b GrassPattern::Turfs(double side_m, int texels) const {
   cv::Mat3b turf(nodes, nodes), print;
   for (int row = 0; row < nodes; ++row) {
     for (int column = 0; column < nodes; ++column) {
-      turf(row, column) = Colour(Turf(TexelCentre(column, row, side_m, nodes)));
+      turf(row, column) = Color(Turf(TexelCenter(column, row, side_m, nodes)));
     }
   }
   cv::resize(turf, print, {texels, texels}, 0, 0, cv::INTER_LINEAR);
   return print;
 }
 
-/// Where a blade leans: about as its neighbours do.
+/// Where a blade leans: about as its neighbors do.
 double GrassPattern::Lean(const Eigen::Vector2d& p, double deviation) const {
   return 4.0 * SmoothNoise(p.x() / 0.20, p.y() / 0.20, seed_ + 15) + deviation;
 }
@@ -142,7 +142,7 @@ void GrassPattern::GrowBlades(double side_m, cv::Mat3b& print) const {
 double GrassPattern::Gravel(const Eigen::Vector2d& p) const {
   const Nearest stone = NearestPoint(p.x() / stone_m_, p.y() / stone_m_, seed_ + 30);
   const double gap = std::clamp(5.0 * (stone.second - stone.first), 0.3, 1.0);
-  return gap * path_grey_ * (0.55 + 0.9 * stone.value);
+  return gap * path_gray_ * (0.55 + 0.9 * stone.value);
 }
 
 double GrassPattern::Slab(const Eigen::Vector2d& p) const {
@@ -150,17 +150,17 @@ double GrassPattern::Slab(const Eigen::Vector2d& p) const {
   const double tone = 0.8 + 0.4 * CellValue(slab, 0.0, seed_ + 40);
   const double stain = FractalNoise(p.x() / 0.12, p.y() / 0.12, 3, seed_ + 41);
   const double grain = SmoothNoise(p.x() / 0.005, p.y() / 0.005, seed_ + 45);
-  return path_grey_ * tone * (1.0 + 0.35 * stain + 0.10 * grain);
+  return path_gray_ * tone * (1.0 + 0.35 * stain + 0.10 * grain);
 }
 
 void GrassPattern::LayPath(double side_m, cv::Mat3b& print) const {
   for (int row = 0; row < print.rows; ++row) {
     for (int column = 0; column < print.cols; ++column) {
-      const Eigen::Vector2d p_W = TexelCentre(column, row, side_m, print.cols);
+      const Eigen::Vector2d p_W = TexelCenter(column, row, side_m, print.cols);
       if (!IsPath(p_W)) continue;
       const Eigen::Vector2d p = AlongAndAcross(p_W);
-      const double grey = path_ == Path::kGravel ? Gravel(p) : Slab(p);
-      print(row, column) = Colour(grey * Eigen::Vector3d(1.0, 0.97, 0.90));
+      const double gray = path_ == Path::kGravel ? Gravel(p) : Slab(p);
+      print(row, column) = Color(gray * Eigen::Vector3d(1.0, 0.97, 0.90));
     }
   }
 }

@@ -35,9 +35,9 @@ class GrassPattern {
   std::uint32_t seed_;
   Eigen::Vector3d green_;  ///< Mean reflectance of the grass.
   Path path_;
-  double path_grey_;
+  double path_gray_;
   Eigen::Vector2d path_along_, path_left_;
-  double path_distance_m_;  ///< Of its middle from the pad's centre.
+  double path_distance_m_;  ///< Of its middle from the pad's center.
   double path_half_width_m_;
   double stone_m_;  ///< Size of the gravel's stones.
 };

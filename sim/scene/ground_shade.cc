@@ -47,7 +47,7 @@ void GroundShadePainter::Paint(const GroundShade& shade) {
   glBegin(GL_QUADS);
   for (const auto& [s, t] : {std::pair(0, 1), std::pair(1, 1), std::pair(1, 0), std::pair(0, 0)}) {
     glTexCoord2i(s, t);
-    glVertex3d(shade.centre_m.x() + (s - 0.5) * shade.side_m, shade.centre_m.y() + (0.5 - t) * shade.side_m, kHeight_m);
+    glVertex3d(shade.center_m.x() + (s - 0.5) * shade.side_m, shade.center_m.y() + (0.5 - t) * shade.side_m, kHeight_m);
   }
   glEnd();
   glPopAttrib();

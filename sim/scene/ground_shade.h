@@ -10,7 +10,7 @@ namespace touchdown::sim {
 struct GroundShade {
   cv::Mat1b
       light;  ///< 255: all of it, as at the border everywhere. Row 0 lies at the highest y, column 0 at the lowest x.
-  Eigen::Vector2d centre_m = Eigen::Vector2d::Zero();
+  Eigen::Vector2d center_m = Eigen::Vector2d::Zero();
   double side_m = 0.0;
 };
 

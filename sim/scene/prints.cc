@@ -23,7 +23,7 @@ cv::Point Fixed(double x, double y) {
   return {static_cast<int>(std::lround(x * (1 << kShift))), static_cast<int>(std::lround(y * (1 << kShift)))};
 }
 
-/// Grey levels of a print: seldom as black and as white as the pad's.
+/// Gray levels of a print: seldom as black and as white as the pad's.
 struct Tones {
   explicit Tones(RandomStream& random) : paper(random.Uniform(175.0, kPaper)), ink(random.Uniform(15.0, 60.0)) {}
   double paper;
@@ -31,8 +31,8 @@ struct Tones {
 };
 
 cv::Mat1b Blank(const SceneItem& item, double level) {
-  constexpr double kTexelsPerMetre = 2000.0;
-  const auto texels = [](double size_m) { return std::clamp(static_cast<int>(size_m * kTexelsPerMetre), 64, 1200); };
+  constexpr double kTexelsPerMeter = 2000.0;
+  const auto texels = [](double size_m) { return std::clamp(static_cast<int>(size_m * kTexelsPerMeter), 64, 1200); };
   return cv::Mat1b(texels(item.size_m.y()), texels(item.size_m.x()), cv::saturate_cast<std::uint8_t>(level));
 }
 
@@ -49,10 +49,10 @@ cv::Mat1b PrintRing(const SceneItem& item, RandomStream& random) {
   const double margin = random.Uniform(0.06, 0.2);
   const double a = canvas.cols * (0.5 - margin / 2), b = canvas.rows * (0.5 - margin / 2);
   const double inner = 1.0 - random.Uniform(0.10, 0.32);
-  const cv::Point centre = Fixed(0.5 * canvas.cols, 0.5 * canvas.rows);
+  const cv::Point center = Fixed(0.5 * canvas.cols, 0.5 * canvas.rows);
   const auto axes = [&](double scale) { return cv::Size(Fixed(a * scale, b * scale)); };
-  cv::ellipse(canvas, centre, axes(1.0), 0, 0, 360, cv::Scalar(tones.ink), cv::FILLED, cv::LINE_AA, kShift);
-  cv::ellipse(canvas, centre, axes(inner), 0, 0, 360, cv::Scalar(tones.paper), cv::FILLED, cv::LINE_AA, kShift);
+  cv::ellipse(canvas, center, axes(1.0), 0, 0, 360, cv::Scalar(tones.ink), cv::FILLED, cv::LINE_AA, kShift);
+  cv::ellipse(canvas, center, axes(inner), 0, 0, 360, cv::Scalar(tones.paper), cv::FILLED, cv::LINE_AA, kShift);
   return canvas;
 }
 

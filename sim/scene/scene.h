@@ -46,7 +46,7 @@ void Describe(models::ConfigVisitor& v, SceneConfig& config);
 struct SceneItem {
   enum class Kind { kPoster, kRing, kLetterH, kRectangle, kBox, kCylinder, kBall, kStone };
   Kind kind = Kind::kPoster;
-  Eigen::Vector2d position_m = Eigen::Vector2d::Zero();  ///< Centre, in W.
+  Eigen::Vector2d position_m = Eigen::Vector2d::Zero();  ///< Center, in W.
   double yaw = 0.0;
   Eigen::Vector3d size_m = Eigen::Vector3d::Zero();  ///< Full extents along the item's own axes; z is 0 when flat.
   std::uint64_t texture_seed = 0;
@@ -67,7 +67,7 @@ struct Scene {
   std::uint64_t floor_seed = 0;
 };
 
-/// Solid objects stay at least this far from the pad's centre with all their body: clear of the flight path.
+/// Solid objects stay at least this far from the pad's center with all their body: clear of the flight path.
 inline constexpr double kSolidKeepOut_m = 0.60;
 
 /// Draws a layout. Nothing lies over the pad's sheet or over another item, solid objects keep clear of the flight path
@@ -81,7 +81,7 @@ inline constexpr char kSunName[] = "sun";
 
 /// The whole MJCF: options, assets, floor, pad, items, lights, and `vehicle_body` (a `<body>` element) among them.
 ///
-/// The pad's sheet lies at z = 0, other prints and the visible floor a fraction of a millimetre below it; the solid
+/// The pad's sheet lies at z = 0, other prints and the visible floor a fraction of a millimeter below it; the solid
 /// floor "floor" is an invisible plane at z = 0. GeomGroup says who sees what. The sheet kPadCoverName above the pad is
 /// transparent until its alpha is set to 1.
 std::string SceneMjcf(const Scene& scene, const std::string& vehicle_body, double timestep_s);

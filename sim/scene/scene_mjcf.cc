@@ -17,7 +17,7 @@ namespace {
 using Kind = SceneItem::Kind;
 
 constexpr double kFloorDepth_m = 0.0010;
-constexpr double kCentreDepth_m = 0.0008;
+constexpr double kCenterDepth_m = 0.0008;
 constexpr double kPrintDepth_m = 0.0005;
 constexpr double kCoverHeight_m = 0.0005;
 /// A sphere is made of so many rings, and a cylinder's wall. A cylinder of one has no ends.
@@ -32,12 +32,12 @@ std::string Texture(const std::string& name, const TextureSize& size) {
 
 /// A visible sheet on the floor that touches nothing. The spacing of a plane's tessellation, its third size, exceeds
 /// the sheet: one quad is enough where light is the same all over it.
-std::string Sheet(const std::string& name, const Eigen::Vector2d& centre, double z, double yaw,
+std::string Sheet(const std::string& name, const Eigen::Vector2d& center, double z, double yaw,
                   const Eigen::Vector2d& extent, const std::string& look) {
   return fmt::format(
       "    <geom name='{}' type='plane' pos='{} {} {}' euler='0 0 {}' size='{} {} 100' contype='0' conaffinity='0' "
       "{}/>\n",
-      name, centre.x(), centre.y(), z, yaw, 0.5 * extent.x(), 0.5 * extent.y(), look);
+      name, center.x(), center.y(), z, yaw, 0.5 * extent.x(), 0.5 * extent.y(), look);
 }
 
 const char* TypeName(mjtGeom type) {
@@ -67,7 +67,7 @@ std::string Glowing(const std::string& name, const std::string& rgba, double emi
 
 std::string Assets(const Scene& scene) {
   std::string assets =
-      Texture("floor", FloorTexture(scene.config)) + Texture("floor_centre", FloorCentreTexture(scene.config));
+      Texture("floor", FloorTexture(scene.config)) + Texture("floor_centre", FloorCenterTexture(scene.config));
   if (scene.config.IsOutdoor())
     assets += Glowing("sky", "0.62 0.78 1 1", 1.0) + Glowing("hedge", "0.16 0.28 0.11 1", 0.6);
   if (scene.config.pad) assets += Texture("pad", PadTextureSize(scene.pad));
@@ -93,14 +93,14 @@ std::string Surroundings(const Scene& scene) {
   constexpr double kWallReflectance = 0.6, kHedgeHeight_m = 1.2, kHedgeDepth_m = 0.1;
   const double far = 0.5 * scene.config.floor_size_m;
   if (!scene.config.IsOutdoor()) {
-    const double grey = std::min(1.0, kWallReflectance * scene.config.illumination);
-    return Walls(far, scene.config.floor_size_m, fmt::format("rgba='{0} {0} {0} 1'", grey));
+    const double gray = std::min(1.0, kWallReflectance * scene.config.illumination);
+    return Walls(far, scene.config.floor_size_m, fmt::format("rgba='{0} {0} {0} 1'", gray));
   }
   return Walls(far - kHedgeDepth_m, kHedgeHeight_m, "material='hedge'") +
          Walls(far, scene.config.floor_size_m, "material='sky'");
 }
 
-/// The light adds up to 1 on what faces up: textures and colours of the floor appear as they are. A room has an ambient
+/// The light adds up to 1 on what faces up: textures and colors of the floor appear as they are. A room has an ambient
 /// 0.45, and 0.5932 from a direction whose cosine with the vertical is 0.9275.
 std::string Light(const SceneConfig& config) {
   if (!config.IsOutdoor()) {
@@ -130,8 +130,8 @@ std::string Things(const Scene& scene) {
                                     fmt::format("material='{}'", name))
                             : SolidGeom(name, item);
   }
-  things += Sheet("floor_centre", Eigen::Vector2d::Zero(), -kCentreDepth_m, 0.0,
-                  Eigen::Vector2d::Constant(kFloorCentreSize_m), "material='floor_centre'");
+  things += Sheet("floor_centre", Eigen::Vector2d::Zero(), -kCenterDepth_m, 0.0,
+                  Eigen::Vector2d::Constant(kFloorCenterSize_m), "material='floor_center'");
   things += Sheet("floor_print", Eigen::Vector2d::Zero(), -kFloorDepth_m, 0.0,
                   Eigen::Vector2d::Constant(scene.config.floor_size_m),
                   fmt::format("material='floor' group='{}'", int{kSurroundings}));

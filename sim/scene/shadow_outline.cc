@@ -13,20 +13,20 @@ using Eigen::Vector3d;
 
 constexpr int kCorners = 24;
 
-/// Points around `centre`, on the ellipse with these half axes.
-void AddEllipse(const Vector3d& centre, const Vector3d& a, const Vector3d& b, std::vector<Vector3d>& points) {
+/// Points around `center`, on the ellipse with these half axes.
+void AddEllipse(const Vector3d& center, const Vector3d& a, const Vector3d& b, std::vector<Vector3d>& points) {
   for (int i = 0; i < kCorners; ++i) {
     const double angle = 2.0 * models::kPi * i / kCorners;
-    points.push_back(centre + std::cos(angle) * a + std::sin(angle) * b);
+    points.push_back(center + std::cos(angle) * a + std::sin(angle) * b);
   }
 }
 
 /// Where light from `to_light` grazes an ellipsoid: on the sphere that it is made of by stretching, a great circle.
-void AddTerminator(const Vector3d& centre, const Vector3d& half_axes, const Vector3d& to_light,
+void AddTerminator(const Vector3d& center, const Vector3d& half_axes, const Vector3d& to_light,
                    std::vector<Vector3d>& points) {
   const Vector3d pole = to_light.cwiseQuotient(half_axes).normalized();
   const Vector3d across = pole.unitOrthogonal();
-  AddEllipse(centre, half_axes.cwiseProduct(across), half_axes.cwiseProduct(pole.cross(across)), points);
+  AddEllipse(center, half_axes.cwiseProduct(across), half_axes.cwiseProduct(pole.cross(across)), points);
 }
 
 /// Points in G whose shadows' hull is the solid's shadow.

@@ -32,24 +32,24 @@ class Placement {
  public:
   explicit Placement(const Eigen::Vector2d& extent_m) : Placement(Eigen::Vector2d::Zero(), 0.0, extent_m) {}
 
-  Placement(const Eigen::Vector2d& centre_m, double yaw, const Eigen::Vector2d& extent_m)
-      : centre_m_(centre_m), extent_m_(extent_m), cos_yaw_(std::cos(yaw)), sin_yaw_(std::sin(yaw)) {}
+  Placement(const Eigen::Vector2d& center_m, double yaw, const Eigen::Vector2d& extent_m)
+      : center_m_(center_m), extent_m_(extent_m), cos_yaw_(std::cos(yaw)), sin_yaw_(std::sin(yaw)) {}
 
-  Eigen::Vector2d TexelCentre(int column, int row, int width, int height) const {
+  Eigen::Vector2d TexelCenter(int column, int row, int width, int height) const {
     const double x = ((column + 0.5) / width - 0.5) * extent_m_.x();
     const double y = (0.5 - (row + 0.5) / height) * extent_m_.y();
-    return centre_m_ + Eigen::Vector2d(cos_yaw_ * x - sin_yaw_ * y, sin_yaw_ * x + cos_yaw_ * y);
+    return center_m_ + Eigen::Vector2d(cos_yaw_ * x - sin_yaw_ * y, sin_yaw_ * x + cos_yaw_ * y);
   }
 
-  /// The other way round: column and row, whole at a texel's centre.
+  /// The other way round: column and row, whole at a texel's center.
   Eigen::Vector2d TexelAt(const Eigen::Vector2d& p_W, const cv::Size& size) const {
-    const Eigen::Vector2d p = p_W - centre_m_;
+    const Eigen::Vector2d p = p_W - center_m_;
     const double x = cos_yaw_ * p.x() + sin_yaw_ * p.y(), y = cos_yaw_ * p.y() - sin_yaw_ * p.x();
     return {size.width * (x / extent_m_.x() + 0.5) - 0.5, size.height * (0.5 - y / extent_m_.y()) - 0.5};
   }
 
  private:
-  Eigen::Vector2d centre_m_, extent_m_;
+  Eigen::Vector2d center_m_, extent_m_;
   double cos_yaw_, sin_yaw_;
 };
 
@@ -87,7 +87,7 @@ class Painter {
     cv::Mat1b print(size.height, size.width);
     for (int row = 0; row < print.rows; ++row) {
       for (int column = 0; column < print.cols; ++column) {
-        const double level = pattern.At(place.TexelCentre(column, row, print.cols, print.rows));
+        const double level = pattern.At(place.TexelCenter(column, row, print.cols, print.rows));
         print(row, column) = cv::saturate_cast<std::uint8_t>(level);
       }
     }
@@ -120,7 +120,7 @@ class Painter {
     for (int row = 0; row < kLightCells; ++row) {
       for (int column = 0; column < kLightCells; ++column) {
         coarse(row, column) =
-            static_cast<float>(room_light_.At(place.TexelCentre(column, row, kLightCells, kLightCells)));
+            static_cast<float>(room_light_.At(place.TexelCenter(column, row, kLightCells, kLightCells)));
       }
     }
     cv::resize(coarse, light, size, 0, 0, cv::INTER_LINEAR);
@@ -164,7 +164,7 @@ TextureSize FloorTexture(const SceneConfig& config) {
   return {.width = texels, .height = texels};
 }
 
-TextureSize FloorCentreTexture(const SceneConfig& config) {
+TextureSize FloorCenterTexture(const SceneConfig& config) {
   const int texels = config.IsOutdoor() ? 2048 : 1024;
   return {.width = texels, .height = texels};
 }
@@ -195,7 +195,7 @@ double PaperLevel(const Scene& scene) { return std::min(255.0, kPaper * scene.co
 RoomLight::RoomLight(const Scene& scene) {
   models::RandomStream random(scene.floor_seed, "light");
   for (Pool& pool : pools_) {
-    pool.centre_m = {random.Uniform(-2.5, 2.5), random.Uniform(-2.5, 2.5)};
+    pool.center_m = {random.Uniform(-2.5, 2.5), random.Uniform(-2.5, 2.5)};
     pool.radius_m = random.Uniform(0.7, 2.0);
     pool.gain = random.Uniform(-0.20, 0.20);
   }
@@ -206,7 +206,7 @@ RoomLight::RoomLight(const Scene& scene) {
 double RoomLight::Raw(const Eigen::Vector2d& p_W) const {
   double light = slope_.dot(p_W);
   for (const Pool& pool : pools_) {
-    light += pool.gain * std::exp(-0.5 * (p_W - pool.centre_m).squaredNorm() / (pool.radius_m * pool.radius_m));
+    light += pool.gain * std::exp(-0.5 * (p_W - pool.center_m).squaredNorm() / (pool.radius_m * pool.radius_m));
   }
   return light;
 }
@@ -218,15 +218,15 @@ double RoomLight::At(const Eigen::Vector2d& p_W) const {
 
 void PaintTextures(const Scene& scene, mjModel_& model) {
   Painter painter(scene, model);
-  const TextureSize floor = FloorTexture(scene.config), centre = FloorCentreTexture(scene.config);
+  const TextureSize floor = FloorTexture(scene.config), center = FloorCenterTexture(scene.config);
   if (scene.config.IsOutdoor()) {
     const GrassPattern grass(scene.floor_seed, scene.pad);
     painter.PaintGrass("floor", floor, scene.config.floor_size_m, grass);
-    painter.PaintGrass("floor_centre", centre, kFloorCentreSize_m, grass);
+    painter.PaintGrass("floor_centre", center, kFloorCenterSize_m, grass);
   } else {
     const FloorPattern pattern(scene.floor_seed);
     painter.PaintFloor("floor", floor, scene.config.floor_size_m, pattern);
-    painter.PaintFloor("floor_centre", centre, kFloorCentreSize_m, pattern);
+    painter.PaintFloor("floor_centre", center, kFloorCenterSize_m, pattern);
   }
   if (scene.config.pad) {
     const TextureSize size = PadTextureSize(scene.pad);

@@ -17,9 +17,9 @@ struct TextureSize {
 };
 
 TextureSize FloorTexture(const SceneConfig& config);
-TextureSize FloorCentreTexture(const SceneConfig& config);
+TextureSize FloorCenterTexture(const SceneConfig& config);
 /// The square around the pad that has a floor texture of its own, finer than the rest.
-inline constexpr double kFloorCentreSize_m = 3.0;
+inline constexpr double kFloorCenterSize_m = 3.0;
 
 TextureSize SizeFor(const SceneItem& item);
 
@@ -31,10 +31,10 @@ TextureSize PadTextureSize(const models::LandingPad& pad);
 /// The name that an item's geom, material and texture share.
 std::string ItemName(std::size_t index);
 
-/// Grey level, 0 to 255, of the pad's paper at the pad's centre, at the scene's illumination.
+/// Gray level, 0 to 255, of the pad's paper at the pad's center, at the scene's illumination.
 double PaperLevel(const Scene& scene);
 
-/// Evenness of the room's light over the floor: 1 at the pad's centre, smooth, within [0.75, 1.12] everywhere. It is
+/// Evenness of the room's light over the floor: 1 at the pad's center, smooth, within [0.75, 1.12] everywhere. It is
 /// drawn from the scene's seed and painted into all that is flat.
 class RoomLight {
  public:
@@ -43,7 +43,7 @@ class RoomLight {
 
  private:
   struct Pool {
-    Eigen::Vector2d centre_m;
+    Eigen::Vector2d center_m;
     double radius_m;
     double gain;
   };

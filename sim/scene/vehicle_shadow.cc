@@ -17,8 +17,8 @@ constexpr int kSide = 256;
 /// Area of a two-bladed propeller's blades over its disc's.
 constexpr std::uint8_t kBladesOpacity = 31;
 constexpr std::uint8_t kOpaque = 255;
-/// Of a blur as wide as the sun's disc of 0.53 degrees, for each metre that the light has still to go.
-constexpr double kBlurPerMetre = 0.0093 / 4.0;
+/// Of a blur as wide as the sun's disc of 0.53 degrees, for each meter that the light has still to go.
+constexpr double kBlurPerMeter = 0.0093 / 4.0;
 
 }  // namespace
 
@@ -53,7 +53,7 @@ void VehicleShadow::Frame(const std::vector<Outline>& outlines, double blur_m) {
     for (const Eigen::Vector2d& corner : outline) box.extend(corner);
   }
   constexpr double kBorder = 1.0 + 6.0 / kSide;
-  cast_.centre_m = box.center();
+  cast_.center_m = box.center();
   cast_.side_m = kBorder * (box.sizes().maxCoeff() + 6.0 * blur_m);
 }
 
@@ -62,11 +62,11 @@ const GroundShade* VehicleShadow::Cast(const mjData& data) {
   std::vector<Outline> outlines;
   for (const Part& part : parts_) outlines.push_back(OutlineOf(data, part.geom));
   const double height_m = std::max(0.0, data.geom_xpos[3 * parts_.back().geom + 2]);
-  const double blur_m = kBlurPerMetre * height_m / to_sun_->z();
+  const double blur_m = kBlurPerMeter * height_m / to_sun_->z();
   Frame(outlines, blur_m);
 
   const auto pixel_of = [this](const Eigen::Vector2d& p_W) {
-    const Eigen::Vector2d share = (p_W - cast_.centre_m) / cast_.side_m;
+    const Eigen::Vector2d share = (p_W - cast_.center_m) / cast_.side_m;
     return Eigen::Vector2d(kSide * (share.x() + 0.5) - 0.5, kSide * (0.5 - share.y()) - 0.5);
   };
   mask_.setTo(0);

@@ -91,8 +91,8 @@ Eigen::Isometry3d Camera::PoseAt(double ticks_ago) const {
   const double place = std::max(0.0, static_cast<double>(poses_.size() - 1) - ticks_ago);
   const auto before = static_cast<std::size_t>(place);
   if (before + 1 >= poses_.size()) return poses_.back();
-  const std::array<Eigen::Isometry3d, 2> neighbours{poses_[before], poses_[before + 1]};
-  return PoseAlong(neighbours, place - static_cast<double>(before));
+  const std::array<Eigen::Isometry3d, 2> neighbors{poses_[before], poses_[before + 1]};
+  return PoseAlong(neighbors, place - static_cast<double>(before));
 }
 
 std::vector<Eigen::Isometry3d> Camera::ExposedPath() const {

@@ -48,7 +48,7 @@ class Camera {
   std::optional<models::CameraFrame> Sample(const TrueState& truth);
 
   /// Pose of the camera in W as it is at `truth`. The rotors' vibration tilts its compliant mount: the lens lags behind
-  /// the acceleration, turning about the optical centre.
+  /// the acceleration, turning about the optical center.
   Eigen::Isometry3d X_WC(const TrueState& truth) const;
 
   /// Wall-clock cost of the newest frame's rendering and image effects, ms. For timing.json only.

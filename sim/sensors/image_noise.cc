@@ -41,7 +41,7 @@ void AddNoise(const std::uint16_t* __restrict levels, const std::int16_t* __rest
 }  // namespace
 
 ImageNoise::ImageNoise(double sigma, std::uint64_t seed) : random_(seed, "camera.noise") {
-  if (!(sigma >= 0.0 && sigma <= kMaxSigma)) throw InputError("the camera's noise must be within 0 and 24 grey levels");
+  if (!(sigma >= 0.0 && sigma <= kMaxSigma)) throw InputError("the camera's noise must be within 0 and 24 gray levels");
   using Limits = std::numeric_limits<std::int16_t>;
   strip_.reserve(kStrip);
   for (const double value : UnitNoise(random_)) {

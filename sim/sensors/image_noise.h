@@ -17,7 +17,7 @@ class ImageNoise {
  public:
   static constexpr double kMaxSigma = 24.0;
 
-  /// `sigma` in grey levels of 255, 0 for none. Throws InputError when it is not within [0, kMaxSigma]: five sigma fit
+  /// `sigma` in gray levels of 255, 0 for none. Throws InputError when it is not within [0, kMaxSigma]: five sigma fit
   /// the strip's numbers.
   ImageNoise(double sigma, std::uint64_t seed);
 
@@ -26,7 +26,7 @@ class ImageNoise {
 
  private:
   models::RandomStream random_;
-  std::vector<std::int16_t> strip_;  ///< In units of 1/256 grey level.
+  std::vector<std::int16_t> strip_;  ///< In units of 1/256 gray level.
 };
 
 }  // namespace touchdown::sim

@@ -15,7 +15,7 @@ namespace touchdown::sim {
 /// room can be taken with it.
 class Imager {
  public:
-  /// `model` must outlive it. `noise_sigmas`, grey levels of 255, are the noise levels to choose from; each draws from
+  /// `model` must outlive it. `noise_sigmas`, gray levels of 255, are the noise levels to choose from; each draws from
   /// a stream of its own, all of them from `seed`. With `oversampling` above 1 the pinhole view is rendered on a grid
   /// that many times finer and averaged over the pixels, as the edges of solid shapes need it; the finer view is at
   /// most 8192 px wide. Throws InputError when a noise level is not valid, std::runtime_error when there is no GL

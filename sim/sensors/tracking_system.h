@@ -12,7 +12,7 @@
 
 namespace touchdown::sim {
 
-/// The external tracking system (Sec. III-C): a few millimetres, about a degree, and occlusions of its markers that
+/// The external tracking system (Sec. III-C): a few millimeters, about a degree, and occlusions of its markers that
 /// give outliers or gaps (Sec. VI-B.1).
 struct TrackingSystemConfig {
   int rate_hz = 100;

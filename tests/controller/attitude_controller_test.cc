@@ -24,7 +24,7 @@ using tests::kVehicle;
 struct LoopConfig {
   models::Vehicle truth;
   int delay_periods = 0;                        ///< Of the attitude and rate that the controller sees.
-  Vector3d disturbance_n_m = Vector3d::Zero();  ///< By an off-centre push at the body's origin: as a rate step.
+  Vector3d disturbance_n_m = Vector3d::Zero();  ///< By an off-center push at the body's origin: as a rate step.
   double thrust_n = kVehicle.mass_kg * models::kGravity_m_s2;
 };
 

@@ -211,7 +211,7 @@ TEST(Guidance, DescendsBlindAtAConstantRateWithOrWithoutThePad) {
 }
 
 TEST(Guidance, RefusesAScriptThatCannotBeFlown) {
-  const auto make = [](std::vector<Manoeuvre> script, bool airborne) {
+  const auto make = [](std::vector<Maneuver> script, bool airborne) {
     Guidance(kConfig, kTime, kPeriod_s, kStanding_m, std::move(script), airborne);
   };
   EXPECT_NO_THROW(make({kTakeoff, kHover, kHover, kLand}, false));
@@ -221,13 +221,13 @@ TEST(Guidance, RefusesAScriptThatCannotBeFlown) {
   EXPECT_THROW(make({kTakeoff}, true), InputError);
   EXPECT_THROW(make({kTakeoff, kTakeoff}, false), InputError);
   EXPECT_THROW(make({kTakeoff, kLand, kHover}, false), InputError);
-  Manoeuvre buried = kHover;
+  Maneuver buried = kHover;
   buried.position_m.z() = 0.5 * kBlindHeight_m;
   EXPECT_THROW(make({buried}, true), InputError);
-  Manoeuvre nowhere = kHover;
+  Maneuver nowhere = kHover;
   nowhere.position_m.x() = NAN;
   EXPECT_THROW(make({nowhere}, true), InputError);
-  Manoeuvre backwards = kHover;
+  Maneuver backwards = kHover;
   backwards.duration_s = -1.0;
   EXPECT_THROW(make({backwards}, true), InputError);
 }

@@ -29,7 +29,7 @@ TEST(MotionPredictor, TakesTheTrimToBalanceADisturbance) {
   EXPECT_NEAR(predictor.motion().v_WB.norm(), 0.0, 1e-3);
 }
 
-TEST(MotionPredictor, AgreesWithTheRigidBodyOverASecondOfManoeuvre) {
+TEST(MotionPredictor, AgreesWithTheRigidBodyOverASecondOfManeuver) {
   models::Vehicle no_drag = kVehicle;
   no_drag.linear_drag_n_s_m.setZero();
   no_drag.quadratic_drag_n_s2_m2.setZero();

@@ -11,7 +11,7 @@ namespace touchdown::controller {
 namespace {
 
 using enum Phase;
-using Kind = ManoeuvreKind;
+using Kind = ManeuverKind;
 
 constexpr models::Tick kLimit = 1000;
 

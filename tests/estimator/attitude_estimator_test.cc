@@ -143,7 +143,7 @@ TEST(AttitudeEstimator, LearnsTheGyrosBiasInTheAirAfterAWhile) {
   EXPECT_LT(TiltError(estimator, body), DegToRad(0.6));
 }
 
-TEST(AttitudeEstimator, IsNotPulledFarByAManoeuvre) {
+TEST(AttitudeEstimator, IsNotPulledFarByAManeuver) {
   Body body;
   AttitudeEstimator estimator = FreshAttitude();
   Feed(estimator, body, 1.0, true);

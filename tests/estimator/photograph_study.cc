@@ -51,19 +51,19 @@ std::map<std::string, std::string> FactorsOf(const Photograph& photo) {
 }
 
 cv::Mat3b Picture(const Photograph& photo) {
-  cv::Mat1b grey(photo.image.height, photo.image.width, const_cast<std::uint8_t*>(photo.image.pixels.data()));
+  cv::Mat1b gray(photo.image.height, photo.image.width, const_cast<std::uint8_t*>(photo.image.pixels.data()));
   cv::Mat3b picture;
-  cv::cvtColor(grey, picture, cv::COLOR_GRAY2BGR);
+  cv::cvtColor(gray, picture, cv::COLOR_GRAY2BGR);
   return picture;
 }
 
 void Save(const std::string& folder, std::uint64_t seed, const Photograph& photo, const tests::PhotoScore& score) {
   cv::Mat3b picture = Picture(photo);
   for (const auto& c : score.estimate.overlay.boxes) {
-    const cv::Scalar colour = c.name == "circle" ? cv::Scalar(0, 200, 0)
+    const cv::Scalar color = c.name == "circle" ? cv::Scalar(0, 200, 0)
                               : c.name == "h"    ? cv::Scalar(255, 80, 0)
                                                  : cv::Scalar(0, 0, 230);
-    cv::rectangle(picture, cv::Rect(c.box.u, c.box.v, c.box.width, c.box.height), colour);
+    cv::rectangle(picture, cv::Rect(c.box.u, c.box.v, c.box.width, c.box.height), color);
   }
   const std::string status(estimator::ReasonOrStatus(score.estimate.status, score.estimate.reason));
   std::string subject = photo.subject;

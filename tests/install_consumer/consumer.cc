@@ -26,7 +26,7 @@ int main() {
   setup.R_BU = vehicle.X_BU().linear();
   const auto estimator = touchdown::estimator::MakeEstimator({}, setup);
   touchdown::controller::FlightController controller({}, vehicle, time, kImu_hz,
-                                                     {{.kind = touchdown::controller::ManoeuvreKind::kTakeoff}}, false);
+                                                     {{.kind = touchdown::controller::ManeuverKind::kTakeoff}}, false);
 
   const touchdown::models::Image blank(setup.camera.width_px, setup.camera.height_px, 200);
   const Eigen::Vector3d at_rest(0.0, 0.0, touchdown::models::kGravity_m_s2);

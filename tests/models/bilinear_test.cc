@@ -5,15 +5,15 @@
 namespace touchdown::models {
 namespace {
 
-TEST(BilinearGrey, IsExactForAPlane) {
+TEST(BilinearGray, IsExactForAPlane) {
   Image image(5, 4);
   for (int v = 0; v < image.height; ++v) {
     for (int u = 0; u < image.width; ++u) image.Row(v)[u] = static_cast<std::uint8_t>(10 + 20 * u + 30 * v);
   }
   for (const Eigen::Vector2d& place : {Eigen::Vector2d(0, 0), {2.25, 1.5}, {3.75, 2.875}}) {
-    const double grey = 10 + 20 * place.x() + 30 * place.y();
-    EXPECT_DOUBLE_EQ(BilinearGrey<double>(image.View(), place), grey);
-    EXPECT_FLOAT_EQ(BilinearGrey<float>(image.View(), place), static_cast<float>(grey));
+    const double gray = 10 + 20 * place.x() + 30 * place.y();
+    EXPECT_DOUBLE_EQ(BilinearGray<double>(image.View(), place), gray);
+    EXPECT_FLOAT_EQ(BilinearGray<float>(image.View(), place), static_cast<float>(gray));
   }
 }
 

@@ -13,7 +13,7 @@
 namespace touchdown::models {
 namespace {
 
-TEST(LandingPad, IsAnA4SheetWithARingOfNinetyMillimetres) {
+TEST(LandingPad, IsAnA4SheetWithARingOfNinetyMillimeters) {
   const LandingPad pad;
   EXPECT_NO_THROW(pad.Validate());
   EXPECT_EQ(pad.outer_radius_m, 0.090);
@@ -24,8 +24,8 @@ TEST(LandingPad, IsAnA4SheetWithARingOfNinetyMillimetres) {
 /// A disc beside the H, and a bar that lies over the end of one of its strokes.
 LandingPad MarkedPad() {
   LandingPad pad;
-  pad.marks = {{.shape = PadMark::Shape::kDisc, .centre_m = {0.02, 0.05}, .diameter_m = 0.01},
-               {.shape = PadMark::Shape::kBar, .centre_m = {0.05, 0.02}, .length_m = 0.03, .width_m = 0.004}};
+  pad.marks = {{.shape = PadMark::Shape::kDisc, .center_m = {0.02, 0.05}, .diameter_m = 0.01},
+               {.shape = PadMark::Shape::kBar, .center_m = {0.05, 0.02}, .length_m = 0.03, .width_m = 0.004}};
   return pad;
 }
 
@@ -47,13 +47,13 @@ TEST(LandingPad, HasARectangleOfAnyWidthWhoseHalfIsRounded) {
       EXPECT_NO_THROW(pad.Validate());
     }
     pad.h_stroke_m = 0.5 * (pad.h_width_m - 1e-6);
-    EXPECT_EQ(pad.letter(), PadLetter::kH) << "a micrometre apart";
+    EXPECT_EQ(pad.letter(), PadLetter::kH) << "a micrometer apart";
   }
 }
 
 TEST(LandingPadValidate, RefusesAMarkThatIsNotWithinItsRing) {
   LandingPad pad = MarkedPad();
-  pad.marks[0].centre_m = {0.0, 0.069};
+  pad.marks[0].center_m = {0.0, 0.069};
   EXPECT_THROW(pad.Validate(), InputError);
   pad = MarkedPad();
   pad.ring_width_m = 0.022;

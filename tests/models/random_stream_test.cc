@@ -31,7 +31,7 @@ TEST(RandomStream, IsItsOwnForEverySeedAndName) {
   EXPECT_EQ(first.size(), 200U * 9U);
 }
 
-TEST(RandomStream, IsUncorrelatedWithItsNeighbours) {
+TEST(RandomStream, IsUncorrelatedWithItsNeighbors) {
   constexpr int kCount = 20000;
   const auto correlation = [](RandomStream a, RandomStream b) {
     double sum = 0.0;

@@ -38,7 +38,7 @@ TEST(Vehicle, HasItsRotorsAtTheEndsOfAnX) {
   EXPECT_LT(vehicle.rotor.propeller_diameter_m, 2.0 * d) << "propellers do not touch";
 }
 
-TEST(Vehicle, SpinsNeighbouringRotorsOppositeWays) {
+TEST(Vehicle, SpinsNeighboringRotorsOppositeWays) {
   for (int i = 0; i < kRotorCount; ++i) {
     EXPECT_EQ(Vehicle::DragTorqueSign(i), -Vehicle::DragTorqueSign((i + 1) % kRotorCount));
   }

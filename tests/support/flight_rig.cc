@@ -256,14 +256,14 @@ class Rig {
 
 RigResult Fly(const RigConfig& config) { return Rig(config).Fly(); }
 
-controller::Manoeuvre TakeoffTo(double height_m) {
-  return {.kind = controller::ManoeuvreKind::kTakeoff, .position_m = {0.0, 0.0, height_m}, .duration_s = 0.0};
+controller::Maneuver TakeoffTo(double height_m) {
+  return {.kind = controller::ManeuverKind::kTakeoff, .position_m = {0.0, 0.0, height_m}, .duration_s = 0.0};
 }
 
-controller::Manoeuvre HoverAt(const Vector3d& position_m, double duration_s) {
-  return {.kind = controller::ManoeuvreKind::kHover, .position_m = position_m, .duration_s = duration_s};
+controller::Maneuver HoverAt(const Vector3d& position_m, double duration_s) {
+  return {.kind = controller::ManeuverKind::kHover, .position_m = position_m, .duration_s = duration_s};
 }
 
-controller::Manoeuvre Land() { return {.kind = controller::ManoeuvreKind::kLand, .position_m = {}, .duration_s = 0.0}; }
+controller::Maneuver Land() { return {.kind = controller::ManeuverKind::kLand, .position_m = {}, .duration_s = 0.0}; }
 
 }  // namespace touchdown::tests

@@ -19,7 +19,7 @@ namespace touchdown::tests {
 /// of what vision gives.
 struct RigConfig {
   std::uint64_t seed = 1;
-  std::vector<controller::Manoeuvre> script;
+  std::vector<controller::Maneuver> script;
   double time_limit_s = 40.0;
   bool starts_airborne = false;
   Eigen::Vector3d start_m{0.0, 0.0, 0.14};
@@ -65,8 +65,8 @@ struct RigResult {
 
 RigResult Fly(const RigConfig& config);
 
-controller::Manoeuvre TakeoffTo(double height_m);
-controller::Manoeuvre HoverAt(const Eigen::Vector3d& position_m, double duration_s);
-controller::Manoeuvre Land();
+controller::Maneuver TakeoffTo(double height_m);
+controller::Maneuver HoverAt(const Eigen::Vector3d& position_m, double duration_s);
+controller::Maneuver Land();
 
 }  // namespace touchdown::tests

@@ -13,15 +13,15 @@ inline constexpr double kStanding_m = 0.14;
 inline const controller::GuidanceConfig kConfig;
 inline const double kBlindHeight_m = kStanding_m + kConfig.blind_clearance_m;
 
-inline const controller::Manoeuvre kTakeoff{.kind = controller::ManoeuvreKind::kTakeoff, .position_m = {0.0, 0.0, 1.0}};
-inline const controller::Manoeuvre kHover{
-    .kind = controller::ManoeuvreKind::kHover, .position_m = {0.1, 0.2, 1.0}, .duration_s = 2.0};
-inline const controller::Manoeuvre kLand{.kind = controller::ManoeuvreKind::kLand};
+inline const controller::Maneuver kTakeoff{.kind = controller::ManeuverKind::kTakeoff, .position_m = {0.0, 0.0, 1.0}};
+inline const controller::Maneuver kHover{
+    .kind = controller::ManeuverKind::kHover, .position_m = {0.1, 0.2, 1.0}, .duration_s = 2.0};
+inline const controller::Maneuver kLand{.kind = controller::ManeuverKind::kLand};
 
 /// Guidance with a vehicle that does what the test says, period by period.
 class GuidedFlight {
  public:
-  GuidedFlight(std::vector<controller::Manoeuvre> script, bool airborne)
+  GuidedFlight(std::vector<controller::Maneuver> script, bool airborne)
       : guidance_(kConfig, kTime, kPeriod_s, kStanding_m, std::move(script), airborne) {
     p = {0.0, 0.0, airborne ? 1.5 : kStanding_m};
   }

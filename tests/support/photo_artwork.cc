@@ -173,7 +173,7 @@ const std::map<std::string, Printer>& Printers() {
       {"lone H", [](const LandingPad& pad, RandomStream&, Artwork& art) { PrintH(pad, 1.0, 0.0, 0.0, 0.0, art); }},
       {"bull's eye", PrintBullsEye},
       {"ring with tiny H", MisplacedH(0.25, 0.45, 0.0, 0.1)},
-      {"ring with H off centre", MisplacedH(0.55, 0.65, 0.45, 0.6)},
+      {"ring with H off center", MisplacedH(0.55, 0.65, 0.45, 0.6)},
       {"ring with H outside", MisplacedH(0.4, 0.5, 1.35, 1.5)},
       {"ring with huge H", MisplacedH(1.9, 2.2, 0.0, 0.05)},
       {"H in square", FramedH(4, 0.8)},
@@ -188,7 +188,7 @@ const std::map<std::string, Printer>& Printers() {
 
 }  // namespace
 
-Artwork::Artwork(const LandingPad& pad, double px_per_metre) : px_per_m(px_per_metre) {
+Artwork::Artwork(const LandingPad& pad, double px_per_meter) : px_per_m(px_per_meter) {
   const auto side = [&](double length_m) { return static_cast<int>(std::lround(length_m * px_per_m)); };
   ink = cv::Mat1b::zeros(side(pad.sheet_length_m), side(pad.sheet_width_m));
 }

@@ -23,10 +23,10 @@ cv::Mat1f Noise(double scale_x, double scale_y, RandomStream& random) {
   return fine;
 }
 
-cv::Mat1b Grey(const cv::Mat1f& values) {
-  cv::Mat1b grey;
-  values.convertTo(grey, CV_8U);
-  return grey;
+cv::Mat1b Gray(const cv::Mat1f& values) {
+  cv::Mat1b gray;
+  values.convertTo(gray, CV_8U);
+  return gray;
 }
 
 cv::Point DrawPlace(double free_radius, double reach, RandomStream& random) {
@@ -46,27 +46,27 @@ cv::Mat1b Wood(RandomStream& random) {
     cv::line(floor, {column, row}, {column, row + kSide / planks}, cv::Scalar(45), 2);
     floor.rowRange(row, std::min(kSide, row + kSide / planks)) += random.Uniform(-12.0, 12.0);
   }
-  return Grey(floor);
+  return Gray(floor);
 }
 
 cv::Mat1b Tiles(RandomStream& random) {
   cv::Mat1f floor = random.Uniform(110.0, 220.0) + 4.0 * Noise(40.0, 40.0, random);
   const int step = kSide / random.UniformInt(3, 12), grout = random.UniformInt(3, 14);
-  const double grey = random.Uniform(30.0, 150.0);
+  const double gray = random.Uniform(30.0, 150.0);
   const bool octagons = random.Chance(0.3);
   for (int at = step / 2; at < kSide + step; at += step) {
-    cv::line(floor, {at, 0}, {at, kSide}, cv::Scalar(grey), grout, cv::LINE_AA);
-    cv::line(floor, {0, at}, {kSide, at}, cv::Scalar(grey), grout, cv::LINE_AA);
+    cv::line(floor, {at, 0}, {at, kSide}, cv::Scalar(gray), grout, cv::LINE_AA);
+    cv::line(floor, {0, at}, {kSide, at}, cv::Scalar(gray), grout, cv::LINE_AA);
     for (int other = step / 2; octagons && other < kSide; other += step) {
-      cv::ellipse(floor, {at, other}, {step / 5, step / 5}, 45, 0, 360, cv::Scalar(0.5 * grey), cv::FILLED,
+      cv::ellipse(floor, {at, other}, {step / 5, step / 5}, 45, 0, 360, cv::Scalar(0.5 * gray), cv::FILLED,
                   cv::LINE_AA);
     }
   }
-  return Grey(floor);
+  return Gray(floor);
 }
 
 cv::Mat1b Carpet(RandomStream& random) {
-  return Grey(random.Uniform(50.0, 160.0) + random.Uniform(6.0, 22.0) * Noise(2.0, 2.0, random) +
+  return Gray(random.Uniform(50.0, 160.0) + random.Uniform(6.0, 22.0) * Noise(2.0, 2.0, random) +
               7.0 * Noise(25.0, 25.0, random));
 }
 
@@ -80,10 +80,10 @@ cv::Mat1b Concrete(RandomStream& random) {
     cv::line(floor, at, next, cv::Scalar(50), 2, cv::LINE_AA);
     at = next;
   }
-  return Grey(floor);
+  return Gray(floor);
 }
 
-cv::Mat1b Plain(RandomStream& random) { return Grey(random.Uniform(25.0, 235.0) + 2.0 * Noise(200.0, 200.0, random)); }
+cv::Mat1b Plain(RandomStream& random) { return Gray(random.Uniform(25.0, 235.0) + 2.0 * Noise(200.0, 200.0, random)); }
 
 void AddPage(cv::Mat1b& floor, const cv::Point& center, double height, double yaw, RandomStream& random) {
   cv::Mat1b page(static_cast<int>(height), static_cast<int>(0.71 * height),
@@ -148,13 +148,13 @@ void AddPen(cv::Mat1b& floor, const cv::Point& at, RandomStream& random) {
 void AddCable(cv::Mat1b& floor, double free_radius, RandomStream& random) {
   const cv::Point2d middle(kSide / 2.0, kSide / 2.0);
   cv::Point2d at(0.0, random.Uniform(0.0, kSide));
-  const cv::Scalar grey(random.UniformInt(10, 80));
+  const cv::Scalar gray(random.UniformInt(10, 80));
   const int width = random.UniformInt(4, 9);
   double heading = random.Uniform(-0.7, 0.7);
   for (int i = 0; i < 160 && at.x < kSide; ++i) {
     heading = 0.97 * heading + 0.15 * random.Normal();
     const cv::Point2d next = at + 10.0 * cv::Point2d(std::cos(heading), std::sin(heading));
-    if (cv::norm(next - middle) > free_radius + 10.0) cv::line(floor, at, next, grey, width, cv::LINE_AA);
+    if (cv::norm(next - middle) > free_radius + 10.0) cv::line(floor, at, next, gray, width, cv::LINE_AA);
     at = next;
   }
 }

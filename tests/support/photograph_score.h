@@ -9,7 +9,7 @@ namespace touchdown::tests {
 struct PhotoScore {
   estimator::FrameResult estimate;
   bool claims_pad = false;      ///< It told where a pad is.
-  bool found = false;           ///< A pose, and centre and ring box are those of the pad.
+  bool found = false;           ///< A pose, and center and ring box are those of the pad.
   double distance_error = 0.0;  ///< Of the camera from the pad, over the true distance; where there is a pose.
 };
 

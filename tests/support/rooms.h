@@ -39,8 +39,8 @@ inline Eigen::Isometry3d CameraAt(const Eigen::Vector3d& p_WC, const models::Tai
   return X_WC;
 }
 
-/// Grey value at a place of the image, px, interpolated bilinearly.
-inline double GreyAt(const models::Image& image, const Eigen::Vector2d& pixel) {
+/// Gray value at a place of the image, px, interpolated bilinearly.
+inline double GrayAt(const models::Image& image, const Eigen::Vector2d& pixel) {
   const int u = static_cast<int>(std::floor(pixel.x())), v = static_cast<int>(std::floor(pixel.y()));
   const double wu = pixel.x() - u, wv = pixel.y() - v;
   const models::ImageView view = image.View();
@@ -61,7 +61,7 @@ inline Eigen::Isometry3d CameraTowards(const Eigen::Vector3d& p_WC, const Eigen:
 /// would lie: exact for any symmetric blur, wherever the pixels fall.
 inline double EdgeOffset(const models::Image& image, const Eigen::Vector2d& edge, const Eigen::Vector2d& direction) {
   constexpr double kReach = 3.0, kStep = 0.01;
-  const auto level = [&](double offset) { return GreyAt(image, edge + offset * direction); };
+  const auto level = [&](double offset) { return GrayAt(image, edge + offset * direction); };
   const double behind = 0.5 * (level(-kReach) + level(-kReach - 1.0)),
                ahead = 0.5 * (level(kReach) + level(kReach + 1.0));
   double area = 0.0;

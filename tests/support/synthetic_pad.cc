@@ -18,7 +18,7 @@ bool OnSheet(const models::LandingPad& pad, const Vector2d& p) {
   return std::abs(p.x()) <= pad.sheet_length_m / 2.0 && std::abs(p.y()) <= pad.sheet_width_m / 2.0;
 }
 
-double GreyAt(const models::LandingPad& pad, const models::PadOutline& outline, const PadPicture& picture,
+double GrayAt(const models::LandingPad& pad, const models::PadOutline& outline, const PadPicture& picture,
               const Vector2d& p) {
   if (picture.paint) {
     if (const auto painted = picture.paint(p)) return *painted;
@@ -55,7 +55,7 @@ std::optional<Vector2d> OnFloor(const Eigen::Isometry3d& X_WC, const std::option
   return hit.head<2>();
 }
 
-/// The pixel's mean over its square; where its corners and its centre are of one grey, that grey. The floor's point is
+/// The pixel's mean over its square; where its corners and its center are of one gray, that gray. The floor's point is
 /// interpolated between the pixel's corners, which is exact to some 1e-4 px; `corners` are those at (u, v) - 0.5 and so
 /// on, row by row.
 double PixelMean(const models::LandingPad& pad, const models::PadOutline& outline, const PadPicture& picture,
@@ -63,9 +63,9 @@ double PixelMean(const models::LandingPad& pad, const models::PadOutline& outlin
   for (const auto& corner : corners) {
     if (!corner) return picture.floor;
   }
-  const auto grey_at = [&](const Vector2d& p) { return GreyAt(pad, outline, picture, p); };
-  const double center = grey_at(0.25 * (*corners[0] + *corners[1] + *corners[2] + *corners[3]));
-  if (std::all_of(corners.begin(), corners.end(), [&](const auto& corner) { return grey_at(*corner) == center; })) {
+  const auto gray_at = [&](const Vector2d& p) { return GrayAt(pad, outline, picture, p); };
+  const double center = gray_at(0.25 * (*corners[0] + *corners[1] + *corners[2] + *corners[3]));
+  if (std::all_of(corners.begin(), corners.end(), [&](const auto& corner) { return gray_at(*corner) == center; })) {
     return center;
   }
   const int n = picture.samples_per_side;
@@ -76,17 +76,17 @@ double PixelMean(const models::LandingPad& pad, const models::PadOutline& outlin
     const Vector2d right = (1.0 - y) * *corners[1] + y * *corners[3];
     for (int i = 0; i < n; ++i) {
       const double x = (i + 0.5) / n;
-      sum += grey_at((1.0 - x) * left + x * right);
+      sum += gray_at((1.0 - x) * left + x * right);
     }
   }
   return sum / (n * n);
 }
 
-void BlurRows(std::vector<double>& grey, int width, int height, const std::vector<double>& kernel) {
+void BlurRows(std::vector<double>& gray, int width, int height, const std::vector<double>& kernel) {
   const int radius = static_cast<int>(kernel.size()) / 2;
   std::vector<double> row(static_cast<std::size_t>(width));
   for (int v = 0; v < height; ++v) {
-    double* pixels = grey.data() + static_cast<std::ptrdiff_t>(v) * width;
+    double* pixels = gray.data() + static_cast<std::ptrdiff_t>(v) * width;
     for (int u = 0; u < width; ++u) {
       double sum = 0.0;
       for (int k = -radius; k <= radius; ++k) {
@@ -98,18 +98,18 @@ void BlurRows(std::vector<double>& grey, int width, int height, const std::vecto
   }
 }
 
-std::vector<double> Transposed(const std::vector<double>& grey, int width, int height) {
-  std::vector<double> result(grey.size());
+std::vector<double> Transposed(const std::vector<double>& gray, int width, int height) {
+  std::vector<double> result(gray.size());
   for (int v = 0; v < height; ++v) {
     for (int u = 0; u < width; ++u) {
       result[static_cast<std::size_t>(u) * static_cast<std::size_t>(height) + static_cast<std::size_t>(v)] =
-          grey[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + static_cast<std::size_t>(u)];
+          gray[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + static_cast<std::size_t>(u)];
     }
   }
   return result;
 }
 
-void Blur(std::vector<double>& grey, int width, int height, double sigma_px) {
+void Blur(std::vector<double>& gray, int width, int height, double sigma_px) {
   const int radius = static_cast<int>(std::ceil(4.0 * sigma_px));
   std::vector<double> kernel;
   double sum = 0.0;
@@ -118,10 +118,10 @@ void Blur(std::vector<double>& grey, int width, int height, double sigma_px) {
     sum += kernel.back();
   }
   for (double& weight : kernel) weight /= sum;
-  BlurRows(grey, width, height, kernel);
-  grey = Transposed(grey, width, height);
-  BlurRows(grey, height, width, kernel);
-  grey = Transposed(grey, height, width);
+  BlurRows(gray, width, height, kernel);
+  gray = Transposed(gray, width, height);
+  BlurRows(gray, height, width, kernel);
+  gray = Transposed(gray, height, width);
 }
 
 }  // namespace
@@ -147,19 +147,19 @@ models::Image RenderPad(const models::CameraModel& camera, const models::Landing
   const models::PadOutline outline(pad);
   std::vector<std::optional<Vector2d>> corners;
   for (const auto& ray_C : CornerRays(camera)) corners.push_back(OnFloor(X_WC, ray_C));
-  std::vector<double> grey;
+  std::vector<double> gray;
   for (int v = 0; v < height; ++v) {
     const auto upper = corners.begin() + static_cast<std::ptrdiff_t>(v) * (width + 1), lower = upper + (width + 1);
     for (int u = 0; u < width; ++u) {
-      grey.push_back(PixelMean(pad, outline, picture, {upper[u], upper[u + 1], lower[u], lower[u + 1]}));
+      gray.push_back(PixelMean(pad, outline, picture, {upper[u], upper[u + 1], lower[u], lower[u + 1]}));
     }
   }
-  if (picture.lens_blur_sigma_px > 0.0) Blur(grey, width, height, picture.lens_blur_sigma_px);
+  if (picture.lens_blur_sigma_px > 0.0) Blur(gray, width, height, picture.lens_blur_sigma_px);
 
   models::Image image(width, height);
-  for (std::size_t i = 0; i < grey.size(); ++i) {
+  for (std::size_t i = 0; i < gray.size(); ++i) {
     const double noise = picture.noise_sigma > 0.0 ? picture.noise_sigma * random->Normal() : 0.0;
-    image.pixels[i] = static_cast<std::uint8_t>(std::clamp(std::lround(grey[i] + noise), 0L, 255L));
+    image.pixels[i] = static_cast<std::uint8_t>(std::clamp(std::lround(gray[i] + noise), 0L, 255L));
   }
   return image;
 }
@@ -205,7 +205,7 @@ std::function<std::optional<double>(const Vector2d&)> Clutter(const models::Land
         case 3:  // Checks.
           is_dark = (static_cast<int>(std::floor(q.x() * 3.0)) + static_cast<int>(std::floor(q.y() * 3.0))) % 2 == 0;
           break;
-        default:  // A disc with a hole off its centre.
+        default:  // A disc with a hole off its center.
           is_dark = q.norm() < 1.0 && (q - Vector2d(0.3, 0.2)).norm() > 0.4;
       }
       return is_dark ? item.dark : item.light;

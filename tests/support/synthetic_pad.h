@@ -13,7 +13,7 @@
 
 namespace touchdown::tests {
 
-/// How a synthetic picture of the pad looks. Grey values are of 255.
+/// How a synthetic picture of the pad looks. Gray values are of 255.
 struct PadPicture {
   double black = 25.0;
   double paper = 215.0;
@@ -24,7 +24,7 @@ struct PadPicture {
   bool ring = true;
   bool letter = true;
   bool sheet = true;
-  /// Grey value of a point of the floor's plane around and on the pad, in W, in place of the pad's own; nullopt leaves
+  /// Gray value of a point of the floor's plane around and on the pad, in W, in place of the pad's own; nullopt leaves
   /// the pad's.
   std::function<std::optional<double>(const Eigen::Vector2d& p_W)> paint = nullptr;
 };

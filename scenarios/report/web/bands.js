@@ -1,5 +1,5 @@
 // Phases and events as bands behind a plot, the touchdown as a line.
-import { colour, phaseColour, tint } from "./colours.js";
+import { color, phaseColor, tint } from "./colors.js";
 
 const PHASE_OPACITY = 0.07;
 const EVENT_OPACITY = 0.22;
@@ -17,7 +17,7 @@ export function bandsOf(flight) {
       ctx.fillRect(from, bbox.top, Math.max(to - from, devicePixelRatio), bbox.height);
     };
     ctx.save();
-    for (const phase of flight.phases) band(phase, tint(phaseColour(phase.name), PHASE_OPACITY));
+    for (const phase of flight.phases) band(phase, tint(phaseColor(phase.name), PHASE_OPACITY));
     for (const event of flight.events) band(event, tint("event", EVENT_OPACITY));
     if (flight.touchdown) drawLine(ctx, bbox, pixel(flight.touchdown.t_s));
     ctx.restore();
@@ -26,7 +26,7 @@ export function bandsOf(flight) {
 
 function drawLine(ctx, bbox, x) {
   if (x < bbox.left || x > bbox.left + bbox.width) return;
-  ctx.strokeStyle = colour("muted");
+  ctx.strokeStyle = color("muted");
   ctx.lineWidth = devicePixelRatio;
   ctx.setLineDash([4 * devicePixelRatio, 3 * devicePixelRatio]);
   ctx.beginPath();

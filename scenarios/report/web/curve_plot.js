@@ -1,6 +1,6 @@
 // A plot of curves over time.
 import uPlot from "uplot";
-import { colour } from "./colours.js";
+import { color } from "./colors.js";
 import { html } from "./dom.js";
 import { makeLegend } from "./legend.js";
 import { makeTimeChart, timeAxis, valueAxis } from "./time_chart.js";
@@ -13,7 +13,7 @@ const FROM_ZERO = ["ms"];
 const NAMED_FIRST = ["truth", "estimate", "set-point", "vision"];
 
 function styled(curve) {
-  const stroke = () => colour(curve.role);
+  const stroke = () => color(curve.role);
   if (curve.role === "vision") {
     return { stroke, fill: stroke, paths: () => null, points: { show: true, size: 3.5, width: 0, stroke, fill: stroke } };
   }

@@ -1,6 +1,6 @@
 # cmake -D TEMPLATE=file -D PAPER_TEMPLATE=file -D SWEEP_TEMPLATE=file -D SECTION_TEMPLATE=file -D STYLE=file
-# -D SCRIPT=file -D LICENCE=file -D OUT=file.cc -P embed.cmake: the files as the functions that
-# scenarios/report/page_assets.h declares. LICENCE is uPlot's, which must go where uPlot goes.
+# -D SCRIPT=file -D LICENSE=file -D OUT=file.cc -P embed.cmake: the files as the functions that
+# scenarios/report/page_assets.h declares. LICENSE is uPlot's, which must go where uPlot goes.
 function(define name bytes)
   string(REGEX REPLACE "(..)" "'\\\\x\\1'," bytes "${bytes}")
   set(code "${code}\nstd::string_view ${name}() {\n  static constexpr char kBytes[] = {${bytes}};\n  return {kBytes, sizeof(kBytes)};\n}\n" PARENT_SCOPE)
@@ -12,8 +12,8 @@ file(READ ${SWEEP_TEMPLATE} sweep_template HEX)
 file(READ ${SECTION_TEMPLATE} section_template HEX)
 file(READ ${STYLE} style HEX)
 file(READ ${SCRIPT} script HEX)
-file(READ ${LICENCE} licence)
-string(HEX "/* With uPlot:\n${licence}*/\n" licence)
+file(READ ${LICENSE} license)
+string(HEX "/* With uPlot:\n${license}*/\n" license)
 
 set(code "")
 define(PageTemplate ${template})
@@ -21,7 +21,7 @@ define(PaperPageTemplate ${paper_template})
 define(SweepPageTemplate ${sweep_template})
 define(SectionTemplate ${section_template})
 define(PageStyle ${style})
-define(PageScript ${licence}${script})
+define(PageScript ${license}${script})
 file(WRITE ${OUT} "#include \"scenarios/report/page_assets.h\"
 
 namespace touchdown::report {

@@ -1,5 +1,5 @@
 // A plot of lanes over time: in each the bars in which it held.
-import { colour, words } from "./colours.js";
+import { color, words } from "./colors.js";
 import { html } from "./dom.js";
 import { axis, LEFT_PX, makeTimeChart, timeAxis } from "./time_chart.js";
 
@@ -18,7 +18,7 @@ function drawBars(chart, lanes) {
   ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
   ctx.clip();
   lanes.forEach((lane, height) => {
-    ctx.fillStyle = colour(lane.label === GOOD ? "estimate" : "failed");
+    ctx.fillStyle = color(lane.label === GOOD ? "estimate" : "failed");
     const y = chart.valToPos(height, "y", true);
     for (const [from, to] of lane.bars) {
       const left = chart.valToPos(from, "x", true);

@@ -1,7 +1,7 @@
 // A uPlot over the flight's time, tied to the others through the TimeView: zoom, cursor, the played time, the keyboard.
 import uPlot from "uplot";
 import { bandsOf } from "./bands.js";
-import { colour } from "./colours.js";
+import { color } from "./colors.js";
 import { html } from "./dom.js";
 import { decimals, withMinus } from "./numbers.js";
 
@@ -16,8 +16,8 @@ function axis(extra) {
   return {
     font: AXIS_FONT,
     labelFont: AXIS_FONT,
-    stroke: () => colour("muted"),
-    grid: { stroke: () => colour("grid"), width: 1 },
+    stroke: () => color("muted"),
+    grid: { stroke: () => color("grid"), width: 1 },
     ticks: { show: false },
     ...extra,
   };

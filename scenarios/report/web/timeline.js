@@ -1,5 +1,5 @@
 // The strip over the plots: phases and events by name; each button zooms to what it names.
-import { phaseColour, words } from "./colours.js";
+import { phaseColor, words } from "./colors.js";
 import { html } from "./dom.js";
 import { spanAt } from "./search.js";
 
@@ -21,7 +21,7 @@ function blockOf(span, kind, style, view) {
 /** Draws the strip, and keeps it at the view's range and time. */
 export function drawTimeline(place, flight, view) {
   const touchdown = flight.touchdown && { name: "touchdown point", from_s: flight.touchdown.t_s, to_s: flight.touchdown.t_s };
-  const phases = flight.phases.map((span) => blockOf(span, "phase", `--phase: var(--${phaseColour(span.name)})`, view));
+  const phases = flight.phases.map((span) => blockOf(span, "phase", `--phase: var(--${phaseColor(span.name)})`, view));
   const events = flight.events.map((span) => blockOf(span, "event", null, view));
   if (touchdown) events.push(blockOf({ ...touchdown, name: "contact" }, "event mark", null, view));
   const pointer = html("div", { class: "pointer", hidden: true });

@@ -1,5 +1,5 @@
 // The way of the vehicle over the pad, seen from above: X to the right, Y up, the same scale for both.
-import { phaseColour, words } from "./colours.js";
+import { phaseColor, words } from "./colors.js";
 import { html, svg } from "./dom.js";
 import { decimals, withMinus } from "./numbers.js";
 import { nearestIndex, spanAt } from "./search.js";
@@ -9,7 +9,7 @@ const GRID_LINES = 5; // About as many.
 
 const number = (value) => Number(value.toFixed(4));
 
-/** The square, in metres, that shows the pad and the true way. */
+/** The square, in meters, that shows the pad and the true way. */
 function extent(pad, xs, ys) {
   const reach = pad ? [pad.sheet_length_m / 2, pad.sheet_width_m / 2] : [0.15, 0.15];
   const points = (values, least) => [-least, least, ...values.filter((value) => value !== null)];
@@ -57,7 +57,7 @@ function waysOf(phases, times, xs, ys) {
   return phases.map((phase) => {
     const from = nearestIndex(times, phase.from_s);
     const to = nearestIndex(times, phase.to_s) + 1;
-    return svg("path", { class: "way", style: `--phase: var(--${phaseColour(phase.name)})`, d: pathThrough(xs, ys, from, to) });
+    return svg("path", { class: "way", style: `--phase: var(--${phaseColor(phase.name)})`, d: pathThrough(xs, ys, from, to) });
   });
 }
 
@@ -91,11 +91,11 @@ function keyOf(flight) {
   const item = (mark, text) => html("li", {}, mark, text);
   const swatch = (name, kind) => html("span", { class: `swatch ${kind}`, style: `--phase: var(--${name})` });
   const seen = [...new Set(flight.phases.map((phase) => phase.name))];
-  const items = seen.map((name) => item(swatch(phaseColour(name), "line"), words(name)));
+  const items = seen.map((name) => item(swatch(phaseColor(name), "line"), words(name)));
   items.push(item(swatch("vision", "dot"), "vision"), item(swatch("set-point", "ringed"), "set-point"));
   if (flight.touchdown) {
     const { x_m, y_m } = flight.touchdown;
-    items.push(item(html("span", { class: "swatch crossed" }, "×"), `touchdown, ${(Math.hypot(x_m, y_m) * 1000).toFixed(1)} mm off the centre`));
+    items.push(item(html("span", { class: "swatch crossed" }, "×"), `touchdown, ${(Math.hypot(x_m, y_m) * 1000).toFixed(1)} mm off the center`));
   }
   return html("ul", { class: "key" }, ...items);
 }
@@ -129,7 +129,7 @@ export function drawTopView(place, flight, view) {
     const there = i >= 0 && xs[i] !== null && ys[i] !== null;
     vehicle.setAttribute("visibility", there ? "visible" : "hidden");
     if (!there) return;
-    vehicle.style.setProperty("--phase", `var(--${phaseColour(spanAt(flight.phases, view.current)?.name ?? "standby")})`);
+    vehicle.style.setProperty("--phase", `var(--${phaseColor(spanAt(flight.phases, view.current)?.name ?? "standby")})`);
     vehicle.setAttribute("transform", `translate(${xs[i]} ${ys[i]}) rotate(${yaws[i] ?? 0})`);
   };
   view.on("pointed", showVehicle);

@@ -9,7 +9,7 @@ namespace touchdown::sweeper {
 namespace {
 
 constexpr int kPlaces = 121, kWidths = 17;
-// Of the range: from a step between neighbouring places to a slope over all of it.
+// Of the range: from a step between neighboring places to a slope over all of it.
 constexpr double kNarrowest = 0.005, kWidest = 0.5;
 constexpr std::array<double, 3> kLapses = {0.002, 0.02, 0.06};
 

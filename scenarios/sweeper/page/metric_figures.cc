@@ -97,20 +97,20 @@ report::Figure HistogramFigure(const SweepOutcome& sweep, const std::string& met
 report::Figure TouchdownFigure(const SweepOutcome& sweep, double pad_radius_m) {
   report::Figure figure{
       .name = "touchdown", .title = "Where the vehicle first touched", .csv = "x_mm,passed_y_mm,failed_y_mm\n"};
-  double reach_mm = kMillimetres * pad_radius_m;
+  double reach_mm = kMillimeters * pad_radius_m;
   int count = 0;
   for (const SweepResult& result : sweep.results) {
     const runner::Metrics& metrics = result.row.metrics;
     const auto x = metrics.find("flight.touchdown_x_m"), y = metrics.find("flight.touchdown_y_m");
     if (x == metrics.end() || y == metrics.end()) continue;
-    const double x_mm = kMillimetres * x->second, y_mm = kMillimetres * y->second;
+    const double x_mm = kMillimeters * x->second, y_mm = kMillimeters * y->second;
     reach_mm = std::max({reach_mm, std::abs(x_mm), std::abs(y_mm)});
     const std::string y_text = util::Fixed(y_mm, 3);
     const bool passed = result.row.passed();
     figure.csv += util::CsvLine({util::Fixed(x_mm, 3), passed ? y_text : "", passed ? "" : y_text});
     ++count;
   }
-  const std::string radius = Number(kMillimetres * pad_radius_m), reach = Number(1.1 * reach_mm);
+  const std::string radius = Number(kMillimeters * pad_radius_m), reach = Number(1.1 * reach_mm);
   figure.caption = fmt::format(
       "The body's origin over the pad at the first contact of a foot, of the {} flights that came to that. The circle "
       "is the pad's ring, {} mm in radius.",

@@ -96,24 +96,24 @@ std::string GroupLines(const std::vector<DrawnPoint>& points) {
 }
 
 /// Of the variant of that number.
-const char* ColourOf(std::size_t variant) {
-  constexpr std::array<const char*, 6> kColours = {"ESTIMATE", "SET_POINT", "THIRD", "FOURTH", "FIRST", "SECOND"};
-  return kColours[variant % kColours.size()];
+const char* ColorOf(std::size_t variant) {
+  constexpr std::array<const char*, 6> kColors = {"ESTIMATE", "SET_POINT", "THIRD", "FOURTH", "FIRST", "SECOND"};
+  return kColors[variant % kColors.size()];
 }
 
-/// A dashed line at each edge, in the colour of its variant, and its interval shaded.
+/// A dashed line at each edge, in the color of its variant, and its interval shaded.
 std::string EdgeCommands(const SweepTerms& terms, const std::vector<PassEdgeOf>& edges) {
   const std::vector<std::string> variants = terms.flown_variants();
   std::string commands;
   for (const PassEdgeOf& each : edges) {
     if (!each.edge) continue;
     const auto variant = std::find(variants.begin(), variants.end(), each.variant) - variants.begin();
-    const char* const colour = ColourOf(static_cast<std::size_t>(variant));
+    const char* const color = ColorOf(static_cast<std::size_t>(variant));
     commands += fmt::format(
         "set object rectangle from {},graph 0 to {},graph 1 behind fillcolor rgb {} fillstyle transparent solid 0.12 "
         "noborder\nset arrow from {},graph 0 to {},graph 1 nohead dashtype 2 linecolor rgb {}\n",
-        Number(each.edge->low), Number(each.edge->high), colour, Number(each.edge->value), Number(each.edge->value),
-        colour);
+        Number(each.edge->low), Number(each.edge->high), color, Number(each.edge->value), Number(each.edge->value),
+        color);
   }
   return commands;
 }
@@ -159,7 +159,7 @@ report::Figure PassRateFigure(const SweepOutcome& sweep, std::size_t axis, const
         fmt::format("data using (column('curve') == {} ? column('place') : NaN):'percent':'low':'high' with "
                     "yerrorlines pt 7 ps 0.5 "
                     "lw 1.4 lc rgb {} title {}",
-                    variant, ColourOf(variant), Quoted(variants[variant])));
+                    variant, ColorOf(variant), Quoted(variants[variant])));
   }
   figure.plot += variants.size() > 1 ? "set key outside top center horizontal noenhanced\n" : "unset key\n";
   figure.plot += fmt::format("plot {}\n", fmt::join(curves, ", "));
@@ -175,7 +175,7 @@ report::Figure HeatMapFigure(const SweepOutcome& sweep, std::size_t axis_x, std:
   const auto &columns = across.cells, &rows = up.cells;
   report::Figure figure{.name = NameOf("heat_map_" + x.key, y.key) + (variant.empty() ? "" : NameOf("", variant)),
                         .title = fmt::format("{} and {}{}", x.key, y.key, variant.empty() ? "" : ", " + variant),
-                        .caption = "Share of flights that passed; in each cell how many of how many. Grey: none flown.",
+                        .caption = "Share of flights that passed; in each cell how many of how many. Gray: none flown.",
                         .csv = "x,y,passed,flown,percent\n"};
   for (std::size_t row = 0; row < rows.size(); ++row) {
     for (std::size_t column = 0; column < columns.size(); ++column) {

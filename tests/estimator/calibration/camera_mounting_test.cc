@@ -28,7 +28,7 @@ void Shake(Isometry3d& X, double position_m, double rotation_rad, models::Random
   X.linear() = X.linear() * models::RotationExp(rotation_rad * random.NormalVector3());
 }
 
-/// Views of a pattern from about half a metre, measured with an error if there is one.
+/// Views of a pattern from about half a meter, measured with an error if there is one.
 std::vector<PatternView> Views(const Isometry3d& X_BC, int count, double error, models::RandomStream& random) {
   std::vector<PatternView> views;
   for (int i = 0; i < count; ++i) {

@@ -47,7 +47,7 @@ TEST_F(OutlierGateTest, RejectsAFirstPoseThatIsTiltedTooFar) {
   EXPECT_TRUE(Next(PoseAt(0.0, 0.0, 0.3, 0.98 * OutlierGateConfig().start_room_rad)));
 }
 
-TEST_F(OutlierGateTest, AcceptsAFirstPoseFarFromItOnceItsNeighboursAgree) {
+TEST_F(OutlierGateTest, AcceptsAFirstPoseFarFromItOnceItsNeighborsAgree) {
   EXPECT_FALSE(Next(PoseAt(0.3, 0.0, 1.5)));
   EXPECT_FALSE(Next(PoseAt(0.31, 0.0, 1.5)));
   EXPECT_TRUE(Next(PoseAt(0.32, 0.0, 1.5)));

@@ -96,7 +96,7 @@ TEST(PoseCovariance, CarriesALinearMapExactly) {
   EXPECT_NEAR((*carried)(2, 2), 0.0, 1e-9);
 }
 
-/// The claimed variance of x, a centimetre per pixel of the ellipse's place along u (1-sigma 1 px), when ellipses more
+/// The claimed variance of x, a centimeter per pixel of the ellipse's place along u (1-sigma 1 px), when ellipses more
 /// than `limit_px` to the right of the mean have no pose.
 std::optional<double> VarianceWithPosesUpTo(double limit_px) {
   const Ellipse ring{{320.0, 240.0}, {30.0, 25.0}, 0.0};

@@ -30,7 +30,7 @@ bool OnStrokes(const LandingPad& pad, const Vector2d& p) {
 
 struct View {
   double distance = 0.5, tilt_deg = 20.0, noise_sigma = 3.0, lens_blur_sigma_px = 0.7;
-  std::function<double(double grey, const Vector2d& p_W)> light = nullptr;
+  std::function<double(double gray, const Vector2d& p_W)> light = nullptr;
 };
 
 class PrintMatchTest : public testing::Test {
@@ -49,8 +49,8 @@ class PrintMatchTest : public testing::Test {
     picture.paint = [&](const Vector2d& p) -> std::optional<double> {
       if (p.norm() > 0.1) return std::nullopt;
       const bool is_black = p.norm() > pad_.inner_radius_m() ? pad.outline.IsBlack(p) : black(pad, p);
-      const double grey = is_black ? picture.black : picture.paper;
-      return view.light ? view.light(grey, p) : grey;
+      const double gray = is_black ? picture.black : picture.paper;
+      return view.light ? view.light(gray, p) : gray;
     };
     models::RandomStream noise(7, "noise");
     const models::Image image = tests::RenderPad(camera_, pad_, X_WC_, picture, &noise);
@@ -129,8 +129,8 @@ TEST_F(PrintMatchTest, RefusesAnHOfAnotherSizeOrPlace) {
 }
 
 TEST_F(PrintMatchTest, FindsAnHThatGlareBreaks) {
-  const auto glare = [](double grey, const Vector2d& p) {
-    return (p - Vector2d(0.032, 0.02)).norm() < 0.012 ? 225.0 : grey;
+  const auto glare = [](double gray, const Vector2d& p) {
+    return (p - Vector2d(0.032, 0.02)).norm() < 0.012 ? 225.0 : gray;
   };
   const auto place = Find(kPrint, {.light = glare});
   ASSERT_TRUE(place);
@@ -138,7 +138,7 @@ TEST_F(PrintMatchTest, FindsAnHThatGlareBreaks) {
 }
 
 TEST_F(PrintMatchTest, FindsAnHHalfInShadow) {
-  const auto shadow = [](double grey, const Vector2d& p) { return p.x() + p.y() > 0.01 ? 0.5 * grey : grey; };
+  const auto shadow = [](double gray, const Vector2d& p) { return p.x() + p.y() > 0.01 ? 0.5 * gray : gray; };
   EXPECT_TRUE(Find(kPrint, {.light = shadow}));
 }
 
@@ -175,7 +175,7 @@ TEST_F(PrintMatchTest, KnowsWhetherThePrintIsAtAPlace) {
 TEST_F(PrintMatchTest, FindsAPadWhoseMarksLieAllAlongTheRing) {
   for (int i = 0; i < 10; ++i) {
     const double angle = 2.0 * models::kPi * i / 10.0;
-    pad_.marks.push_back({.centre_m = 0.064 * Vector2d(std::cos(angle), std::sin(angle)), .diameter_m = 0.014});
+    pad_.marks.push_back({.center_m = 0.064 * Vector2d(std::cos(angle), std::sin(angle)), .diameter_m = 0.014});
   }
   pad_.Validate();
   EXPECT_TRUE(Find(kPrint));
@@ -237,7 +237,7 @@ TEST_F(PrintMatchTest, RefusesWhatIsNoSolidRectangle) {
 TEST_F(PrintMatchTest, ExpectsTheMarksThatAreDescribed) {
   // A bar that joins the upper ends of the strokes makes the H an A.
   pad_.marks = {models::PadMark{
-      .shape = models::PadMark::Shape::kBar, .centre_m = {0.042, 0.0}, .length_m = 0.016, .width_m = 0.03}};
+      .shape = models::PadMark::Shape::kBar, .center_m = {0.042, 0.0}, .length_m = 0.016, .width_m = 0.03}};
   pad_.Validate();
   EXPECT_TRUE(Find(kPrint));
   EXPECT_FALSE(Find([](const Artwork& pad, const Vector2d& p) { return pad.outline.IsLetter(p); }));

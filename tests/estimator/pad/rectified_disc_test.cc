@@ -38,7 +38,7 @@ TEST_F(RectifiedDiscTest, LaysTheImageBackOnThePlane) {
   for (int row = 0; row < RectifiedDisc::kCells; row += 3) {
     for (int column = 0; column < RectifiedDisc::kCells; column += 3) {
       if (!disc->Holds(column, row)) continue;
-      EXPECT_NEAR(disc->grey()(row, column), 120.0 + 600.0 * disc->PointOf(column, row).x(), 1.0);
+      EXPECT_NEAR(disc->gray()(row, column), 120.0 + 600.0 * disc->PointOf(column, row).x(), 1.0);
     }
   }
 }
@@ -60,21 +60,21 @@ TEST_F(RectifiedDiscTest, LevelsLightThatIsUneven) {
       return std::optional((dark ? 30.0 : 120.0) * (1.0 + slope * p.x()));
     };
   };
-  std::vector<Cells> levelled;
+  std::vector<Cells> leveled;
   for (const double slope : {0.0, 7.0}) {
     picture.paint = lit(slope);
     const auto disc = RectifiedDisc::Of(tests::RenderPad(camera_, {}, X_WC_, picture).View(), Plane(), 0.06);
     ASSERT_TRUE(disc);
-    Cells cells = disc->Levelled(1.0);
+    Cells cells = disc->Leveled(1.0);
     for (int row = 0; row < RectifiedDisc::kCells; ++row) {
       for (int column = 0; column < RectifiedDisc::kCells; ++column) {
         if (!disc->Holds(column, row)) cells(row, column) = 0.0F;
       }
     }
-    levelled.push_back(cells);
+    leveled.push_back(cells);
   }
   const double likeness =
-      (levelled[0] * levelled[1]).sum() / std::sqrt(levelled[0].square().sum() * levelled[1].square().sum());
+      (leveled[0] * leveled[1]).sum() / std::sqrt(leveled[0].square().sum() * leveled[1].square().sum());
   EXPECT_GT(likeness, 0.97);
 }
 

@@ -144,7 +144,7 @@ struct Looked {
   Eigen::Isometry3d X_WC;
   ComponentSet components;
 
-  /// The component about the pad's centre that is about as large as `size_m` there; nullptr when there is none.
+  /// The component about the pad's center that is about as large as `size_m` there; nullptr when there is none.
   const Component* ComponentOfSize(double size_m) const {
     const Vector3d p_C = X_WC.inverse() * Vector3d::Zero();
     const Vector2d pixel = *kCamera.Project(p_C);

@@ -52,9 +52,9 @@ std::vector<int> LabelImage(const ComponentSet& set, int width, int height) {
 
 void ExpectTheSameAsOpenCv(const models::Image& image) {
   const ComponentSet set = ExtractComponents(image.View(), kKeepAll);
-  const cv::Mat grey(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data()));
+  const cv::Mat gray(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data()));
   cv::Mat labels, stats, centroids;
-  const int count = cv::connectedComponentsWithStats(grey, labels, stats, centroids, 8, CV_32S);
+  const int count = cv::connectedComponentsWithStats(gray, labels, stats, centroids, 8, CV_32S);
   ASSERT_EQ(set.components.size(), static_cast<std::size_t>(count - 1));
 
   const std::vector<int> ours = LabelImage(set, image.width, image.height);

@@ -74,11 +74,11 @@ TEST(PadDetector, DoesNotTakeARingThatTheImageCutsOff) {
 TEST(PadDetector, TracesEveryComponentWithItsLabelAndPosterior) {
   const PadDetector detector(models::LandingPad(), Knowing({{1, {Label::kOther, 0.8}}, {50, {Label::kH, 0.7}}}));
   const auto result = detector.Detect(SetOf({Box(1, 2, 30, 40), Box(50, 60, 28, 50)}));
-  ASSERT_EQ(result.labelled.size(), 2u);
-  EXPECT_EQ(result.labelled[0].label, Label::kOther);
-  EXPECT_EQ(result.labelled[0].box.height, 40);
-  EXPECT_EQ(result.labelled[1].label, Label::kH);
-  EXPECT_DOUBLE_EQ(result.labelled[1].probability, 0.7);
+  ASSERT_EQ(result.labeled.size(), 2u);
+  EXPECT_EQ(result.labeled[0].label, Label::kOther);
+  EXPECT_EQ(result.labeled[0].box.height, 40);
+  EXPECT_EQ(result.labeled[1].label, Label::kH);
+  EXPECT_DOUBLE_EQ(result.labeled[1].probability, 0.7);
 }
 
 TEST(PadDetector, BringsThePairThatTheNetworkIsSurestOfFirst) {
@@ -94,13 +94,13 @@ TEST(PadDetector, BringsThePairThatTheNetworkIsSurestOfFirst) {
   EXPECT_EQ(candidates[1].ring.u, 100);
 }
 
-TEST(PadDetector, HoldsTheHAgainstTheRingsSizeAndCentre) {
+TEST(PadDetector, HoldsTheHAgainstTheRingsSizeAndCenter) {
   const PadDetector detector(models::LandingPad(), kUnused);
   const Component ring = Box(100, 100, 90, 90);
   EXPECT_TRUE(detector.MayBePad(ring, Box(131, 120, 28, 50)));
   EXPECT_TRUE(detector.MayBePad(ring, Box(120, 131, 50, 28)));   // Turned by 90 degrees.
   EXPECT_FALSE(detector.MayBePad(ring, Box(91, 120, 28, 50)));   // Across the ring's side.
-  EXPECT_FALSE(detector.MayBePad(ring, Box(105, 120, 28, 50)));  // Off the centre.
+  EXPECT_FALSE(detector.MayBePad(ring, Box(105, 120, 28, 50)));  // Off the center.
   EXPECT_FALSE(detector.MayBePad(ring, Box(131, 102, 28, 50)));
   EXPECT_FALSE(detector.MayBePad(ring, Box(141, 140, 8, 10)));   // Too small.
   EXPECT_FALSE(detector.MayBePad(ring, Box(105, 105, 80, 80)));  // Too large.

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// The direction in the levelled image of the H's strokes, as the camera's yaw has it: the inverse of CameraYaw.
+/// The direction in the leveled image of the H's strokes, as the camera's yaw has it: the inverse of CameraYaw.
 double StrokeAngleFor(double psi_C) { return models::WrapToHalfPi(psi_C - models::kPi / 2.0); }
 
 TEST(ReferenceNormal, IsUpInTheCameraForAnyRollAndPitch) {

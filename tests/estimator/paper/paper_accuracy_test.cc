@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 struct Conditions {
   double distance_m = 1.0;
-  double tilt_deg = 0.0;        ///< About a random horizontal axis, the pad near the image's centre.
+  double tilt_deg = 0.0;        ///< About a random horizontal axis, the pad near the image's center.
   double tilt_sigma_deg = 0.0;  ///< Added to it.
   pad::ContourPoints contour_points = pad::ContourPoints::kSubpixel;
 };
@@ -71,7 +71,7 @@ Accuracy AccuracyIn(const Conditions& conditions) {
   return sum;
 }
 
-TEST(PaperAccuracy, NearHoverAtHalfAMetre) {
+TEST(PaperAccuracy, NearHoverAtHalfAMeter) {
   const Accuracy accuracy = AccuracyIn({.distance_m = 0.5, .tilt_sigma_deg = 2.0});
   EXPECT_EQ(accuracy.seen, kPoses);
   EXPECT_LT(accuracy.camera_frame_m, 0.0007);
@@ -80,7 +80,7 @@ TEST(PaperAccuracy, NearHoverAtHalfAMetre) {
   EXPECT_LT(accuracy.yaw_deg, 1.0);
 }
 
-TEST(PaperAccuracy, NearHoverAtAMetre) {
+TEST(PaperAccuracy, NearHoverAtAMeter) {
   const Accuracy accuracy = AccuracyIn({.distance_m = 1.0, .tilt_sigma_deg = 2.0});
   EXPECT_EQ(accuracy.seen, kPoses);
   EXPECT_LT(accuracy.camera_frame_m, 0.0015);
@@ -89,7 +89,7 @@ TEST(PaperAccuracy, NearHoverAtAMetre) {
   EXPECT_LT(accuracy.yaw_deg, 1.5);
 }
 
-TEST(PaperAccuracy, NearHoverAtTwoMetres) {
+TEST(PaperAccuracy, NearHoverAtTwoMeters) {
   const Accuracy accuracy = AccuracyIn({.distance_m = 2.0, .tilt_sigma_deg = 2.0});
   EXPECT_GE(accuracy.seen, kPoses - 1);
   EXPECT_LT(accuracy.camera_frame_m, 0.015);
@@ -98,7 +98,7 @@ TEST(PaperAccuracy, NearHoverAtTwoMetres) {
   EXPECT_LT(accuracy.yaw_deg, 2.5);
 }
 
-TEST(PaperAccuracy, TiltedBy20DegreesAtAMetre) {
+TEST(PaperAccuracy, TiltedBy20DegreesAtAMeter) {
   const Accuracy accuracy = AccuracyIn({.distance_m = 1.0, .tilt_deg = 20.0});
   EXPECT_EQ(accuracy.seen, kPoses);
   EXPECT_LT(accuracy.camera_frame_m, 0.001);
@@ -106,7 +106,7 @@ TEST(PaperAccuracy, TiltedBy20DegreesAtAMetre) {
   EXPECT_LT(accuracy.yaw_deg, 4.0);  // Not rectified.
 }
 
-TEST(PaperAccuracy, TiltedBy40DegreesAtAMetre) {
+TEST(PaperAccuracy, TiltedBy40DegreesAtAMeter) {
   const Accuracy accuracy = AccuracyIn({.distance_m = 1.0, .tilt_deg = 40.0});
   EXPECT_EQ(accuracy.seen, kPoses);
   EXPECT_LT(accuracy.camera_frame_m, 0.002);

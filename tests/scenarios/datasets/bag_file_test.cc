@@ -44,7 +44,7 @@ ros1::Image Picture(double time_s, const std::string& encoding, const std::vecto
   return image;
 }
 
-ros1::Image Grey(double time_s, std::uint8_t value = 100) { return Picture(time_s, "mono8", {value}); }
+ros1::Image Gray(double time_s, std::uint8_t value = 100) { return Picture(time_s, "mono8", {value}); }
 
 ros1::Imu ImuAt(double time_s) {
   auto imu = Stamped<ros1::Imu>(time_s, "imu_link");
@@ -98,12 +98,12 @@ class BagFileTest : public ::testing::Test {
       while (bag.Next()) continue;
     };
   }
-  /// The grey of each picture's first pixel.
-  std::vector<int> Greys(const std::vector<std::string>& topics = {}) {
+  /// The gray of each picture's first pixel.
+  std::vector<int> Grays(const std::vector<std::string>& topics = {}) {
     BagFile bag = Open(topics);
-    std::vector<int> greys;
-    while (const auto frame = bag.Next()) greys.push_back(frame->image.pixels.front());
-    return greys;
+    std::vector<int> grays;
+    while (const auto frame = bag.Next()) grays.push_back(frame->image.pixels.front());
+    return grays;
   }
 
   tests::TemporaryFolder folder_;
@@ -121,7 +121,7 @@ TEST_F(BagFileTest, ReadsPicturesOfEveryEncodingThatIsNoPattern) {
     Add("/camera/image", Picture(time_s += 0.1, encoding, {0, 0, 200, 255}));
   }
   Add("/camera/image", Picture(time_s += 0.1, "rgba8", {200, 0, 0, 255}));
-  EXPECT_THAT(Greys(), ElementsAre(77, 77, 77, 77, 60, 60, 60, 60, 60, 60));  // Red is 0.299 of grey.
+  EXPECT_THAT(Grays(), ElementsAre(77, 77, 77, 77, 60, 60, 60, 60, 60, 60));  // Red is 0.299 of gray.
 }
 
 TEST_F(BagFileTest, ReadsCompressedPicturesAndTheCalibrationBesideThem) {
@@ -138,8 +138,8 @@ TEST_F(BagFileTest, ReadsCompressedPicturesAndTheCalibrationBesideThem) {
 }
 
 TEST_F(BagFileTest, TellsTimesCameraImuAndMounting) {
-  Add("/camera/image_raw", Grey(0.5));
-  Add("/camera/image_raw", Grey(0.75, 101));
+  Add("/camera/image_raw", Gray(0.5));
+  Add("/camera/image_raw", Gray(0.75, 101));
   Add("/camera/camera_info", Calibration());
   Add("/imu", ImuAt(0.49));
   Add("/imu", ImuAt(0.50));
@@ -172,21 +172,21 @@ TEST_F(BagFileTest, TellsTimesCameraImuAndMounting) {
 }
 
 TEST_F(BagFileTest, TakesTheTimeOfRecordingWhereThereIsNoStamp) {
-  ros1::Image image = Grey(0.0);
+  ros1::Image image = Gray(0.0);
   image.header.stamp = ros::Time(0);
   bag_.write("/image", ros::Time(12, 5000), image);
   EXPECT_EQ(Open().Next().value().mid_exposure, 12'000'005);
 }
 
 TEST_F(BagFileTest, TellsNoMountingUnlessCameraAndImuAreOnOneBody) {
-  Add("/image", Grey(0.0));
+  Add("/image", Gray(0.0));
   Add("/imu", ImuAt(0.0));
   AddMounting({Mounted("base_link", "camera_optical", 0.1), Mounted("gimbal", "imu_link", 0.1)});
   EXPECT_FALSE(Open().facts().mounting);
 }
 
 TEST_F(BagFileTest, TakesTheImuForTheBodyWhereTheCameraIsMountedOnIt) {
-  Add("/image", Grey(0.0));
+  Add("/image", Gray(0.0));
   Add("/imu", ImuAt(0.0));
   AddMounting({Mounted("/imu_link", "camera_optical", 0.1)});
   const SensorMounting mounting = Open().facts().mounting.value();
@@ -195,14 +195,14 @@ TEST_F(BagFileTest, TakesTheImuForTheBodyWhereTheCameraIsMountedOnIt) {
 }
 
 TEST_F(BagFileTest, TakesTheProjectionOfRectifiedPicturesAndNoCameraThatIsNotPlumbBob) {
-  Add("/a/image_rect", Grey(0.0));
+  Add("/a/image_rect", Gray(0.0));
   Add("/a/camera_info", Calibration());
-  Add("/b/image_raw", Grey(0.0));
+  Add("/b/image_raw", Gray(0.0));
   ros1::CameraInfo fisheye = Calibration();
   fisheye.distortion_model = "equidistant";
   fisheye.D.resize(4);
   Add("/b/camera_info", fisheye);
-  Add("/c/image_raw", Grey(0.0));
+  Add("/c/image_raw", Gray(0.0));
   const models::CameraModel rectified = Open({"/a/image_rect"}).facts().camera.value();
   EXPECT_THAT((std::vector<double>{rectified.fx_px, rectified.fy_px, rectified.cx_px, rectified.cy_px, rectified.k1}),
               ElementsAre(2.5, 2.6, 1.4, 0.6, 0.0));
@@ -211,8 +211,8 @@ TEST_F(BagFileTest, TakesTheProjectionOfRectifiedPicturesAndNoCameraThatIsNotPlu
 }
 
 TEST_F(BagFileTest, ListsSeveralCamerasOrImusToChooseFrom) {
-  Add("/left/image_raw", Grey(0.0, 1));
-  Add("/right/image_raw", Grey(0.0, 2));
+  Add("/left/image_raw", Gray(0.0, 1));
+  Add("/right/image_raw", Gray(0.0, 2));
   Add("/imu/data", ImuAt(0.0));
   Add("/imu/data_raw", ImuAt(0.5));
   EXPECT_THAT(
@@ -225,7 +225,7 @@ TEST_F(BagFileTest, ListsSeveralCamerasOrImusToChooseFrom) {
                        ": has several topics of an IMU's samples; choose one with --topic: /imu/data, /imu/data_raw"));
   EXPECT_THAT(Reading({"/wrong/image_raw"}),
               ThrowsInputError(file_.string() + ": has no pictures or IMU's samples under the topic /wrong/image_raw"));
-  EXPECT_THAT(Greys({"/imu/data_raw", "/right/image_raw"}), ElementsAre(2));
+  EXPECT_THAT(Grays({"/imu/data_raw", "/right/image_raw"}), ElementsAre(2));
 }
 
 TEST_F(BagFileTest, RefusesABagWithoutPictures) {
@@ -236,10 +236,10 @@ TEST_F(BagFileTest, RefusesABagWithoutPictures) {
 
 TEST_F(BagFileTest, RefusesPatternsAndPicturesThatAreNotWhole) {
   Add("/bayer", Picture(0.0, "bayer_rggb8", {1}));
-  ros1::Image cut = Grey(0.0);
+  ros1::Image cut = Gray(0.0);
   cut.data.pop_back();
   Add("/cut", cut);
-  ros1::Image endless = Grey(0.0);
+  ros1::Image endless = Gray(0.0);
   endless.width = endless.height = endless.step = 0xffffffff;
   Add("/endless", endless);
   auto compressed = Stamped<ros1::CompressedImage>(0.0, "camera_optical");
@@ -256,7 +256,7 @@ TEST_F(BagFileTest, RefusesPatternsAndPicturesThatAreNotWhole) {
 
 TEST_F(BagFileTest, RefusesTimesThatDoNotRise) {
   for (const double time_s : {0.0, 0.2, 0.1}) {
-    ros1::Image image = Grey(time_s);
+    ros1::Image image = Gray(time_s);
     bag_.write("/image", ros::Time(kStart_s) + ros::Duration(1.0 + 0.1 * static_cast<double>(bag_.getSize())), image);
   }
   EXPECT_THAT(Reading(),

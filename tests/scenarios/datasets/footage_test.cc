@@ -49,16 +49,16 @@ TEST_F(FootageTest, ReadsAFoldersPicturesByTheNumbersInTheirNames) {
   folder_.Put("notes.txt", "not a picture");
   folder_.Put("inner/shot1.png", "not looked into");
   std::vector<std::string> names;
-  std::vector<int> greys;
+  std::vector<int> grays;
   for (const FootageFrame& frame : ReadAll(folder_.path())) {
     EXPECT_FALSE(frame.mid_exposure);
     EXPECT_EQ(frame.image.width, 6);
     EXPECT_EQ(frame.image.height, 4);
     names.push_back(frame.source);
-    greys.push_back(frame.image.pixels.front());
+    grays.push_back(frame.image.pixels.front());
   }
   EXPECT_THAT(names, ElementsAre("shot9.jpg", "shot10.png", "shot11.PNG"));
-  EXPECT_THAT(greys, ElementsAre(90, 10, 11));
+  EXPECT_THAT(grays, ElementsAre(90, 10, 11));
   EXPECT_EQ(OpenFootage(folder_.path())->facts().frame_order, estimator::FrameOrder::kUnrelated);
   EXPECT_EQ(OpenFootage(folder_.path())->facts().frame_count, 3u);
 }

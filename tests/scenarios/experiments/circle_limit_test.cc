@@ -17,29 +17,29 @@ using tests::CameraAbovePad;
 
 constexpr double kRadius_m = 0.09;
 
-/// The camera whose optical axis goes through the pad's centre.
-Eigen::Isometry3d Centred(double distance_m, double tilt) {
+/// The camera whose optical axis goes through the pad's center.
+Eigen::Isometry3d Centered(double distance_m, double tilt) {
   Eigen::Isometry3d X_WC = CameraAbovePad(Eigen::Vector3d::Zero(), 0.0, tilt);
   X_WC.translation() = -distance_m * X_WC.linear().col(2);
   return X_WC;
 }
 
 TEST(CircleLimit, GrowsInProportionToTheNoise) {
-  const auto once = LimitForCircle({}, kRadius_m, Centred(1.0, 0.3), 0.01);
-  const auto twice = LimitForCircle({}, kRadius_m, Centred(1.0, 0.3), 0.02);
+  const auto once = LimitForCircle({}, kRadius_m, Centered(1.0, 0.3), 0.01);
+  const auto twice = LimitForCircle({}, kRadius_m, Centered(1.0, 0.3), 0.02);
   ASSERT_TRUE(once && twice);
   EXPECT_NEAR(twice->position_m, 2.0 * once->position_m, 1e-9);
   EXPECT_NEAR(twice->tilt_rad, 2.0 * once->tilt_rad, 1e-9);
 }
 
 TEST(CircleLimit, IsNoneSeenFrontally) {
-  EXPECT_FALSE(LimitForCircle({.k1 = 0.0, .k2 = 0.0}, kRadius_m, Centred(1.0, 0.0), 0.01));
-  EXPECT_TRUE(LimitForCircle({.k1 = 0.0, .k2 = 0.0}, kRadius_m, Centred(1.0, 0.1), 0.01));
+  EXPECT_FALSE(LimitForCircle({.k1 = 0.0, .k2 = 0.0}, kRadius_m, Centered(1.0, 0.0), 0.01));
+  EXPECT_TRUE(LimitForCircle({.k1 = 0.0, .k2 = 0.0}, kRadius_m, Centered(1.0, 0.1), 0.01));
 }
 
 TEST(CircleLimit, FallsWithTiltAndRisesWithDistance) {
   const auto limit = [](double distance_m, double tilt) {
-    return LimitForCircle({}, kRadius_m, Centred(distance_m, tilt), 0.015)->tilt_rad;
+    return LimitForCircle({}, kRadius_m, Centered(distance_m, tilt), 0.015)->tilt_rad;
   };
   EXPECT_LT(limit(1.0, 0.5), limit(1.0, 0.2));
   EXPECT_LT(limit(1.0, 0.2), limit(1.0, 0.05));
@@ -58,7 +58,7 @@ TEST(CircleLimit, IsThatOfARenderedDisc) {
                                    .k1 = 0.0,
                                    .k2 = 0.0};
   constexpr double kNoiseShare = 0.02, kStep = 4e-4;
-  const Eigen::Isometry3d X_WC = Centred(0.45, 0.8);
+  const Eigen::Isometry3d X_WC = Centered(0.45, 0.8);
   constexpr int kSide = 16;                           // Samples along each side of a pixel, ...
   constexpr double kSample_m = 0.45 / 160.0 / kSide;  // ... so far apart on the ground, about.
   const auto picture = [&](const Eigen::Isometry3d& X) {

@@ -15,33 +15,33 @@ using Eigen::Vector3d;
 using estimator::Overlay;
 using Role = Overlay::Role;
 
-const models::Image& Grey() {
+const models::Image& Gray() {
   static const models::Image image(640, 480, 128);
   return image;
 }
 
-enum Colour { kBlue, kGreen, kRed };
+enum Color { kBlue, kGreen, kRed };
 
-/// The strongest colour of a pixel.
-Colour ColourAt(const cv::Mat3b& picture, const Vector2d& pixel) {
+/// The strongest color of a pixel.
+Color ColorAt(const cv::Mat3b& picture, const Vector2d& pixel) {
   const cv::Vec3b bgr = picture(static_cast<int>(std::lround(pixel.y())), static_cast<int>(std::lround(pixel.x())));
-  return static_cast<Colour>(std::max_element(bgr.val, bgr.val + 3) - bgr.val);
+  return static_cast<Color>(std::max_element(bgr.val, bgr.val + 3) - bgr.val);
 }
 
 bool IsUntouched(const cv::Mat3b& picture, const Vector2d& pixel) {
   return picture(static_cast<int>(pixel.y()), static_cast<int>(pixel.x())) == cv::Vec3b(128, 128, 128);
 }
 
-TEST(AnnotateFrame, DrawsBoxesInThePapersColoursAndACrossOnThePad) {
+TEST(AnnotateFrame, DrawsBoxesInThePapersColorsAndACrossOnThePad) {
   FrameAnnotation annotation;
   annotation.overlay.boxes = {{{100, 100, 50, 50}, Role::kOutline, "circle", 1.0},
                               {{200, 100, 50, 50}, Role::kMarking, "h", 1.0},
                               {{300, 100, 50, 50}, Role::kOther, "other", 1.0}};
   annotation.pad_px = Vector2d(500, 300);
-  const cv::Mat3b picture = AnnotateFrame(Grey().View(), {}, annotation);
-  EXPECT_EQ(ColourAt(picture, {125, 100}), kGreen);
-  EXPECT_EQ(ColourAt(picture, {225, 100}), kBlue);
-  EXPECT_EQ(ColourAt(picture, {325, 100}), kRed);
+  const cv::Mat3b picture = AnnotateFrame(Gray().View(), {}, annotation);
+  EXPECT_EQ(ColorAt(picture, {125, 100}), kGreen);
+  EXPECT_EQ(ColorAt(picture, {225, 100}), kBlue);
+  EXPECT_EQ(ColorAt(picture, {325, 100}), kRed);
   const cv::Vec3b orange = picture(300, 500);
   EXPECT_GT(orange[2], orange[1]);
   EXPECT_GT(orange[1], orange[0]);
@@ -56,7 +56,7 @@ TEST(AnnotateFrame, DrawsEllipsesWithTheirAxesWhereTheLensPutsThem) {
       .center = {480, 120}, .semi_axes = {80, 40}, .angle = angle, .role = Role::kFit, .name = "ring_outer"};
   FrameAnnotation annotation;
   annotation.overlay.ellipses = {ellipse};
-  const cv::Mat3b picture = AnnotateFrame(Grey().View(), camera, annotation);
+  const cv::Mat3b picture = AnnotateFrame(Gray().View(), camera, annotation);
   const Vector2d along(std::cos(angle), std::sin(angle)), across(-along.y(), along.x());
   const auto raw = [&](const Vector2d& undistorted) {
     return camera.PixelFromNormalized(camera.Distort(camera.NormalizedFromPixel(undistorted)));
@@ -79,12 +79,12 @@ TEST(AnnotateFrame, DrawsTheAxesOfThePoseWhereTheCameraSeesThem) {
   Eigen::Isometry3d X_WB(Eigen::AngleAxisd(0.4, Vector3d(0.3, 1.0, 0.2).normalized()));
   X_WB.translation() << 0.2, -0.15, 0.5;
   const Eigen::Isometry3d X_WC = X_WB * models::Vehicle().X_BC();
-  const cv::Mat3b picture = AnnotateFrame(Grey().View(), camera, {.overlay = {}, .pad_px = {}, .X_WC = X_WC});
-  for (const auto& [axis, colour] : {std::pair(0, kRed), std::pair(1, kGreen), std::pair(2, kBlue)}) {
+  const cv::Mat3b picture = AnnotateFrame(Gray().View(), camera, {.overlay = {}, .pad_px = {}, .X_WC = X_WC});
+  for (const auto& [axis, color] : {std::pair(0, kRed), std::pair(1, kGreen), std::pair(2, kBlue)}) {
     const Vector2d origin = camera.Project(X_WC.inverse() * Vector3d::Zero()).value();
     const Vector2d tip = camera.Project(X_WC.inverse() * Vector3d(0.09 * Vector3d::Unit(axis))).value();
     ASSERT_GT((tip - origin).norm(), 10.0);
-    EXPECT_EQ(ColourAt(picture, 0.3 * origin + 0.7 * tip), colour) << axis;
+    EXPECT_EQ(ColorAt(picture, 0.3 * origin + 0.7 * tip), color) << axis;
     EXPECT_FALSE(IsUntouched(picture, 0.3 * origin + 0.7 * tip));
     EXPECT_TRUE(IsUntouched(picture, tip + 0.3 * (tip - origin))) << axis;
   }
@@ -94,7 +94,7 @@ TEST(AnnotateFrame, LeavesOutAxesThatTheCameraCannotSee) {
   Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();  // W's origin at the camera itself, and behind it.
   for (const double z : {0.0, 0.5, -1e-9}) {
     X_WC.translation().z() = z;
-    const cv::Mat3b picture = AnnotateFrame(Grey().View(), {}, {.overlay = {}, .pad_px = {}, .X_WC = X_WC});
+    const cv::Mat3b picture = AnnotateFrame(Gray().View(), {}, {.overlay = {}, .pad_px = {}, .X_WC = X_WC});
     EXPECT_TRUE(IsUntouched(picture, {400, 300})) << z;
   }
 }
@@ -104,9 +104,9 @@ TEST(AnnotateFrame, DrawsPolylinesAndLabelsOfAnyStrategy) {
   annotation.overlay.polylines = {{{{100, 100}, {200, 100}, {200, 200}}, false, Role::kOutline, "tag"},
                                   {{{300, 100}, {400, 100}, {400, 200}}, true, Role::kFit, "tag"}};
   annotation.overlay.labels = {{{100, 300}, "tag 17", Role::kMarking}};
-  const cv::Mat3b picture = AnnotateFrame(Grey().View(), {}, annotation);
-  EXPECT_EQ(ColourAt(picture, {150, 100}), kGreen);
-  EXPECT_EQ(ColourAt(picture, {200, 150}), kGreen);
+  const cv::Mat3b picture = AnnotateFrame(Gray().View(), {}, annotation);
+  EXPECT_EQ(ColorAt(picture, {150, 100}), kGreen);
+  EXPECT_EQ(ColorAt(picture, {200, 150}), kGreen);
   EXPECT_TRUE(IsUntouched(picture, {150, 150}));
   EXPECT_FALSE(IsUntouched(picture, {350, 150})) << "a closed polyline";
   const cv::Mat3b text = picture(cv::Rect(95, 280, 80, 30)).clone();
@@ -117,7 +117,7 @@ TEST(AnnotateFrame, DrawsLaterRolesOverEarlierOnes) {
   FrameAnnotation annotation;
   annotation.overlay.boxes = {{{100, 100, 50, 50}, Role::kMarking, "h", 1.0},
                               {{100, 100, 50, 50}, Role::kOther, "other", 1.0}};
-  EXPECT_EQ(ColourAt(AnnotateFrame(Grey().View(), {}, annotation), {125, 100}), kBlue);
+  EXPECT_EQ(ColorAt(AnnotateFrame(Gray().View(), {}, annotation), {125, 100}), kBlue);
 }
 
 TEST(AnnotateFrame, DrawsLinesAsWideAsSuitsTheFrame) {
@@ -137,7 +137,7 @@ TEST(DrawCaption, WritesItsTextIntoTheStripAlone) {
   for (const auto& [width, height] : {std::pair(640, 480), std::pair(320, 240), std::pair(40, 4000), std::pair(1, 1)}) {
     cv::Mat3b picture(height, width, cv::Vec3b(128, 128, 128));
     const int strip_px = CaptionHeight(picture.size());
-    DrawCaption(picture.rowRange(0, strip_px), "12.34 s  landing", CaptionColour(estimator::FrameStatus::kNotFound));
+    DrawCaption(picture.rowRange(0, strip_px), "12.34 s  landing", CaptionColor(estimator::FrameStatus::kNotFound));
     if (height > strip_px) {
       EXPECT_EQ(cv::countNonZero(picture.rowRange(strip_px, height).reshape(1) != 128), 0);
     }

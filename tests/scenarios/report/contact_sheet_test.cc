@@ -48,12 +48,12 @@ TEST(ContactSheet, ShowsTwelveFramesOfALongFlightFromItsStartToItsEnd) {
   ASSERT_EQ(picture.rows, 3 * 360);
   int previous = -1;
   for (int tile = 0; tile < 12; ++tile) {
-    const int grey = picture.at<cv::Vec3b>(360 * (tile / 4) + 330, 480 * (tile % 4) + 450)[0];
-    EXPECT_GT(grey, previous);
+    const int gray = picture.at<cv::Vec3b>(360 * (tile / 4) + 330, 480 * (tile % 4) + 450)[0];
+    EXPECT_GT(gray, previous);
     if (tile > 0) {
-      EXPECT_NEAR(grey - previous, 250.0 / 11.0, 12.0);
+      EXPECT_NEAR(gray - previous, 250.0 / 11.0, 12.0);
     }
-    previous = grey;
+    previous = gray;
   }
   EXPECT_GT(previous, 220);
 }

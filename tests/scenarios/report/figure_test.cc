@@ -29,7 +29,7 @@ TEST(Figure, IsDrawnAsSvgAndPdf) {
   EXPECT_THAT(drawn.pdf, StartsWith("%PDF-"));
 }
 
-TEST(Figure, FollowsThePagesColoursAndHasNamesOfItsOwn) {
+TEST(Figure, FollowsThePagesColorsAndHasNamesOfItsOwn) {
   const std::string svg = Draw(Line()).page_svg;
   EXPECT_THAT(svg, StartsWith("<svg"));
   EXPECT_THAT(svg, HasSubstr("var(--estimate)"));

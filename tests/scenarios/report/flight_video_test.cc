@@ -29,12 +29,12 @@ class FlightVideoTest : public ::testing::Test {
     video_->OnStart(*world_);
   }
   models::Tick CameraPeriod() const { return scenario_.time.PeriodOf(scenario_.camera.rate_hz); }
-  /// Shows the frame of that number, plain grey but for a white spot at its middle, at a height that grows with time.
-  void Show(int number, std::uint8_t grey, bool pad_is_covered = false) {
+  /// Shows the frame of that number, plain gray but for a white spot at its middle, at a height that grows with time.
+  void Show(int number, std::uint8_t gray, bool pad_is_covered = false) {
     const models::CameraModel& model = scenario_.camera.model;
     models::CameraFrame frame;
     frame.mid_exposure = number * CameraPeriod();
-    frame.image = models::Image(model.width_px, model.height_px, grey);
+    frame.image = models::Image(model.width_px, model.height_px, gray);
     runner::FrameRecord record;
     record.mid_exposure = frame.mid_exposure;
     record.X_WB.translation() << 0.0, 0.0, 0.2 + 0.2 * scenario_.time.ToSeconds(frame.mid_exposure);
@@ -51,7 +51,7 @@ class FlightVideoTest : public ::testing::Test {
     for (cv::Mat picture; film.read(picture);) pictures.push_back(picture.clone());
     return pictures;
   }
-  static int OnboardGrey(const cv::Mat3b& picture) { return picture(100, 100)[1]; }
+  static int OnboardGray(const cv::Mat3b& picture) { return picture(100, 100)[1]; }
 
   runner::Scenario scenario_;
   std::unique_ptr<sim::World> world_;
@@ -72,7 +72,7 @@ TEST_F(FlightVideoTest, ShowsTheOnboardCameraBesideTheVehicleInTheFlightsOwnTime
   for (int k = 0; k < 30; ++k) {
     const cv::Mat3b& picture = pictures[static_cast<std::size_t>(k)];
     ASSERT_EQ(picture.size(), cv::Size(640 + kViews_px, kFilm_px));
-    EXPECT_NEAR(OnboardGrey(picture), 60 + 4 * k, 3.0) << "picture k shows frame 2k";
+    EXPECT_NEAR(OnboardGray(picture), 60 + 4 * k, 3.0) << "picture k shows frame 2k";
   }
   // The vehicle rises on the right, and the caption changes below.
   const cv::Rect right(640, 0, kViews_px, kViews_px), caption(0, kViews_px, 640, kFilm_px - kViews_px);
@@ -91,7 +91,7 @@ TEST_F(FlightVideoTest, HoldsThePictureWhileFramesAreLostAndToTheEndOfTheFlight)
   ASSERT_EQ(pictures.size(), 91u);
   for (const auto& [k, frame] : {std::pair(0, 0), std::pair(14, 28), std::pair(15, 28), std::pair(30, 28),
                                  std::pair(31, 62), std::pair(44, 88), std::pair(45, 88), std::pair(90, 88)}) {
-    EXPECT_NEAR(OnboardGrey(pictures[static_cast<std::size_t>(k)]), 60 + frame, 3.0) << k;
+    EXPECT_NEAR(OnboardGray(pictures[static_cast<std::size_t>(k)]), 60 + frame, 3.0) << k;
   }
 }
 

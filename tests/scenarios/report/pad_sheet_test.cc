@@ -44,7 +44,7 @@ class Raster {
   double width_mm() const { return image_.cols / kPxPerMm; }
   double height_mm() const { return image_.rows / kPxPerMm; }
 
-  /// Grey level, 255 beyond the page.
+  /// Gray level, 255 beyond the page.
   double At(const Vector2d& p_mm) const {
     const double u = p_mm.x() * kPxPerMm - 0.5, v = p_mm.y() * kPxPerMm - 0.5;
     const int left = static_cast<int>(std::floor(u)), top = static_cast<int>(std::floor(v));
@@ -66,13 +66,13 @@ class Raster {
   cv::Mat1b image_;
 };
 
-/// Grey of the printed sheet in the pad's frame, whose X points up the page.
+/// Gray of the printed sheet in the pad's frame, whose X points up the page.
 std::function<std::optional<double>(const Vector2d&)> Printed(const Raster& raster, const LandingPad& pad) {
-  return [&raster, centre = Vector2d(500.0 * pad.sheet_width_m, 500.0 * pad.sheet_length_m),
+  return [&raster, center = Vector2d(500.0 * pad.sheet_width_m, 500.0 * pad.sheet_length_m),
           half = Vector2d(0.5 * pad.sheet_length_m, 0.5 * pad.sheet_width_m)](
              const Vector2d& p_W) -> std::optional<double> {
     if ((p_W.cwiseAbs() - half).maxCoeff() > 0.0) return std::nullopt;
-    return 25.0 + 190.0 / 255.0 * raster.At(centre + 1000.0 * Vector2d(-p_W.y(), -p_W.x()));
+    return 25.0 + 190.0 / 255.0 * raster.At(center + 1000.0 * Vector2d(-p_W.y(), -p_W.x()));
   };
 }
 
@@ -81,19 +81,19 @@ TEST(PadSheet, MeasuresWhatThePadIsInThePrint) {
   const Raster raster(pad);
   EXPECT_NEAR(raster.width_mm(), 210.0, 0.1);
   EXPECT_NEAR(raster.height_mm(), 297.0, 0.1);
-  const Vector2d centre(105.0, 148.5);
+  const Vector2d center(105.0, 148.5);
   for (int i = 0; i < 360; ++i) {
     const double angle = i * models::kPi / 180.0;
     const Vector2d outward(std::cos(angle), std::sin(angle));
-    const Vector2d on_ring = centre + 82.0 * outward;
+    const Vector2d on_ring = center + 82.0 * outward;
     EXPECT_NEAR(82.0 + raster.InkEnd(on_ring, outward), 90.0, 0.05) << i;
     EXPECT_NEAR(82.0 - raster.InkEnd(on_ring, -outward), 74.0, 0.05) << i;
   }
   const Vector2d right(1.0, 0.0), down(0.0, 1.0);
-  EXPECT_NEAR(raster.InkEnd(centre, right), 28.0, 0.05);
-  EXPECT_NEAR(raster.InkEnd(centre, -right), 28.0, 0.05);
-  EXPECT_NEAR(raster.InkEnd(centre, down), 8.0, 0.05);
-  const Vector2d stroke = centre + 20.0 * right;
+  EXPECT_NEAR(raster.InkEnd(center, right), 28.0, 0.05);
+  EXPECT_NEAR(raster.InkEnd(center, -right), 28.0, 0.05);
+  EXPECT_NEAR(raster.InkEnd(center, down), 8.0, 0.05);
+  const Vector2d stroke = center + 20.0 * right;
   EXPECT_NEAR(raster.InkEnd(stroke, down), 50.0, 0.05);
   EXPECT_NEAR(raster.InkEnd(stroke, -down), 50.0, 0.05);
   EXPECT_NEAR(raster.InkEnd(stroke + 20.0 * down, -right), 8.0, 0.05);
@@ -103,23 +103,23 @@ TEST(PadSheet, PrintsASolidRectangleWithoutASeam) {
   LandingPad pad;
   pad.h_stroke_m = 0.5 * pad.h_width_m;
   const Raster raster(pad);
-  const Vector2d centre(105.0, 148.5);
-  EXPECT_NEAR(raster.InkEnd(centre, {1.0, 0.0}), 28.0, 0.05);
-  EXPECT_NEAR(raster.InkEnd(centre, {0.0, 1.0}), 50.0, 0.05);
-  for (double x = -27.9; x < 27.9; x += 0.01) {  // The edge itself is grey over a pixel of 0.04 mm.
-    EXPECT_LT(raster.At(centre + Vector2d(x, 30.0)), 10.0) << x;
+  const Vector2d center(105.0, 148.5);
+  EXPECT_NEAR(raster.InkEnd(center, {1.0, 0.0}), 28.0, 0.05);
+  EXPECT_NEAR(raster.InkEnd(center, {0.0, 1.0}), 50.0, 0.05);
+  for (double x = -27.9; x < 27.9; x += 0.01) {  // The edge itself is gray over a pixel of 0.04 mm.
+    EXPECT_LT(raster.At(center + Vector2d(x, 30.0)), 10.0) << x;
   }
 }
 
 TEST(PadSheet, MeasuresWhatTheMarksAreInThePrint) {
   LandingPad pad;
-  pad.marks = {{.shape = models::PadMark::Shape::kDisc, .centre_m = {0.02, 0.05}, .diameter_m = 0.01},
+  pad.marks = {{.shape = models::PadMark::Shape::kDisc, .center_m = {0.02, 0.05}, .diameter_m = 0.01},
                {.shape = models::PadMark::Shape::kBar,
-                .centre_m = {-0.02, 0.05},
+                .center_m = {-0.02, 0.05},
                 .length_m = 0.02,
                 .width_m = 0.004,
                 .angle_deg = 30.0},
-               {.shape = models::PadMark::Shape::kBar, .centre_m = {0.05, 0.02}, .length_m = 0.03, .width_m = 0.004}};
+               {.shape = models::PadMark::Shape::kBar, .center_m = {0.05, 0.02}, .length_m = 0.03, .width_m = 0.004}};
   const Raster raster(pad);
   const auto on_page = [](const Vector2d& p_W) { return Vector2d(105.0 - 1000.0 * p_W.y(), 148.5 - 1000.0 * p_W.x()); };
   const auto direction = [](double degrees) {
@@ -138,10 +138,10 @@ TEST(PadSheet, MeasuresWhatTheMarksAreInThePrint) {
   EXPECT_NEAR(raster.InkEnd(over_stroke, direction(180.0)), 100.0, 0.05) << "over the stroke, which stays black";
 }
 
-TEST(PadSheet, HasARulerOfAHundredMillimetres) {
+TEST(PadSheet, HasARulerOfAHundredMillimeters) {
   const Raster raster((LandingPad()));
   std::vector<double> ticks_mm;
-  // A row that the ticks of whole centimetres alone reach.
+  // A row that the ticks of whole centimeters alone reach.
   double row_mm = 0.0;
   for (double y = 245.0; y < 290.0 && ticks_mm.size() < 11; y += 0.1) {
     ticks_mm.clear();
@@ -190,9 +190,9 @@ TEST(PadSheet, MakesThePageLargerWhereItsSheetIsTooSmallForTheRuler) {
   const Raster raster(small);
   EXPECT_GT(raster.width_mm(), 100.0);
   EXPECT_GT(raster.height_mm(), 64.0 + 20.0);
-  const Vector2d centre(0.5 * raster.width_mm(), 32.0);
-  EXPECT_NEAR(27.5 + raster.InkEnd(centre + Vector2d(27.5, 0.0), {1.0, 0.0}), 30.0, 0.05);
-  EXPECT_NEAR(raster.InkEnd(centre, {1.0, 0.0}), 9.5, 0.05);
+  const Vector2d center(0.5 * raster.width_mm(), 32.0);
+  EXPECT_NEAR(27.5 + raster.InkEnd(center + Vector2d(27.5, 0.0), {1.0, 0.0}), 30.0, 0.05);
+  EXPECT_NEAR(raster.InkEnd(center, {1.0, 0.0}), 9.5, 0.05);
 }
 
 TEST(PadSheet, IsAnSvgOfTheSameSize) {

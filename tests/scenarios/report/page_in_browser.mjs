@@ -95,7 +95,7 @@ test("every curve of every plot is drawn", async () => {
 });
 
 test("the lanes of the detection show frames with and without the pad", async () => {
-  const colours = await page.evaluate(() => {
+  const colors = await page.evaluate(() => {
     const index = touchdown.flight.plots.findIndex(({ lanes }) => lanes);
     const wanted = ["--estimate", "--failed"].map((name) => {
       const [, ...hex] = getComputedStyle(document.documentElement).getPropertyValue(name).trim().match(/#(..)(..)(..)/);
@@ -104,11 +104,11 @@ test("the lanes of the detection show frames with and without the pad", async ()
     const data = pixelsOf(touchdown.plots[index]);
     const found = wanted.map(() => 0);
     for (let i = 0; i < data.length; i += 4) {
-      wanted.forEach((colour, k) => (found[k] += colour.every((value, c) => value === data[i + c]) ? 1 : 0));
+      wanted.forEach((color, k) => (found[k] += color.every((value, c) => value === data[i + c]) ? 1 : 0));
     }
     return found;
   });
-  for (const pixels of colours) assert.ok(pixels > 200, `${colours}`);
+  for (const pixels of colors) assert.ok(pixels > 200, `${colors}`);
 });
 
 test("a drag on one plot zooms all, a double click shows the whole flight again", async () => {
@@ -262,7 +262,7 @@ test("the pad's marks are drawn where they lie", async () => {
     const corners = [...bar.points].map(({ x, y }) => [x, y]);
     const middle = (i, j) => [0, 1].map((k) => (corners[i][k] + corners[j][k]) / 2);
     return {
-      discCentre: [of("cx"), of("cy")],
+      discCenter: [of("cx"), of("cy")],
       discRim: [of("cx") + of("r"), of("cy")],
       barStart: middle(1, 2),
       barEnd: middle(3, 0),
@@ -271,7 +271,7 @@ test("the pad's marks are drawn where they lie", async () => {
   });
   const [along, across] = [[Math.cos(Math.PI / 6), 0.5], [-0.5, Math.cos(Math.PI / 6)]];
   const expected = {
-    discCentre: [0.02, 0.05],
+    discCenter: [0.02, 0.05],
     discRim: [0.025, 0.05],
     barStart: [-0.02 - 0.01 * along[0], 0.05 - 0.01 * along[1]],
     barEnd: [-0.02 + 0.01 * along[0], 0.05 + 0.01 * along[1]],

@@ -67,9 +67,9 @@ TEST_F(PageInABrowser, DoesWhatItsReaderAsksAndLooksAsInTheDocs) {
   cli::FlyIntoFolder(scenario, flight);
 
   runner::Scenario marked = scenario;
-  marked.pad.marks = {{.shape = models::PadMark::Shape::kDisc, .centre_m = {0.02, 0.05}, .diameter_m = 0.01},
+  marked.pad.marks = {{.shape = models::PadMark::Shape::kDisc, .center_m = {0.02, 0.05}, .diameter_m = 0.01},
                       {.shape = models::PadMark::Shape::kBar,
-                       .centre_m = {-0.02, 0.05},
+                       .center_m = {-0.02, 0.05},
                        .length_m = 0.02,
                        .width_m = 0.004,
                        .angle_deg = 30.0}};

@@ -37,7 +37,7 @@ class VideoWriterTest : public ::testing::Test {
   const fs::path file_ = folder_ / "film.mp4";
 };
 
-/// A plain picture whose grey tells its number, with a red square on it.
+/// A plain picture whose gray tells its number, with a red square on it.
 cv::Mat3b Numbered(int number, const cv::Size& size) {
   cv::Mat3b picture(size, cv::Vec3b::all(static_cast<std::uint8_t>(40 + 2 * (number % 80))));
   picture(cv::Rect(size.width / 4, size.height / 4, size.width / 4, size.height / 4)) = cv::Vec3b(20, 30, 220);

@@ -11,7 +11,7 @@ namespace {
 Scenario ShortHover() {
   Scenario scenario;
   scenario.start = {.airborne = true, .position_m = {0.0, 0.0, 1.0}};
-  scenario.script = {{.kind = controller::ManoeuvreKind::kHover, .position_m = {0.0, 0.0, 1.0}, .duration_s = 60.0}};
+  scenario.script = {{.kind = controller::ManeuverKind::kHover, .position_m = {0.0, 0.0, 1.0}, .duration_s = 60.0}};
   scenario.time_limit_s = 0.08;
   return scenario;
 }

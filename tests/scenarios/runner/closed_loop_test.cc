@@ -31,7 +31,7 @@ TEST(ClosedLoop, StartsInTheAirKnowingTheBiasesOfItsImu) {
     Scenario scenario;
     scenario.seed = seed;
     scenario.start = {.airborne = true, .position_m = {0.2, -0.1, 1.0}, .yaw_deg = 17.0};
-    scenario.script = {{.kind = controller::ManoeuvreKind::kHover, .position_m = {0.0, 0.0, 1.0}, .duration_s = 60.0}};
+    scenario.script = {{.kind = controller::ManeuverKind::kHover, .position_m = {0.0, 0.0, 1.0}, .duration_s = 60.0}};
     scenario.time_limit_s = 0.25;
     scenario.world.paint_textures = false;  // The pad is not needed: level is the IMU's.
     scenario.vehicle.imu.misalignment_deg = {.roll = 1.7, .pitch = -1.1, .yaw = 2.3};
@@ -89,7 +89,7 @@ class StandingImu final : public FlightObserver {
 TEST(ClosedLoop, StandsOnTheSlopeHeadingAsItStartsBeforeAFlightFromTheAir) {
   Scenario scenario;
   scenario.start = {.airborne = true, .yaw_deg = 90.0};
-  scenario.script = {{.kind = controller::ManoeuvreKind::kHover, .position_m = {0.0, 0.0, 1.0}, .duration_s = 60.0}};
+  scenario.script = {{.kind = controller::ManeuverKind::kHover, .position_m = {0.0, 0.0, 1.0}, .duration_s = 60.0}};
   scenario.time_limit_s = 0.1;
   scenario.world.paint_textures = false;
   scenario.world.ground_tilt.roll_deg = 5.7;  // Lower towards -Y of W, which lies behind the vehicle.
@@ -119,7 +119,7 @@ class SlowObserver final : public FlightObserver {
 
 TEST(ClosedLoop, DoesNotCountTheTimeThatItsObserversTake) {
   Scenario scenario;
-  scenario.script = {{.kind = controller::ManoeuvreKind::kTakeoff}};
+  scenario.script = {{.kind = controller::ManeuverKind::kTakeoff}};
   scenario.time_limit_s = 0.5;
   scenario.world.paint_textures = false;
   SlowObserver observer;

@@ -31,15 +31,15 @@ constexpr const char* kMarks = R"(pad:
 )";
 
 TEST(Scenario, ReadsThePadsMarks) {
-  const models::PadMark disc{.shape = models::PadMark::Shape::kDisc, .centre_m = {0.02, 0.05}, .diameter_m = 0.01};
+  const models::PadMark disc{.shape = models::PadMark::Shape::kDisc, .center_m = {0.02, 0.05}, .diameter_m = 0.01};
   const models::PadMark bar{.shape = models::PadMark::Shape::kBar,
-                            .centre_m = {-0.02, 0.05},
+                            .center_m = {-0.02, 0.05},
                             .length_m = 0.02,
                             .width_m = 0.004,
                             .angle_deg = 30.0};
   EXPECT_EQ(Parse(With(kMarks)).pad.marks, (std::vector{disc, bar}));
   EXPECT_EQ(Parse(With("")).pad.marks.size(), 0u);
-  EXPECT_EQ(Parse(With(kMarks), {"pad.marks.0.x_m=0.03"}).pad.marks[0].centre_m.x(), 0.03);
+  EXPECT_EQ(Parse(With(kMarks), {"pad.marks.0.x_m=0.03"}).pad.marks[0].center_m.x(), 0.03);
 }
 
 TEST(Scenario, RefusesAMarkThatIsNoneAndNamesItsLineAndKey) {

@@ -33,7 +33,7 @@ std::string ContentOf(const std::string& name, const std::vector<StudyFile>& fil
 /// The comment that says how a network was made.
 std::string Head(const std::string& code) { return code.substr(0, code.find("*/")); }
 
-void ExpectAllClassesWellRecognised(const ConfusionMatrix& matrix, int least_count, double least_recall) {
+void ExpectAllClassesWellRecognized(const ConfusionMatrix& matrix, int least_count, double least_recall) {
   for (int label = 0; label < kClasses; ++label) {
     EXPECT_GT(matrix.Total(label), least_count);
     EXPECT_GE(matrix.Recall(label), least_recall) << "class " << label;
@@ -43,16 +43,16 @@ void ExpectAllClassesWellRecognised(const ConfusionMatrix& matrix, int least_cou
 /// `touchdown train --letter LETTER` as the docs have it, against what is committed.
 void ExpectRemade(PadLetter letter, const std::string& weights, int least_count, double least_recall) {
   const ClassifierStudy study = StudyClassifier(ClassifierStudyConfig::For(letter), kSeed);
-  ExpectAllClassesWellRecognised(study.test, least_count, least_recall);
+  ExpectAllClassesWellRecognized(study.test, least_count, least_recall);
 
   ConfusionMatrix compiled_in;
   int agreeing = 0;
-  for (const LabelledPattern& each : study.test_patterns) {
+  for (const LabeledPattern& each : study.test_patterns) {
     const estimator::paper::ComponentClass label = estimator::paper::Classify(each.pattern, letter).label;
     ++compiled_in.count[static_cast<std::size_t>(each.label)][static_cast<std::size_t>(label)];
     agreeing += label == LabelOf(study.network, each.pattern) ? 1 : 0;
   }
-  ExpectAllClassesWellRecognised(compiled_in, least_count, least_recall);
+  ExpectAllClassesWellRecognized(compiled_in, least_count, least_recall);
   EXPECT_GE(agreeing, kLeastAgreement * static_cast<double>(study.test_patterns.size()));
 
   const std::string remade = ContentOf(weights, ClassifierFiles(study));

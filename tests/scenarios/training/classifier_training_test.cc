@@ -10,7 +10,7 @@ namespace {
 
 std::vector<TrainingSample> ExclusiveOr() { return {{{0, 0}, 0}, {{0, 1}, 1}, {{1, 0}, 1}, {{1, 1}, 0}}; }
 
-/// Points of the unit square by the ring around its centre in which they lie: not linearly separable.
+/// Points of the unit square by the ring around its center in which they lie: not linearly separable.
 std::vector<TrainingSample> Rings(int count, std::uint64_t seed) {
   models::RandomStream random(seed, "training test");
   std::vector<TrainingSample> samples;
@@ -45,7 +45,7 @@ TEST(Training, LearnsTheExclusiveOr) {
   EXPECT_EQ(ShareRight(result.network, samples), 1.0);
 }
 
-TEST(Training, GeneralisesToSamplesThatItNeverSaw) {
+TEST(Training, GeneralizesToSamplesThatItNeverSaw) {
   const TrainingConfig config{.max_epochs = 300, .patience_epochs = 300, .learning_rate = 0.2, .weight_decay = 0.0};
   const TrainingResult result = Train(Rings(1500, 1), Rings(500, 2), config, 1);
   EXPECT_GT(ShareRight(result.network, Rings(2000, 3)), 0.95);

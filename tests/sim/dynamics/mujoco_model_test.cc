@@ -19,10 +19,10 @@ TEST(LoadModel, CompilesADocumentFromMemory) {
 
 TEST(LoadModel, PassesOnWhatMujocoSaysOfABadDocument) {
   try {
-    LoadModel("<mujoco><worldbody><geom size='0.5' colour='red'/></worldbody></mujoco>");
+    LoadModel("<mujoco><worldbody><geom size='0.5' color='red'/></worldbody></mujoco>");
     FAIL() << "it compiled";
   } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("colour"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("color"));
   }
 }
 

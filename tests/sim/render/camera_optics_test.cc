@@ -28,7 +28,7 @@ models::Image Rounded(const FineImage& fine) {
   return image;
 }
 
-/// Difference of two frames in grey levels.
+/// Difference of two frames in gray levels.
 struct Difference {
   double rms = 0.0;
   double worst = 0.0;
@@ -189,7 +189,7 @@ TEST(CameraOptics, BlursAboveTheHorizonByRotationAlone) {
   EXPECT_GT(row_difference(470), 256 * 20);
 }
 
-TEST(PoseAlong, InterpolatesBetweenNeighbours) {
+TEST(PoseAlong, InterpolatesBetweenNeighbors) {
   const std::vector path{CameraAt({0, 0, 1}), CameraAt({0, 0, 2}, {0.2, 0, 0}), CameraAt({1, 0, 2}, {0.2, 0, 0})};
   EXPECT_TRUE(PoseAlong(path, 0.0).isApprox(path[0]));
   EXPECT_TRUE(PoseAlong(path, 0.25).isApprox(CameraAt({0, 0, 1.5}, {0.1, 0, 0})));

@@ -118,7 +118,7 @@ TEST(ChaseView, ShowsThePadBareAndCovered) {
   EXPECT_LT(chase.Render(X_WB, false)(pixel)[1], 120);
 }
 
-TEST(ChaseView, IsInColour) {
+TEST(ChaseView, IsInColor) {
   const auto world = PaintedWorld();
   ChaseView chase(world->model(), {});
   const Vector3d p_WB(0.0, 0.0, 1.0);

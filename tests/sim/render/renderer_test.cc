@@ -23,7 +23,7 @@ using tests::CameraAt;
 using tests::CameraTowards;
 using tests::EdgeOffset;
 using tests::EmptyRoomConfig;
-using tests::GreyAt;
+using tests::GrayAt;
 using tests::Room;
 
 const models::CameraModel kPinhole{.k1 = 0.0, .k2 = 0.0};
@@ -75,11 +75,11 @@ TEST(Renderer, TurnsTheLetterAlongTheWorldsX) {
     const models::Image& image = renderer.Render(*room.data, X_WC);
     for (const double sign_x : {-1.0, 1.0}) {
       for (const double sign_y : {-1.0, 1.0}) {
-        EXPECT_LT(GreyAt(image, PixelOf({sign_x * x, sign_y * y, 0.0}, X_WC)), 60.0);
+        EXPECT_LT(GrayAt(image, PixelOf({sign_x * x, sign_y * y, 0.0}, X_WC)), 60.0);
       }
-      EXPECT_GT(GreyAt(image, PixelOf({sign_x * x, 0.0, 0.0}, X_WC)), 180.0);
+      EXPECT_GT(GrayAt(image, PixelOf({sign_x * x, 0.0, 0.0}, X_WC)), 180.0);
     }
-    EXPECT_LT(GreyAt(image, PixelOf({0.0, 0.0, 0.0}, X_WC)), 60.0);
+    EXPECT_LT(GrayAt(image, PixelOf({0.0, 0.0, 0.0}, X_WC)), 60.0);
   }
 }
 
@@ -98,32 +98,32 @@ TEST(Renderer, ShowsTheTexturesFirstTexelAtTheSheetsCornerOfLowXAndHighY) {
   const Eigen::Isometry3d X_WC = CameraAt({0.0, 0.0, 0.4});
   const models::Image& image = renderer.Render(*room.data, X_WC);
   const double x = 0.4 * room.scene.pad.sheet_length_m, y = 0.4 * room.scene.pad.sheet_width_m;
-  EXPECT_LT(GreyAt(image, PixelOf({-x, y, 0.0}, X_WC)), 5.0);
-  EXPECT_GT(GreyAt(image, PixelOf({x, y, 0.0}, X_WC)), 250.0);
-  EXPECT_GT(GreyAt(image, PixelOf({-x, -y, 0.0}, X_WC)), 250.0);
-  EXPECT_GT(GreyAt(image, PixelOf({x, -y, 0.0}, X_WC)), 250.0);
+  EXPECT_LT(GrayAt(image, PixelOf({-x, y, 0.0}, X_WC)), 5.0);
+  EXPECT_GT(GrayAt(image, PixelOf({x, y, 0.0}, X_WC)), 250.0);
+  EXPECT_GT(GrayAt(image, PixelOf({-x, -y, 0.0}, X_WC)), 250.0);
+  EXPECT_GT(GrayAt(image, PixelOf({x, -y, 0.0}, X_WC)), 250.0);
 }
 
 TEST(Renderer, PutsEveryPrintOfTheFloorWhereItsSceneSaysItLies) {
   Room room({.posters = 0, .lone_circles = 0, .lone_letters = 12, .objects = 0}, 3);
   Renderer renderer(*room.model, {});
   for (const SceneItem& item : room.scene.items) {
-    const Vector3d centre(item.position_m.x(), item.position_m.y(), 0.0);
-    const Eigen::Isometry3d X_WC = CameraAt(centre + Vector3d(0.0, 0.0, 0.5));
+    const Vector3d center(item.position_m.x(), item.position_m.y(), 0.0);
+    const Eigen::Isometry3d X_WC = CameraAt(center + Vector3d(0.0, 0.0, 0.5));
     const models::Image& image = renderer.Render(*room.data, X_WC);
     const Vector3d across(-std::sin(item.yaw), std::cos(item.yaw), 0.0), along(across.y(), -across.x(), 0.0);
-    EXPECT_LT(GreyAt(image, PixelOf(centre, X_WC)), 100.0);
-    EXPECT_GT(GreyAt(image, PixelOf(centre + 0.47 * item.size_m.x() * along, X_WC)), 120.0);
-    EXPECT_GT(GreyAt(image, PixelOf(centre + 0.47 * item.size_m.y() * across, X_WC)), 120.0);
+    EXPECT_LT(GrayAt(image, PixelOf(center, X_WC)), 100.0);
+    EXPECT_GT(GrayAt(image, PixelOf(center + 0.47 * item.size_m.x() * along, X_WC)), 120.0);
+    EXPECT_GT(GrayAt(image, PixelOf(center + 0.47 * item.size_m.y() * across, X_WC)), 120.0);
   }
 }
 
-TEST(Renderer, HonoursAPrincipalPointOffTheCentreToTheFractionOfAPixel) {
+TEST(Renderer, HonorsAPrincipalPointOffTheCenterToTheFractionOfAPixel) {
   const Room room(EmptyRoomConfig());
-  Renderer centred(*room.model, {});
+  Renderer centered(*room.model, {});
   Renderer shifted(*room.model, {.width_px = 700, .height_px = 520, .cx_px = 347.5, .cy_px = 254.5});
   const Eigen::Isometry3d X_WC = CameraAt({0.02, 0.01, 0.4}, {.roll = 0.1, .pitch = 0.1, .yaw = 0.3});
-  const models::Image a = centred.Render(*room.data, X_WC), b = shifted.Render(*room.data, X_WC);
+  const models::Image a = centered.Render(*room.data, X_WC), b = shifted.Render(*room.data, X_WC);
   for (int v = 0; v < 480; v += 7) {
     for (int u = 0; u < 640; u += 7) EXPECT_NEAR(a.View().At(u, v), b.View().At(u + 28, v + 15), 2);
   }
@@ -137,8 +137,8 @@ TEST(Renderer, ShowsInkAndPaperAsBrightAsTheSceneSays) {
     Renderer renderer(*room.model, {});
     const Eigen::Isometry3d X_WC = CameraAt({0.0, 0.0, 0.3});
     const models::Image& image = renderer.Render(*room.data, X_WC);
-    EXPECT_NEAR(GreyAt(image, PixelOf({0.03, 0.0, 0.0}, X_WC)), PaperLevel(room.scene), 2.5);
-    EXPECT_NEAR(GreyAt(image, PixelOf({0.0, 0.0, 0.0}, X_WC)), kInk * illumination, 2.5);
+    EXPECT_NEAR(GrayAt(image, PixelOf({0.03, 0.0, 0.0}, X_WC)), PaperLevel(room.scene), 2.5);
+    EXPECT_NEAR(GrayAt(image, PixelOf({0.0, 0.0, 0.0}, X_WC)), kInk * illumination, 2.5);
     EXPECT_NEAR(PaperLevel(room.scene), 225.0 * illumination, 0.1);
   }
 }
@@ -155,7 +155,7 @@ TEST(Renderer, SeesThePadCoveredAndBare) {
   room.model->geom_rgba[4 * cover + 3] = 0.0f;
   EXPECT_EQ(renderer.Render(*room.data, X_WC).pixels, shown.pixels);
   for (const double x : {-0.08, 0.0, 0.03, 0.08}) {
-    EXPECT_NEAR(GreyAt(covered, PixelOf({x, 0.0, 0.0}, X_WC)), PaperLevel(room.scene), 2.5);
+    EXPECT_NEAR(GrayAt(covered, PixelOf({x, 0.0, 0.0}, X_WC)), PaperLevel(room.scene), 2.5);
   }
 }
 
@@ -170,7 +170,7 @@ TEST(Renderer, HasNoPadInASceneWithoutOne) {
             Renderer(*with.model, {}).Render(*with.data, X_WC).pixels);
 }
 
-TEST(Renderer, LeavesOutOnlyWhatTheFloorsCentreHides) {
+TEST(Renderer, LeavesOutOnlyWhatTheFloorsCenterHides) {
   const Room room({}, 7);
   Room everything({}, 7);
   for (int geom = 0; geom < everything.model->ngeom; ++geom) {

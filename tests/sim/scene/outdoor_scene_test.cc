@@ -21,7 +21,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using tests::CameraAt;
-using tests::GreyAt;
+using tests::GrayAt;
 
 constexpr SceneConfig::Setting kOutdoor = SceneConfig::Setting::kOutdoor;
 
@@ -45,11 +45,11 @@ class Meadows : public ::testing::Test {
     return *world_;
   }
 
-  /// Grey level at a place of W, seen from straight above, the vehicle's body there.
+  /// Gray level at a place of W, seen from straight above, the vehicle's body there.
   double Seen(const Vector3d& p_W, const Vector3d& p_WB) {
     world_->Reset(Eigen::Isometry3d(Eigen::Translation3d(p_WB)), true);
     const Eigen::Isometry3d X_WC = CameraAt(p_W + Vector3d(0.0, 0.0, 0.4));
-    return GreyAt(renderer_->Render(world_->data(), X_WC), {319.5, 239.5});
+    return GrayAt(renderer_->Render(world_->data(), X_WC), {319.5, 239.5});
   }
 
   /// What a place keeps of its light when the vehicle comes.

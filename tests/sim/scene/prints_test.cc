@@ -40,9 +40,9 @@ TEST(PrintPad, InksASolidRectangle) {
 /// Two marks that touch nothing.
 models::LandingPad MarkedPad() {
   models::LandingPad pad;
-  pad.marks = {{.shape = models::PadMark::Shape::kDisc, .centre_m = {0.02, 0.05}, .diameter_m = 0.01},
+  pad.marks = {{.shape = models::PadMark::Shape::kDisc, .center_m = {0.02, 0.05}, .diameter_m = 0.01},
                {.shape = models::PadMark::Shape::kBar,
-                .centre_m = {-0.02, 0.05},
+                .center_m = {-0.02, 0.05},
                 .length_m = 0.02,
                 .width_m = 0.004,
                 .angle_deg = 30.0}};
@@ -60,7 +60,7 @@ TEST(PrintPad, AgreesWithTheModelAwayFromEdges) {
   const models::LandingPad pad = MarkedPad();
   const models::PadOutline outline(pad);
   const cv::Mat1b print = PrintPad(pad, 512, 256);
-  int grey = 0;
+  int gray = 0;
   for (int row = 0; row < print.rows; ++row) {
     for (int column = 0; column < print.cols; ++column) {
       const Eigen::Vector2d p(((column + 0.5) / 512 - 0.5) * pad.sheet_length_m,
@@ -69,12 +69,12 @@ TEST(PrintPad, AgreesWithTheModelAwayFromEdges) {
       if (level == kPaper || level == kInk) {
         EXPECT_EQ(level == kInk, outline.IsBlack(p));
       } else {
-        ++grey;
+        ++gray;
       }
     }
   }
-  EXPECT_GT(grey, 500);
-  EXPECT_LT(grey, 6000);
+  EXPECT_GT(gray, 500);
+  EXPECT_LT(gray, 6000);
 }
 
 TEST(PrintSheet, LeavesTheMiddleOfALoneRingEmpty) {

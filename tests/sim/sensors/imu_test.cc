@@ -58,7 +58,7 @@ TEST(Imu, ReadsGravityInItsOwnAxesWhenMountedAskew) {
   EXPECT_TRUE(imu.Sample(truth)->specific_force_U.isApprox(kG * up_U, 1e-12));
 }
 
-TEST(Imu, FeelsCentripetalAndTangentialAccelerationOffTheCentre) {
+TEST(Imu, FeelsCentripetalAndTangentialAccelerationOffTheCenter) {
   Eigen::Isometry3d X_BU = Eigen::Isometry3d::Identity();
   X_BU.translation() = Vector3d(0.1, 0.0, 0.0);
   Imu imu(PerfectImu(), X_BU, models::TimeBase{.ticks_per_s = 200000}, 1);

@@ -13,7 +13,7 @@ void Add(std::vector<PassTrial>& trials, double value, int passed, int flown) {
   for (int i = 0; i < flown; ++i) trials.push_back({value, static_cast<std::uint64_t>(i), i < passed});
 }
 
-/// So many flights, each with a touchdown error of its number in millimetres.
+/// So many flights, each with a touchdown error of its number in millimeters.
 SweepOutcome Landings(int passed, int flown, std::vector<SweepCriterion> criteria) {
   SweepOutcome sweep{.terms = {.criteria = std::move(criteria)}, .planned = static_cast<std::size_t>(flown)};
   for (int i = 0; i < flown; ++i) {

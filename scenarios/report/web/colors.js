@@ -1,18 +1,18 @@
-// Colours are custom properties of the style sheet, so that they change with the theme.
+// Colors are custom properties of the style sheet, so that they change with the theme.
 
 /** What the style sheet says of --`name` now. */
-export function colour(name) {
+export function color(name) {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 }
 
 /** The same with an opacity. */
 export function tint(name, opacity) {
   const percent = Math.round(opacity * 100);
-  return `color-mix(in srgb, ${colour(name)} ${percent}%, transparent)`;
+  return `color-mix(in srgb, ${color(name)} ${percent}%, transparent)`;
 }
 
-/** The name of a phase's colour. */
-export function phaseColour(phase) {
+/** The name of a phase's color. */
+export function phaseColor(phase) {
   return `phase-${phase.replaceAll("_", "-")}`;
 }
 
