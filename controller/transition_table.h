@@ -33,12 +33,12 @@ enum class ManeuverKind { kTakeoff, kHover, kLand };
 /// What the transitions depend on, beside the time.
 struct Conditions {
   std::optional<ManeuverKind> task = std::nullopt;  ///< The maneuver that the script is at; nullopt: all are flown.
-  bool pad_lost = false;                             ///< Not seen for pad_lost_s, or never.
-  bool pad_found = false;                            ///< Seen for pad_found_s without being lost.
-  bool arrived = false;                              ///< The ramp's set-point has stopped and the vehicle is there.
-  bool ready_for_blind_descent = false;              ///< At the blind height, in Q', slow, for t_0.
-  bool low_enough = false;                           ///< By prediction at or below h_land.
-  bool high_enough = false;  ///< By prediction at the height where a climb without the pad ends.
+  bool pad_lost = false;                            ///< Not seen for pad_lost_s, or never.
+  bool pad_found = false;                           ///< Seen for pad_found_s without being lost.
+  bool arrived = false;                             ///< The ramp's set-point has stopped and the vehicle is there.
+  bool ready_for_blind_descent = false;             ///< At the blind height, in Q', slow, for t_0.
+  bool low_enough = false;                          ///< By prediction at or below h_land.
+  bool high_enough = false;                         ///< By prediction at the height where a climb without the pad ends.
 };
 
 /// How long a phase may last, in ticks; nullopt: for ever. Indexed by phase.

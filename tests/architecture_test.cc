@@ -68,8 +68,8 @@ bool IsLibraryAllowed(const std::string& path, const std::string& header) {
   });
 }
 
-/// The complaint about one include; empty when there is none.
-std::string Complaint(const std::string& path, const std::string& header, bool quoted) {
+/// The stderr_tail about one include; empty when there is none.
+std::string StderrTail(const std::string& path, const std::string& header, bool quoted) {
   if (!quoted) return IsLibraryAllowed(path, header) ? "" : "<" + header + "> does not belong here";
   if (header.find("..") != std::string::npos || header.find('/') == std::string::npos) {
     return "include \"" + header + "\" is not written from the root";
@@ -78,20 +78,20 @@ std::string Complaint(const std::string& path, const std::string& header, bool q
   return IsInOrder(path, header) ? "" : path.substr(0, path.rfind('/')) + "/ must not include " + header;
 }
 
-/// The complaints about one file's text. `path` is relative to the root, with forward slashes.
+/// The stderr_tails about one file's text. `path` is relative to the root, with forward slashes.
 std::vector<std::string> Violations(const std::string& path, const std::string& text) {
   static const std::regex include_line(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"])");
-  std::vector<std::string> complaints;
+  std::vector<std::string> stderr_tails;
   std::istringstream lines(text);
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
     std::smatch match;
     if (!std::regex_search(line, match, include_line)) continue;
-    const std::string complaint = Complaint(path, match[2], match[1] == "\"");
-    if (complaint.empty()) continue;
-    complaints.push_back(path + ":" + std::to_string(number) + ": " + complaint);
+    const std::string stderr_tail = StderrTail(path, match[2], match[1] == "\"");
+    if (stderr_tail.empty()) continue;
+    stderr_tails.push_back(path + ":" + std::to_string(number) + ": " + stderr_tail);
   }
-  return complaints;
+  return stderr_tails;
 }
 
 bool IsSource(const fs::path& path) {
@@ -124,7 +124,7 @@ TEST(Architecture, ComplainsOfAFolderAboveInTheSameModule) {
   EXPECT_EQ(FaultOf("sim/render/a.cc", "\"sim/scene/scene.h\""), "");
   EXPECT_EQ(FaultOf("sim/scene/a.cc", "\"sim/render/renderer.h\""),
             "sim/scene/a.cc:2: sim/scene/ must not include sim/render/renderer.h");
-  EXPECT_NE(FaultOf("scenarios/sweeper/plan/a.h", "\"scenarios/sweeper/run/crew.h\""), "");
+  EXPECT_NE(FaultOf("scenarios/sweeper/plan/a.h", "\"scenarios/sweeper/run/process_pool.h\""), "");
 }
 
 TEST(Architecture, ComplainsOfAnIncludeThatIsNotWrittenFromTheRoot) {

@@ -34,7 +34,7 @@ Means MeansOf(std::span<const models::ImuSample> samples) {
 }
 
 /// Three digits and the unit.
-std::string Told(double value, const char* unit) {
+std::string Format(double value, const char* unit) {
   const std::string digits = std::to_string(value);
   return digits.substr(0, digits.find('.') + 3) + " " + unit;
 }
@@ -44,16 +44,16 @@ void RequireRest(const Means& means, const ImuMountingConfig& config) {
     throw InputError("the IMU's samples hold a number that is not finite");
   }
   if (const double scatter = means.scatter.maxCoeff(); !(scatter <= config.most_scatter_m_s2)) {
-    throw InputError("the vehicle is not at rest: its specific force scatters by " + Told(scatter, "m/s^2") +
-                     ", at most " + Told(config.most_scatter_m_s2, "m/s^2") + " are allowed");
+    throw InputError("the vehicle is not at rest: its specific force scatters by " + Format(scatter, "m/s^2") +
+                     ", at most " + Format(config.most_scatter_m_s2, "m/s^2") + " are allowed");
   }
   if (const double turn = means.turn.norm(); !(turn <= config.most_turn_rad_s)) {
-    throw InputError("the vehicle is not at rest: it turns by " + Told(turn, "rad/s") + ", at most " +
-                     Told(config.most_turn_rad_s, "rad/s") + " are allowed");
+    throw InputError("the vehicle is not at rest: it turns by " + Format(turn, "rad/s") + ", at most " +
+                     Format(config.most_turn_rad_s, "rad/s") + " are allowed");
   }
   const double force = means.specific_force.norm();
   if (!(std::abs(force - models::kGravity_m_s2) <= config.most_gravity_error_m_s2)) {
-    throw InputError("the mean specific force is " + Told(force, "m/s^2") + ", which is not gravity's 9.81 m/s^2");
+    throw InputError("the mean specific force is " + Format(force, "m/s^2") + ", which is not gravity's 9.81 m/s^2");
   }
 }
 

@@ -138,8 +138,8 @@ PadContours FindContours(const models::ImageView& image, const PixelBox& ring_bo
   return Sorted(MakePatch(image, ring_box, config), Reach(ring_box, pad), config, contour_of);
 }
 
-PadContours FindContours(const models::ImageView& image, const PixelBox& ring_box, const SeenPlane& plane,
-                         const PrintPlace& place, const models::LandingPad& pad, const EdgeConfig& config) {
+PadContours FindContours(const models::ImageView& image, const PixelBox& ring_box, const PadPlane& plane,
+                         const TemplateWarp& place, const models::LandingPad& pad, const EdgeConfig& config) {
   constexpr double kNear = 0.4, kCurl = 0.06;  // Of the narrower stroke; of the radius.
   const double near_m = kNear * std::min(pad.h_stroke_m, pad.ring_width_m);
   const double near_ring_m = std::max(near_m, kCurl * pad.outer_radius_m);
@@ -150,7 +150,7 @@ PadContours FindContours(const models::ImageView& image, const PixelBox& ring_bo
     const double radius = p.norm(), cos_outwards = outwards.dot(p) / radius;
     if (cos_outwards > kAligned && std::abs(radius - pad.outer_radius_m) < near_ring_m) return Contour::kRingOuter;
     if (cos_outwards < -kAligned && std::abs(radius - pad.inner_radius_m()) < near_m) return Contour::kRingInner;
-    return outline.DistanceFromLetter(place.OnPrint(p)) < near_m ? Contour::kLetter : Contour::kNone;
+    return outline.DistanceFromLetter(place.OnTemplate(p)) < near_m ? Contour::kLetter : Contour::kNone;
   };
   return FindContours(image, ring_box, nearest, pad, config);
 }

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "estimator/overlay.h"
-#include "estimator/pad/print_match.h"
-#include "estimator/pad/seen_plane.h"
+#include "estimator/pad/pad_plane.h"
+#include "estimator/pad/pad_template_matcher.h"
 #include "models/landing_pad.h"
 #include "models/signals.h"
 
@@ -46,7 +46,7 @@ PadContours FindContours(const models::ImageView& image, const PixelBox& ring_bo
                          const models::LandingPad& pad, const EdgeConfig& config = {});
 
 /// The same; an edge pixel belongs to the contour near which it lies when the print is at `place` of the ring's plane.
-PadContours FindContours(const models::ImageView& image, const PixelBox& ring_box, const SeenPlane& plane,
-                         const PrintPlace& place, const models::LandingPad& pad, const EdgeConfig& config = {});
+PadContours FindContours(const models::ImageView& image, const PixelBox& ring_box, const PadPlane& plane,
+                         const TemplateWarp& place, const models::LandingPad& pad, const EdgeConfig& config = {});
 
 }  // namespace touchdown::estimator::pad

@@ -87,8 +87,7 @@ class PixelGrid {
 
 }  // namespace
 
-std::optional<RectifiedDisc> RectifiedDisc::Of(const models::ImageView& image, const SeenPlane& plane,
-                                               double radius_m) {
+std::optional<RectifiedDisc> RectifiedDisc::Of(const models::ImageView& image, const PadPlane& plane, double radius_m) {
   RectifiedDisc disc(radius_m, Cells(kCells, kCells));
   const auto grid = PixelGrid::Of([&](const Vector2d& cell) { return plane.PixelAt(disc.PointOf(cell)); });
   const auto center = plane.PixelAt(Vector2d::Zero());
@@ -116,7 +115,7 @@ Cells RectifiedDisc::LocalMean(const Cells& values, const Cells& weights) {
   return WindowMean(values * weights) / (WindowMean(weights) + kNothing);
 }
 
-Cells RectifiedDisc::Leveled(double noise) const {
+Cells RectifiedDisc::ContrastNormalized(double noise) const {
   Cells inside(kCells, kCells);
   for (int row = 0; row < kCells; ++row) {
     for (int column = 0; column < kCells; ++column) inside(row, column) = Holds(column, row) ? 1.0F : 0.0F;

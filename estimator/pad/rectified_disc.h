@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "estimator/pad/seen_plane.h"
+#include "estimator/pad/pad_plane.h"
 #include "models/signals.h"
 
 namespace touchdown::estimator::pad {
@@ -19,7 +19,7 @@ class RectifiedDisc {
   static constexpr int kCells = 64;
 
   /// nullopt where part of the disc is not seen.
-  static std::optional<RectifiedDisc> Of(const models::ImageView& image, const SeenPlane& plane, double radius_m);
+  static std::optional<RectifiedDisc> Of(const models::ImageView& image, const PadPlane& plane, double radius_m);
 
   /// Of the cell's middle, on the plane, m.
   Eigen::Vector2d PointOf(int column, int row) const { return PointOf(Eigen::Vector2d(column, row)); }
@@ -30,7 +30,7 @@ class RectifiedDisc {
   /// How much darker each cell is than those around it, over their standard deviation: the same under bright and dim
   /// light, on both sides of a shadow's edge, and nearly so in the haze of a glare. A deviation below `noise`, of 255,
   /// counts as this one.
-  Cells Leveled(double noise) const;
+  Cells ContrastNormalized(double noise) const;
 
   /// The mean of the cells around each, weighed with `weights`.
   static Cells LocalMean(const Cells& values, const Cells& weights);

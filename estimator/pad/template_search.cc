@@ -23,7 +23,7 @@ PixelBox BoxOf(const Ellipse& ellipse) {
   return {low.x(), low.y(), high.x() - low.x() + 1, high.y() - low.y() + 1};
 }
 
-Ellipse Undistorted(const Ellipse& raw, const ReducedView& view) {
+Ellipse Undistorted(const Ellipse& raw, const DownsampledCamera& view) {
   std::vector<Vector2d> points = PointsOn(raw);
   for (Vector2d& point : points) point = view.undistort.At(view.CameraPixel(point));
   return FitEllipse(points).value_or(raw);
@@ -54,7 +54,7 @@ std::vector<Vector2d> PointsOn(const Ellipse& ellipse) {
   return points;
 }
 
-void Undistort(const ReducedView& view, PadContours& contours) {
+void Undistort(const DownsampledCamera& view, PadContours& contours) {
   for (auto* contour : {&contours.ring_outer, &contours.ring_inner, &contours.letter}) {
     for (Vector2d& point : *contour) point = view.undistort.At(view.CameraPixel(point));
   }
@@ -71,8 +71,9 @@ TemplateSearch::TemplateSearch(const models::CameraModel& camera, const models::
                                const TemplateSearchConfig& config)
     : camera_(camera), pad_(pad), config_(config), print_(pad, config.print_match) {}
 
-std::optional<FoundPad> TemplateSearch::ByEdges(const ReducedImage& searched, const ReducedImage& measured) const {
-  for (const Ellipse& ring : FindRings(searched.image, config_.ring_search)) {
+std::optional<FoundPad> TemplateSearch::ByEdges(const DownsampledImage& searched,
+                                                const DownsampledImage& measured) const {
+  for (const Ellipse& ring : DetectEllipses(searched.image, config_.ring_search)) {
     const auto poses = PosesOf(Undistorted(ring, searched.view));
     if (!poses) continue;
     const PixelBox box = Scaled(BoxOf(ring), searched.view.reduction / measured.view.reduction);
@@ -81,24 +82,24 @@ std::optional<FoundPad> TemplateSearch::ByEdges(const ReducedImage& searched, co
   return std::nullopt;
 }
 
-std::optional<FoundPad> TemplateSearch::WithinRing(const ReducedImage& searched, const ReducedImage& measured,
+std::optional<FoundPad> TemplateSearch::WithinRing(const DownsampledImage& searched, const DownsampledImage& measured,
                                                    const PixelBox& ring_box,
                                                    const std::array<CirclePose, 2>& ring_poses) const {
-  std::vector<std::pair<PrintMatch::Found, CirclePose>> prints;
+  std::vector<std::pair<PadTemplateMatcher::Found, CirclePose>> prints;
   for (const CirclePose& pose : ring_poses) {
-    if (const auto found = print_.Find(searched.image, SeenPlane(pose, searched.view)))
+    if (const auto found = print_.Find(searched.image, PadPlane(pose, searched.view)))
       prints.emplace_back(*found, pose);
   }
   std::stable_sort(prints.begin(), prints.end(),
-                   [](const auto& a, const auto& b) { return a.first.likeness > b.first.likeness; });
+                   [](const auto& a, const auto& b) { return a.first.zncc > b.first.zncc; });
   for (const auto& [found, pose] : prints) {
-    if (auto pad = Measure(measured, ring_box, SeenPlane(pose, measured.view), found.place)) return pad;
+    if (auto pad = Measure(measured, ring_box, PadPlane(pose, measured.view), found.place)) return pad;
   }
   return std::nullopt;
 }
 
-std::optional<FoundPad> TemplateSearch::Measure(const ReducedImage& seen, const PixelBox& ring_box,
-                                                const SeenPlane& plane, const PrintPlace& place) const {
+std::optional<FoundPad> TemplateSearch::Measure(const DownsampledImage& seen, const PixelBox& ring_box,
+                                                const PadPlane& plane, const TemplateWarp& place) const {
   PadContours contours = FindContours(seen.image, ring_box, plane, place, pad_, config_.edges);
   Undistort(seen.view, contours);
   RingFitConfig broken = config_.ring_fit;
@@ -127,7 +128,7 @@ std::optional<std::array<CirclePose, 2>> TemplateSearch::PosesOf(const Ellipse& 
   return PosesOfCircle(NormalizedConic(ring, camera_), pad_.outer_radius_m);
 }
 
-double TemplateSearch::StrokeAngle(const SeenPlane& plane, const PrintPlace& place) const {
+double TemplateSearch::StrokeAngle(const PadPlane& plane, const TemplateWarp& place) const {
   const Vector2d from = plane.InCamera(place.OnPlane({-pad_.h_height_m / 2.0, 0.0})).hnormalized();
   const Vector2d to = plane.InCamera(place.OnPlane({pad_.h_height_m / 2.0, 0.0})).hnormalized();
   return models::WrapToHalfPi(std::atan2(to.y() - from.y(), to.x() - from.x()));

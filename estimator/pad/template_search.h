@@ -6,10 +6,10 @@
 #include "estimator/overlay.h"
 #include "estimator/pad/conic_pose.h"
 #include "estimator/pad/edges.h"
+#include "estimator/pad/ellipse_detection.h"
 #include "estimator/pad/ellipse_fit.h"
-#include "estimator/pad/print_match.h"
-#include "estimator/pad/ring_search.h"
-#include "estimator/pad/seen_plane.h"
+#include "estimator/pad/pad_plane.h"
+#include "estimator/pad/pad_template_matcher.h"
 #include "models/camera_model.h"
 #include "models/landing_pad.h"
 #include "models/signals.h"
@@ -17,9 +17,9 @@
 namespace touchdown::estimator::pad {
 
 /// An image, one pixel of which is a square of pixels of the camera's.
-struct ReducedImage {
+struct DownsampledImage {
   models::ImageView image;
-  ReducedView view;
+  DownsampledCamera view;
 };
 
 /// Means over squares of `n` by `n` px; what is left at the right and the bottom is cut off.
@@ -32,7 +32,7 @@ PixelBox Scaled(const PixelBox& box, int n);
 std::vector<Eigen::Vector2d> PointsOn(const Ellipse& ellipse);
 
 /// From raw pixels of a reduced image to undistorted pixels of the camera.
-void Undistort(const ReducedView& view, PadContours& contours);
+void Undistort(const DownsampledCamera& view, PadContours& contours);
 
 /// A pad found in an image: its contours and their ellipses, undistorted px.
 struct FoundPad {
@@ -48,7 +48,7 @@ struct FoundPad {
 struct TemplateSearchConfig {
   EdgeConfig edges;
   RingFitConfig ring_fit;
-  PrintMatchConfig print_match;
+  TemplateMatcherConfig print_match;
   RingSearchConfig ring_search;
 
   /// Throws InputError when a setting is impossible.
@@ -65,24 +65,24 @@ class TemplateSearch {
 
   /// Detects ellipses in `searched`, matches the template on the planes of each, and measures the first match in
   /// `measured`, which shows the same at the same or a larger size. nullopt without a match.
-  std::optional<FoundPad> ByEdges(const ReducedImage& searched, const ReducedImage& measured) const;
+  std::optional<FoundPad> ByEdges(const DownsampledImage& searched, const DownsampledImage& measured) const;
 
   /// The same for one ring, of which `ring_box` (px of `measured`) and both pose hypotheses are known.
-  std::optional<FoundPad> WithinRing(const ReducedImage& searched, const ReducedImage& measured,
+  std::optional<FoundPad> WithinRing(const DownsampledImage& searched, const DownsampledImage& measured,
                                      const PixelBox& ring_box, const std::array<CirclePose, 2>& ring_poses) const;
 
-  const PrintMatch& print_match() const { return print_; }
+  const PadTemplateMatcher& print_match() const { return print_; }
 
  private:
-  std::optional<FoundPad> Measure(const ReducedImage& seen, const PixelBox& ring_box, const SeenPlane& plane,
-                                  const PrintPlace& place) const;
+  std::optional<FoundPad> Measure(const DownsampledImage& seen, const PixelBox& ring_box, const PadPlane& plane,
+                                  const TemplateWarp& place) const;
   std::optional<std::array<CirclePose, 2>> PosesOf(const Ellipse& ring) const;
-  double StrokeAngle(const SeenPlane& plane, const PrintPlace& place) const;
+  double StrokeAngle(const PadPlane& plane, const TemplateWarp& place) const;
 
   models::CameraModel camera_;
   models::LandingPad pad_;
   TemplateSearchConfig config_;
-  PrintMatch print_;
+  PadTemplateMatcher print_;
 };
 
 }  // namespace touchdown::estimator::pad

@@ -58,7 +58,7 @@ PadSearch::PadSearch(const models::CameraModel& camera, const models::LandingPad
 PadSearch::Result PadSearch::Find(const models::ImageView& image) const {
   Enter(FrameStage::kRecognition);
   const auto shrunk = reduction_ > 1 ? std::optional(pad::Shrunk(image, reduction_)) : std::nullopt;
-  const pad::ReducedImage usual{shrunk ? shrunk->View() : image, {camera_, undistort_, reduction_}};
+  const pad::DownsampledImage usual{shrunk ? shrunk->View() : image, {camera_, undistort_, reduction_}};
   Result result = ByComponents(usual);
   if (result.pad || !searches_edges_) return result;
   Enter(FrameStage::kRecognition);
@@ -66,7 +66,7 @@ PadSearch::Result PadSearch::Find(const models::ImageView& image) const {
   return result;
 }
 
-PadSearch::Result PadSearch::ByComponents(const pad::ReducedImage& seen) const {
+PadSearch::Result PadSearch::ByComponents(const pad::DownsampledImage& seen) const {
   const models::Image dark = Binarize(seen.image, config_.binarize);
   const ComponentSet components = ExtractComponents(dark.View(), config_.components);
   PadDetector::Result detection = detector_.Detect(components);
@@ -83,7 +83,7 @@ PadSearch::Result PadSearch::ByComponents(const pad::ReducedImage& seen) const {
   return result;
 }
 
-std::optional<pad::FoundPad> PadSearch::Fit(const pad::ReducedImage& seen, const ComponentSet& components,
+std::optional<pad::FoundPad> PadSearch::Fit(const pad::DownsampledImage& seen, const ComponentSet& components,
                                             const DetectedPad& detected) const {
   pad::PadContours contours = FindContours(seen.image, components, detected, pad_, config_.edges);
   pad::Undistort(seen.view, contours);
@@ -111,21 +111,21 @@ std::optional<pad::FoundPad> PadSearch::Fit(const pad::ReducedImage& seen, const
 }
 
 /// Whether the template matches on the plane of this pose where the letter's ellipse puts it.
-bool PadSearch::IsTemplateUnder(const pad::Ellipse& normalized_letter, const pad::ReducedImage& seen,
+bool PadSearch::IsTemplateUnder(const pad::Ellipse& normalized_letter, const pad::DownsampledImage& seen,
                                 const pad::CirclePose& ring_pose) const {
   if (!letter_.HasDirection()) return false;
-  const pad::SeenPlane plane(ring_pose, seen.view);
+  const pad::PadPlane plane(ring_pose, seen.view);
   std::vector<Vector2d> on_plane;
   for (const Vector2d& point : pad::PointsOn(normalized_letter)) on_plane.push_back(plane.PointAlong(point));
   const auto letter = pad::FitEllipse(on_plane);
   if (!letter) return false;
-  std::vector<pad::PrintPlace> places(1);
+  std::vector<pad::TemplateWarp> places(1);
   places[0].angle = letter_.StrokeAngle(*letter);
   if (!pad_.marks.empty()) places.emplace_back().angle = places[0].angle + models::kPi;
   return template_->print_match().IsAt(seen.image, plane, places);
 }
 
-std::optional<pad::FoundPad> PadSearch::ByEdges(const pad::ReducedImage& usual) const {
+std::optional<pad::FoundPad> PadSearch::ByEdges(const pad::DownsampledImage& usual) const {
   // Coarsely first, where blur and noise vanish and there is less to search.
   constexpr int kCoarse = 2;
   std::optional<pad::FoundPad> found;

@@ -27,7 +27,7 @@ struct PadSearchConfig {
   pad::EdgeConfig edges;
   pad::RingFitConfig ring_fit;
   Verify verify = Verify::kTemplate;
-  pad::PrintMatchConfig print_match;
+  pad::TemplateMatcherConfig print_match;
   pad::RingSearchConfig ring_search;
 
   /// Throws InputError when a setting is impossible.
@@ -60,11 +60,11 @@ class PadSearch {
   void Enter(FrameStage stage) const {
     if (on_stage_) on_stage_(stage);
   }
-  Result ByComponents(const pad::ReducedImage& seen) const;
-  std::optional<pad::FoundPad> Fit(const pad::ReducedImage& seen, const ComponentSet& components,
+  Result ByComponents(const pad::DownsampledImage& seen) const;
+  std::optional<pad::FoundPad> Fit(const pad::DownsampledImage& seen, const ComponentSet& components,
                                    const DetectedPad& detected) const;
-  std::optional<pad::FoundPad> ByEdges(const pad::ReducedImage& usual) const;
-  bool IsTemplateUnder(const pad::Ellipse& normalized_letter, const pad::ReducedImage& seen,
+  std::optional<pad::FoundPad> ByEdges(const pad::DownsampledImage& usual) const;
+  bool IsTemplateUnder(const pad::Ellipse& normalized_letter, const pad::DownsampledImage& seen,
                        const pad::CirclePose& ring_pose) const;
   std::optional<pad::FoundPad> WithLetterDirection(std::optional<pad::FoundPad> pad) const;
 

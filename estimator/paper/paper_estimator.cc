@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "estimator/pad/print_misfit.h"
+#include "estimator/pad/template_residual.h"
 #include "estimator/paper/pad_pose.h"
 #include "models/angles.h"
 #include "models/error.h"
@@ -132,11 +132,12 @@ PaperEstimator::Branch PaperEstimator::BranchByPrint(const pad::FoundPad& pad) c
   const std::array<pad::CirclePose, 2>& ring_poses = pad.ring_poses;
   const std::vector<Vector2d> ring_inner = Normalized(pad.contours.ring_inner, setup_.camera),
                               letter = Normalized(pad.contours.letter, setup_.camera);
-  std::array<pad::PrintMisfit, 2> misfits;
-  for (std::size_t i = 0; i < 2; ++i) misfits[i] = pad::MisfitOfPrint(ring_inner, letter, setup_.pad, ring_poses[i]);
-  std::size_t chosen = misfits[0].rms_m <= misfits[1].rms_m ? 0 : 1;
-  const double wrong = pad::ProbabilityOfLargerMisfit(misfits[chosen], misfits[1 - chosen]);
-  PoseChoice choice{PoseChoice::Reason::kPrint, misfits[chosen].rms_m, misfits[1 - chosen].rms_m};
+  std::array<pad::TemplateResidual, 2> residuals;
+  for (std::size_t i = 0; i < 2; ++i)
+    residuals[i] = pad::ResidualOfTemplate(ring_inner, letter, setup_.pad, ring_poses[i]);
+  std::size_t chosen = residuals[0].rms_m <= residuals[1].rms_m ? 0 : 1;
+  const double wrong = pad::WrongBranchProbability(residuals[chosen], residuals[1 - chosen]);
+  PoseChoice choice{PoseChoice::Reason::kPrint, residuals[chosen].rms_m, residuals[1 - chosen].rms_m};
   if (wrong > kUndecided) {
     const Eigen::Vector3d frontal = -Eigen::Vector3d::UnitZ();
     chosen = ResolveByGravity(ring_poses, frontal);

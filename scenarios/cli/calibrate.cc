@@ -10,8 +10,8 @@
 
 #include "models/error.h"
 #include "scenarios/cli/interrupt.h"
+#include "scenarios/cli/output.h"
 #include "scenarios/cli/progress.h"
-#include "scenarios/cli/talk.h"
 #include "scenarios/config/camera_info.h"
 #include "scenarios/datasets/imu_file.h"
 #include "scenarios/laboratory/calibration_bench.h"
@@ -31,7 +31,7 @@ struct CalibrateOptions {
   std::optional<std::string> seed;
   bool all_terms = false;
   std::string out;
-  Talk talk;
+  OutputOptions output;
 
   bool Wants(const char* sensor) const { return what == sensor || what == "all"; }
 };
@@ -72,7 +72,7 @@ laboratory::CalibrationRun Calibrate(const CalibrateOptions& options) {
   laboratory::CalibrationRun run{.scenario = ScenarioOf(options), .imu = {}, .camera = {}};
   if (options.Wants("imu")) run.imu = laboratory::CalibrateImu(*run.scenario);
   if (!options.Wants("camera")) return run;
-  Progress progress(!options.talk.ForPeople());
+  Progress progress(!options.output.ForPeople());
   laboratory::CameraCalibrationConfig config;
   if (options.all_terms) config.terms = laboratory::LensTerms::kAll;
   run.camera = laboratory::CalibrateCamera(*run.scenario, config, [&](double share) {
@@ -94,8 +94,8 @@ int CalibrateWith(const CalibrateOptions& options) {
     folder.Write("views.png", laboratory::CalibrationViewsPng(*run.camera, laboratory::Chessboard()));
   }
   folder.Commit();
-  if (options.talk.json) fmt::print("{}", json);
-  if (options.talk.ForPeople()) {
+  if (options.output.json) fmt::print("{}", json);
+  if (options.output.ForPeople()) {
     fmt::print("{}{}/calibration.yaml: a scenario takes it as its calibration\n", laboratory::CalibrationText(run),
                options.out);
   }
@@ -122,7 +122,7 @@ void AddCalibrate(CLI::App& app, Run& run) {
   command.add_option("--seed", options->seed, "Seed of every random source (default: the scenario's)")->type_name("N");
   command.add_flag("--all-terms", options->all_terms,
                    "Find p1, p2 and k3 of the lens too, not just k1 and k2 as the paper");
-  AddTalk(command, options->talk);
+  AddOutputOptions(command, options->output);
   command.callback([options, &run] { run = [options] { return CalibrateWith(*options); }; });
 }
 

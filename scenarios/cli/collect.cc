@@ -13,13 +13,13 @@ namespace {
 struct CollectOptions {
   SweepFiles files;
   std::vector<std::string> from;
-  Talk talk;
+  OutputOptions output;
 };
 
 int CollectRows(const CollectOptions& options) {
   CheckSweepFiles(options.files);
   sweeper::Collect(options.files.folder, {options.from.begin(), options.from.end()});
-  const sweeper::SweepSummary summary = TellOutcome(options.files, options.talk);
+  const sweeper::SweepSummary summary = ReportOutcome(options.files, options.output);
   return summary.is_whole && summary.keeps_criteria() ? kPassed : kFailed;
 }
 
@@ -32,7 +32,7 @@ void AddCollect(CLI::App& app, Run& run) {
       ->required();
   command.add_option("FROM", options->from, "Folders of parts of the sweep (sweep --shard)");
   command.add_option("--csv", options->files.csv, "File for the rows as CSV, sorted by id")->type_name("FILE");
-  AddTalk(command, options->talk);
+  AddOutputOptions(command, options->output);
   command.callback([options, &run] { run = [options] { return CollectRows(*options); }; });
 }
 

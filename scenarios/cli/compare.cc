@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "models/error.h"
-#include "scenarios/cli/talk.h"
+#include "scenarios/cli/output.h"
 #include "scenarios/sweeper/analysis/compare.h"
 #include "scenarios/util/number.h"
 
@@ -23,7 +23,7 @@ struct CompareOptions {
   std::optional<std::string> b;
   std::vector<std::string> variants;
   std::vector<std::string> margins;
-  Talk talk;
+  OutputOptions output;
 };
 
 /// "pass_rate=0.02".
@@ -59,20 +59,21 @@ void Print(const sweeper::Comparison& comparison, const Sides& sides) {
   fmt::print("{} pairs of {} seeds; {} flights only in {}, {} only in {}\n", all.pairs, all.seeds, comparison.only_a,
              sides.name_a, comparison.only_b, sides.name_b);
   fmt::print("  {:<34} {:>6} {:>10} {:>10} {:>11}  {:<24} {:>10}\n", "", "pairs", "A", "B", "B - A", "95 %",
-             "resolvable");
+             "min_detectable_difference");
   for (const sweeper::PairedDifference& d : comparison.differences) {
     fmt::print("{} {:<34} {:>6} {:>10.4g} {:>10.4g} {:>+11.4g}  {:<24} {:>10.3g} {}\n", d.is_worse ? "!" : " ", d.name,
                d.pairs, d.a, d.b, d.difference.value,
-               fmt::format("{:+.4g} to {:+.4g}", d.difference.low, d.difference.high), d.resolvable, d.unit);
+               fmt::format("{:+.4g} to {:+.4g}", d.difference.low, d.difference.high), d.min_detectable_difference,
+               d.unit);
   }
   for (const sweeper::PairedDifference& d : comparison.differences) {
     if (d.is_worse) {
       fmt::print("worse: {}, surely, and by {:.4g}{}{}, beyond the margin of {:g}\n", d.name,
                  std::abs(d.difference.value), d.unit.empty() ? "" : " ", d.unit, d.margin);
     }
-    if (d.margin > 0.0 && d.resolvable > d.margin) {
-      fmt::print("{}: so many seeds resolve {:.3g}, not the margin of {:g}; fly more seeds\n", d.name, d.resolvable,
-                 d.margin);
+    if (d.margin > 0.0 && d.min_detectable_difference > d.margin) {
+      fmt::print("{}: so many seeds resolve {:.3g}, not the margin of {:g}; fly more seeds\n", d.name,
+                 d.min_detectable_difference, d.margin);
     }
   }
 }
@@ -92,7 +93,7 @@ std::string ComparisonJson(const sweeper::Comparison& comparison) {
                                    {"difference", d.difference.value},
                                    {"low", d.difference.low},
                                    {"high", d.difference.high},
-                                   {"resolvable", d.resolvable},
+                                   {"min_detectable_difference", d.min_detectable_difference},
                                    {"margin", d.margin},
                                    {"is_worse", d.is_worse}});
   }
@@ -107,8 +108,8 @@ int CompareBoth(const CompareOptions& options) {
   if (comparison.only_a > 0) {
     spdlog::warn("{} lacks flights of {}: {} not compared", sides.name_b, sides.name_a, comparison.only_a);
   }
-  if (options.talk.json) fmt::print("{}", ComparisonJson(comparison));
-  if (options.talk.ForPeople()) Print(comparison, sides);
+  if (options.output.json) fmt::print("{}", ComparisonJson(comparison));
+  if (options.output.ForPeople()) Print(comparison, sides);
   return comparison.is_worse() ? kFailed : kPassed;
 }
 
@@ -128,7 +129,7 @@ void AddCompare(CLI::App& app, Run& run) {
                   "How much worse B may be, as in pass_rate=0.02 or flight.touchdown_xy_error_m=0.005; may be repeated")
       ->type_name("NAME=NUMBER")
       ->allow_extra_args(false);
-  AddTalk(command, options->talk);
+  AddOutputOptions(command, options->output);
   command.callback([options, &run] { run = [options] { return CompareBoth(*options); }; });
 }
 

@@ -13,8 +13,8 @@
 
 #include "models/error.h"
 #include "scenarios/cli/interrupt.h"
+#include "scenarios/cli/output.h"
 #include "scenarios/cli/progress.h"
-#include "scenarios/cli/talk.h"
 #include "scenarios/datasets/estimate_footage.h"
 #include "scenarios/datasets/footage.h"
 #include "scenarios/datasets/imu_file.h"
@@ -37,7 +37,7 @@ struct EstimateOptions {
   std::optional<std::string> camera, pad, imu, vehicle, calibration, estimator;
   std::vector<std::string> topics;
   bool video = false;
-  Talk talk;
+  OutputOptions output;
 };
 
 models::CameraModel CameraOf(const EstimateOptions& options, const runner::Calibration& calibration,
@@ -144,12 +144,12 @@ std::string SummaryJson(const std::vector<datasets::FootageEstimate>& estimates,
 
 constexpr const char* kVideoName = "estimate.mp4";
 /// What poses.csv is known by when it is to be replaced.
-constexpr const char* kPosesMark = "frame,source,t_s,status,x_m";
+constexpr const char* kPosesSignature = "frame,source,t_s,status,x_m";
 
 int EstimateWith(const EstimateOptions& options) {
   util::OutputFolder folder(
       options.out,
-      {.files = {"poses.csv", "poses.tum", "choices.csv", "summary.json", kVideoName}, .mark = kPosesMark});
+      {.files = {"poses.csv", "poses.tum", "choices.csv", "summary.json", kVideoName}, .mark = kPosesSignature});
   const std::unique_ptr<datasets::Footage> footage = datasets::OpenFootage(options.input, options.topics);
   const datasets::FootageFacts& facts = footage->facts();
   const datasets::FootageSetup setup = SetupOf(options, facts);
@@ -157,7 +157,7 @@ int EstimateWith(const EstimateOptions& options) {
   std::optional<report::FootageVideo> video;
   if (options.video) video.emplace(folder.PathOf(kVideoName), setup, facts);
   const std::vector<datasets::FootageEstimate> estimates = [&] {
-    Progress progress(!options.talk.ForPeople());
+    Progress progress(!options.output.ForPeople());
     std::size_t done = 0;
     return datasets::EstimateFootage(
         *footage, setup, [&](const datasets::FootageFrame& frame, const datasets::FootageEstimate& estimate) {
@@ -178,8 +178,8 @@ int EstimateWith(const EstimateOptions& options) {
   folder.Write("choices.csv", datasets::ChoicesCsv(estimates));
   folder.Write("poses.csv", datasets::PosesCsv(estimates, facts.time));
   folder.Commit();
-  if (options.talk.json) fmt::print("{}", summary);
-  if (!options.talk.ForPeople()) return kPassed;
+  if (options.output.json) fmt::print("{}", summary);
+  if (!options.output.ForPeople()) return kPassed;
   PrintStatuses(estimates);
   PrintChoices(estimates);
   fmt::print("poses are of the {} in W, X_W{}; files in {}\n", setup.mounting ? "body" : "camera",
@@ -219,7 +219,7 @@ void AddEstimate(CLI::App& app, Run& run) {
       ->allow_extra_args(false);
   command.add_option("--estimator", options->estimator, "Name of the estimator (default: paper)")->type_name("NAME");
   command.add_flag("--video", options->video, "Leave a film with what the estimator saw drawn into it, estimate.mp4");
-  AddTalk(command, options->talk);
+  AddOutputOptions(command, options->output);
   command.callback([options, &run] { run = [options] { return EstimateWith(*options); }; });
 }
 

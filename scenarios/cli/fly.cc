@@ -13,8 +13,8 @@
 #include "models/error.h"
 #include "scenarios/cli/flight_folder.h"
 #include "scenarios/cli/interrupt.h"
+#include "scenarios/cli/output.h"
 #include "scenarios/cli/progress.h"
-#include "scenarios/cli/talk.h"
 #include "scenarios/config/config_writer.h"
 #include "scenarios/report/junit.h"
 #include "scenarios/runner/expected_duration.h"
@@ -36,7 +36,7 @@ struct FlyOptions {
   std::string video = "on";
   bool record = false;
   bool bag = false;
-  Talk talk;
+  OutputOptions output;
 };
 
 void PrintResult(const runner::Scenario& scenario, const runner::FlightResult& result, const std::string& out) {
@@ -76,7 +76,7 @@ class FlightProgress final : public runner::FlightObserver {
 
 runner::FlightResult FlyWithProgress(const runner::Scenario& scenario, const std::string& out,
                                      const FlyOptions& options) {
-  FlightProgress progress(scenario, !options.talk.ForPeople());
+  FlightProgress progress(scenario, !options.output.ForPeople());
   runner::FlightObserver* const observers[] = {&progress};
   return FlyIntoFolder(scenario, out, {.video = options.video == "on", .recording = options.record, .bag = options.bag},
                        observers, InterruptRequested);
@@ -113,7 +113,7 @@ void CheckPlace(const std::string& scenario, const std::string& out) {
   }
 }
 
-void TellWhetherSame(const Order& order, const runner::FlightResult& result) {
+void PrintWhetherSame(const Order& order, const runner::FlightResult& result) {
   if (order.log_sha256.empty() || order.log_sha256 == result.log_sha256) return;
   spdlog::warn("the log is not the sweep's: it was flown by another build, or on another type of CPU");
 }
@@ -127,16 +127,16 @@ int FlyWith(const FlyOptions& options) {
   const runner::Scenario& scenario = order.scenario;
   const std::string out = options.out.value_or("out/" + (is_again ? options.from[1] : scenario.name));
   CheckPlace(options.scenario, out);
-  if (options.junit) util::CheckOutputFile(*options.junit, report::kJunitMark);
+  if (options.junit) util::CheckOutputFile(*options.junit, report::kJunitSignature);
   const runner::FlightResult result = FlyWithProgress(scenario, out, options);
-  TellWhetherSame(order, result);
+  PrintWhetherSame(order, result);
   if (options.junit) {
     const report::JunitSuite suite =
         report::SuiteOf(scenario, result.verdict, result.reason, result.metrics, result.checks);
-    util::WriteOutputFile(*options.junit, report::JunitXml({suite}), report::kJunitMark);
+    util::WriteOutputFile(*options.junit, report::JunitXml({suite}), report::kJunitSignature);
   }
-  if (options.talk.json) fmt::print("{}", runner::ResultJson(scenario, result));
-  if (options.talk.ForPeople()) PrintResult(scenario, result, out);
+  if (options.output.json) fmt::print("{}", runner::ResultJson(scenario, result));
+  if (options.output.ForPeople()) PrintResult(scenario, result, out);
   if (result.verdict == runner::Verdict::kError) spdlog::error("the simulation went wrong: {}", result.reason);
   switch (result.verdict) {
     case runner::Verdict::kPass:
@@ -177,7 +177,7 @@ void AddFly(CLI::App& app, Run& run) {
                    "Record frames, IMU and truth in EuRoC's layout, in the folder recording");
   command.add_flag("--bag", options->bag, "Leave the flight as a ROS 1 bag too, flight.bag");
   command.add_option("--junit", options->junit, "File for the criteria as JUnit XML")->type_name("FILE");
-  AddTalk(command, options->talk);
+  AddOutputOptions(command, options->output);
   command.callback([options, &run] { run = [options] { return FlyWith(*options); }; });
 }
 

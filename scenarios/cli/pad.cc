@@ -39,7 +39,7 @@ int MakePad(const PadOptions& options) {
   // A description may have been edited since: only one that says the same is an earlier one.
   const std::string yaml = runner::PadYaml(pad);
   if (!is_described) util::CheckOutputFile(description, yaml);
-  util::WriteOutputFile(sheet, content, report::kPadSheetMark);
+  util::WriteOutputFile(sheet, content, report::kPadSheetSignature);
   if (!is_described) util::WriteOutputFile(description, yaml, yaml);
   fmt::print("{}: print it at 100 %, and check its ruler; {} describes it\n", sheet.string(), description.string());
   return kPassed;

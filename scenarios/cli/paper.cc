@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "scenarios/cli/interrupt.h"
+#include "scenarios/cli/output.h"
 #include "scenarios/cli/progress.h"
-#include "scenarios/cli/talk.h"
 #include "scenarios/experiments/reproduce_paper.h"
 
 namespace touchdown::cli {
@@ -21,7 +21,7 @@ struct PaperOptions {
   std::string out;
   bool quick = false;
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  Talk talk;
+  OutputOptions output;
 };
 
 void PrintSummary(const std::vector<experiments::ComparedQuantity>& compared, const std::string& out) {
@@ -57,7 +57,7 @@ experiments::Json SummaryJson(const std::vector<experiments::ComparedQuantity>& 
 }
 
 std::vector<experiments::ComparedQuantity> ReproduceWithProgress(const PaperOptions& options) {
-  Progress progress(!options.talk.ForPeople());
+  Progress progress(!options.output.ForPeople());
   return experiments::ReproducePaper(options.out, {.quick = options.quick, .jobs = options.jobs}, InterruptRequested,
                                      [&](double share, const std::string& text) {
                                        if (progress.IsDue()) progress.Tell(share, text);
@@ -67,8 +67,8 @@ std::vector<experiments::ComparedQuantity> ReproduceWithProgress(const PaperOpti
 int Reproduce(const PaperOptions& options) {
   try {
     const std::vector<experiments::ComparedQuantity> compared = ReproduceWithProgress(options);
-    if (options.talk.json) fmt::print("{}\n", SummaryJson(compared).dump(2));
-    if (options.talk.ForPeople()) PrintSummary(compared, options.out);
+    if (options.output.json) fmt::print("{}\n", SummaryJson(compared).dump(2));
+    if (options.output.ForPeople()) PrintSummary(compared, options.out);
     return kPassed;
   } catch (const util::Interrupted&) {
     spdlog::warn("interrupted: what is measured is kept in {}/measurements, and the same command goes on from there",
@@ -90,7 +90,7 @@ void AddPaper(CLI::App& app, Run& run) {
   command.add_option("--jobs", options->jobs, "Measurements at a time (default: all cores)")
       ->type_name("N")
       ->check(CLI::Range(1, 256));
-  AddTalk(command, options->talk);
+  AddOutputOptions(command, options->output);
   command.callback([options, &run] { run = [options] { return Reproduce(*options); }; });
 }
 

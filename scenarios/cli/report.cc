@@ -18,14 +18,15 @@ namespace fs = std::filesystem;
 
 void MakeFlightReport(const fs::path& folder, const fs::path& page) {
   const report::FlightFiles files = report::ReadFlightFiles(folder);
-  util::CheckOutputFile(page, report::kFlightPageMark);
-  util::WriteOutputFile(page, report::FlightPage(files), report::kFlightPageMark);
+  util::CheckOutputFile(page, report::kFlightPageSignature);
+  util::WriteOutputFile(page, report::FlightPage(files), report::kFlightPageSignature);
 }
 
 void MakeSweepReport(const fs::path& folder, const fs::path& page) {
   const sweeper::SweepOutcome sweep = sweeper::ReadOutcome({folder, sweeper::SweepStore::Access::kRead});
-  util::CheckOutputFile(page, sweeper::kSweepPageMark);
-  util::WriteOutputFile(page, sweeper::SweepPage(sweep, sweeper::Summarize(sweep), folder), sweeper::kSweepPageMark);
+  util::CheckOutputFile(page, sweeper::kSweepPageSignature);
+  util::WriteOutputFile(page, sweeper::SweepPage(sweep, sweeper::Summarize(sweep), folder),
+                        sweeper::kSweepPageSignature);
 }
 
 int MakeReport(const fs::path& folder) {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "scenarios/cli/talk.h"
+#include "scenarios/cli/output.h"
 #include "scenarios/datasets/pose_score.h"
 #include "scenarios/util/version.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 struct ScoreOptions {
   std::string poses, truth;
-  Talk talk;
+  OutputOptions output;
 };
 
 void PrintScore(const datasets::PoseScore& score) {
@@ -44,8 +44,8 @@ std::string ScoreJson(const datasets::PoseScore& score) {
 
 int ScoreWith(const ScoreOptions& options) {
   const datasets::PoseScore score = datasets::ScorePoses(datasets::ReadTumFile(options.poses), options.truth);
-  if (options.talk.json) fmt::print("{}", ScoreJson(score));
-  if (options.talk.ForPeople()) PrintScore(score);
+  if (options.output.json) fmt::print("{}", ScoreJson(score));
+  if (options.output.ForPeople()) PrintScore(score);
   return kPassed;
 }
 
@@ -60,7 +60,7 @@ void AddScore(CLI::App& app, Run& run) {
   command.add_option("--truth", options->truth, "A flight's folder, or a recording of one")
       ->required()
       ->type_name("DIR");
-  AddTalk(command, options->talk);
+  AddOutputOptions(command, options->output);
   command.callback([options, &run] { run = [options] { return ScoreWith(*options); }; });
 }
 

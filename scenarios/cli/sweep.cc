@@ -13,10 +13,10 @@
 
 #include "models/error.h"
 #include "scenarios/cli/interrupt.h"
+#include "scenarios/cli/output.h"
 #include "scenarios/cli/progress.h"
 #include "scenarios/cli/sweep_outcome.h"
 #include "scenarios/cli/sweep_text.h"
-#include "scenarios/cli/talk.h"
 #include "scenarios/sweeper/run/boundary.h"
 #include "scenarios/sweeper/run/run_sweep.h"
 #include "scenarios/sweeper/run/slurm_sweep.h"
@@ -39,7 +39,7 @@ struct SweepOptions {
   std::optional<int> chunk;
   sweeper::SlurmSite site;
   bool retry = false;
-  Talk talk;
+  OutputOptions output;
 };
 
 void RefuseToSplit(const sweeper::SweepFile& file, const char* option) {
@@ -59,17 +59,17 @@ sweeper::SweepPlan TakeShard(const sweeper::SweepFile& file, const sweeper::Swee
   return sweeper::ShardOf(plan, number - 1, shards);
 }
 
-int TellPlan(const sweeper::SweepPlan& plan, const SweepOptions& options) {
+int PrintPlan(const sweeper::SweepPlan& plan, const SweepOptions& options) {
   std::optional<sweeper::SweepStore> rows;
   if (options.out && fs::exists(fs::path(*options.out) / "sweep.db"))
     rows.emplace(*options.out, sweeper::SweepStore::Access::kRead);
   const DryRun dry_run = MakeDryRun(plan, options.jobs, rows ? &*rows : nullptr);
-  if (!options.talk.quiet) fmt::print("{}", options.talk.json ? DryRunJson(dry_run) : DryRunText(dry_run));
+  if (!options.output.quiet) fmt::print("{}", options.output.json ? DryRunJson(dry_run) : DryRunText(dry_run));
   return kPassed;
 }
 
 bool FlyAll(const sweeper::SweepFile& file, const sweeper::SweepPlan& plan, const SweepOptions& options) {
-  Progress progress(!options.talk.ForPeople());
+  Progress progress(!options.output.ForPeople());
   bool has_begun = false;
   return sweeper::RunSweep(file, plan, *options.out, {.jobs = options.jobs, .retry = options.retry}, InterruptRequested,
                            [&](const sweeper::SweepProgress& done) {
@@ -85,7 +85,7 @@ bool FlyAll(const sweeper::SweepFile& file, const sweeper::SweepPlan& plan, cons
 
 /// Whether it came to its end.
 bool SeekBoundary(const sweeper::SweepFile& file, const SweepOptions& options) {
-  Progress progress(!options.talk.ForPeople());
+  Progress progress(!options.output.ForPeople());
   const sweeper::BoundarySearch search{
       .key = *options.boundary, .pass_rate = options.level, .flights = options.flights};
   const sweeper::Boundary found = sweeper::FindBoundary(
@@ -112,7 +112,7 @@ int SweepOnSlurm(const sweeper::SweepFile& file, const sweeper::SweepPlan& plan,
     return kPassed;
   }
   const sweeper::SlurmSweep submitted = sweeper::SubmitSweep(file, plan, *options.out, on_slurm);
-  if (options.talk.quiet) return kPassed;
+  if (options.output.quiet) return kPassed;
   if (submitted.flights == 0) {
     fmt::print("{}: all {} flights are there, nothing was submitted\n", file.name, plan.flights.size());
   } else {
@@ -137,12 +137,12 @@ void AddSlurmOptions(CLI::App& command, SweepOptions& options) {
 }
 
 /// Flies the plan, or seeks the boundary, and tells of it.
-int FlyAndTell(const SweepOptions& options, const std::function<bool()>& fly) {
+int FlyAndReport(const SweepOptions& options, const std::function<bool()>& fly) {
   if (!options.out) throw InputError("--out: name a folder for the rows");
   const SweepFiles files{.folder = *options.out, .csv = options.csv};
   CheckSweepFiles(files);
   const bool is_done = fly();
-  const sweeper::SweepSummary summary = TellOutcome(files, options.talk);
+  const sweeper::SweepSummary summary = ReportOutcome(files, options.output);
   if (!is_done) {
     spdlog::warn("interrupted: what was flown is kept in {}, and the same command goes on from there", *options.out);
     return kInterrupted;
@@ -154,12 +154,12 @@ int FlyAndTell(const SweepOptions& options, const std::function<bool()>& fly) {
 
 int Sweep(const SweepOptions& options) {
   const sweeper::SweepFile file = sweeper::LoadSweepFile(options.sweep);
-  if (options.boundary) return FlyAndTell(options, [&] { return SeekBoundary(file, options); });
+  if (options.boundary) return FlyAndReport(options, [&] { return SeekBoundary(file, options); });
   sweeper::SweepPlan plan = sweeper::PlanSweep(file, util::ProgramDigest());
   if (options.shard) plan = TakeShard(file, plan, *options.shard);
   if (options.slurm) return SweepOnSlurm(file, plan, options);
-  if (options.dry_run) return TellPlan(plan, options);
-  return FlyAndTell(options, [&] { return FlyAll(file, plan, options); });
+  if (options.dry_run) return PrintPlan(plan, options);
+  return FlyAndReport(options, [&] { return FlyAll(file, plan, options); });
 }
 
 }  // namespace
@@ -197,7 +197,7 @@ void AddSweep(CLI::App& app, Run& run) {
   command.add_flag("--retry", options->retry, "Fly those again whose process crashed, hung or ran out of memory")
       ->excludes(dry_run)
       ->excludes(boundary);
-  AddTalk(command, options->talk);
+  AddOutputOptions(command, options->output);
   AddSlurmOptions(command, *options);
   command.callback([options, &run] { run = [options] { return Sweep(*options); }; });
 }

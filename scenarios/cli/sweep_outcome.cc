@@ -26,24 +26,24 @@ void WritePage(const sweeper::SweepOutcome& sweep, const sweeper::SweepSummary& 
     spdlog::warn("no report: {}", error.what());
     return;
   }
-  util::WriteOutputFile(PageIn(folder), page, sweeper::kSweepPageMark);
+  util::WriteOutputFile(PageIn(folder), page, sweeper::kSweepPageSignature);
 }
 
 }  // namespace
 
 void CheckSweepFiles(const SweepFiles& files) {
-  if (files.csv) util::CheckOutputFile(*files.csv, sweeper::kRowsCsvMark);
-  util::CheckOutputFile(PageIn(files.folder), sweeper::kSweepPageMark);
+  if (files.csv) util::CheckOutputFile(*files.csv, sweeper::kRowsCsvSignature);
+  util::CheckOutputFile(PageIn(files.folder), sweeper::kSweepPageSignature);
 }
 
-sweeper::SweepSummary TellOutcome(const SweepFiles& files, const Talk& talk) {
+sweeper::SweepSummary ReportOutcome(const SweepFiles& files, const OutputOptions& output) {
   const sweeper::SweepOutcome sweep = sweeper::ReadOutcome({files.folder, sweeper::SweepStore::Access::kRead});
   sweeper::SweepSummary summary = sweeper::Summarize(sweep);
-  if (talk.ForPeople()) fmt::print("{}", SummaryText(sweep, summary, files.folder));
-  if (talk.json) fmt::print("{}", SummaryJson(sweep, summary, files.folder));
+  if (output.ForPeople()) fmt::print("{}", SummaryText(sweep, summary, files.folder));
+  if (output.json) fmt::print("{}", SummaryJson(sweep, summary, files.folder));
   std::fflush(stdout);
   if (files.csv)
-    util::WriteOutputFile(*files.csv, sweeper::RowsCsv(sweep.terms.keys(), sweep.results), sweeper::kRowsCsvMark);
+    util::WriteOutputFile(*files.csv, sweeper::RowsCsv(sweep.terms.keys(), sweep.results), sweeper::kRowsCsvSignature);
   WritePage(sweep, summary, files.folder);
   return summary;
 }

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "scenarios/cli/talk.h"
+#include "scenarios/cli/output.h"
 #include "scenarios/sweeper/analysis/sweep_summary.h"
 
 namespace touchdown::cli {
@@ -19,6 +19,6 @@ void CheckSweepFiles(const SweepFiles& files);
 
 /// Prints the summary of what is flown, and writes its CSV and its page. A page that cannot be drawn is a warning: it
 /// does not make a sweep of hours fail. Throws InputError when a file cannot be written.
-sweeper::SweepSummary TellOutcome(const SweepFiles& files, const Talk& talk);
+sweeper::SweepSummary ReportOutcome(const SweepFiles& files, const OutputOptions& output);
 
 }  // namespace touchdown::cli

@@ -32,11 +32,11 @@ std::string IntervalText(const std::optional<util::Interval>& interval) {
 }
 
 /// "world.wind_m_s.0 in integer": the key, and the variant when there is one.
-std::string Subject(const sweeper::PassEdgeOf& each) {
+std::string Subject(const sweeper::PassBoundaryOf& each) {
   return each.variant.empty() ? each.key : fmt::format("{} in {}", each.key, each.variant);
 }
 
-std::string EdgeText(const sweeper::PassEdgeOf& each, const std::optional<sweeper::SoughtEdge>& sought) {
+std::string BoundaryText(const sweeper::PassBoundaryOf& each, const std::optional<sweeper::SearchedBoundary>& sought) {
   const double percent = kPercent * each.pass_rate;
   if (!each.edge) {
     return fmt::format("  no value of {} from {:.4g} to {:.4g} found at which {:.4g} % pass: all are alike\n", each.key,
@@ -131,7 +131,7 @@ std::string SummaryText(const sweeper::SweepOutcome& sweep, const sweeper::Sweep
   for (const sweeper::PassCountOf& each : summary.by_value) {
     text += fmt::format("  {:<40} {}\n", fmt::format("{}={}", each.key, each.value), Percent(each.count));
   }
-  for (const sweeper::PassEdgeOf& each : summary.edges) text += EdgeText(each, sweep.terms.sought);
+  for (const sweeper::PassBoundaryOf& each : summary.edges) text += BoundaryText(each, sweep.terms.sought);
   for (const auto& [check, interval] : summary.criteria) {
     const char* const verdict = !summary.is_whole ? "so far" : check.pass ? "pass" : "FAIL";
     text += fmt::format("  {}  {:<40} {:>10} {:<4} {}{}\n", verdict, check.name, sweeper::ValueText(check), check.unit,
@@ -169,7 +169,7 @@ std::string SummaryJson(const sweeper::SweepOutcome& sweep, const sweeper::Sweep
     json["parameters"].push_back(std::move(value));
   }
   json["edges"] = Json::array();
-  for (const sweeper::PassEdgeOf& each : summary.edges) {
+  for (const sweeper::PassBoundaryOf& each : summary.edges) {
     Json edge{{"key", each.key}, {"variant", each.variant}, {"pass_rate", each.pass_rate}};
     if (each.edge) Put(*each.edge, edge);
     edge["may_lie_beyond"] = each.may_lie_beyond;

@@ -47,10 +47,10 @@ std::string Junit(const std::vector<sweeper::TestedFlight>& tests) {
 }
 
 int Test(const TestOptions& options) {
-  if (options.junit) util::CheckOutputFile(*options.junit, report::kJunitMark);
+  if (options.junit) util::CheckOutputFile(*options.junit, report::kJunitSignature);
   const std::vector<sweeper::TestedFlight> tests =
       sweeper::TestFlights(options.folder, options.jobs, InterruptRequested, PrintTest);
-  if (options.junit) util::WriteOutputFile(*options.junit, Junit(tests), report::kJunitMark);
+  if (options.junit) util::WriteOutputFile(*options.junit, Junit(tests), report::kJunitSignature);
   const auto passed =
       std::count_if(tests.begin(), tests.end(), [](const sweeper::TestedFlight& t) { return t.row.passed(); });
   fmt::print("{} of {} flights passed\n", passed, tests.size());

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "scenarios/cli/interrupt.h"
+#include "scenarios/cli/output.h"
 #include "scenarios/cli/progress.h"
-#include "scenarios/cli/talk.h"
 #include "scenarios/training/classifier_study.h"
 #include "scenarios/util/interrupted.h"
 #include "scenarios/util/output_folder.h"
@@ -20,7 +20,7 @@ struct TrainOptions {
   std::string out;
   std::string letter = "h";
   std::uint64_t seed = 1;
-  Talk talk;
+  OutputOptions output;
 };
 
 int TrainWith(const TrainOptions& options) {
@@ -29,7 +29,7 @@ int TrainWith(const TrainOptions& options) {
   util::OutputFolder folder(options.out,
                             {.files = training::ClassifierFileNames(letter), .mark = "\"touchdown.classifier\""});
   training::ClassifierStudy study = [&] {
-    Progress progress(!options.talk.ForPeople());
+    Progress progress(!options.output.ForPeople());
     return training::StudyClassifier(training::ClassifierStudyConfig::For(letter), options.seed,
                                      [&](const std::string& text, double share) {
                                        if (InterruptRequested()) throw util::Interrupted();
@@ -38,8 +38,9 @@ int TrainWith(const TrainOptions& options) {
   }();
   for (const training::StudyFile& file : training::ClassifierFiles(study)) folder.Write(file.name, file.content);
   folder.Commit();
-  if (options.talk.json) fmt::print("{}", training::ToJson(study.test, study.letter));
-  if (options.talk.ForPeople()) fmt::print("{}files in {}\n", training::ToText(study.test, study.letter), options.out);
+  if (options.output.json) fmt::print("{}", training::ToJson(study.test, study.letter));
+  if (options.output.ForPeople())
+    fmt::print("{}files in {}\n", training::ToText(study.test, study.letter), options.out);
   return kPassed;
 }
 
@@ -53,7 +54,7 @@ void AddTrain(CLI::App& app, Run& run) {
       ->check(CLI::IsMember({"h", "rectangle"}))
       ->capture_default_str();
   command.add_option("--seed", options->seed, "Seed of scenes, views and training")->capture_default_str();
-  AddTalk(command, options->talk);
+  AddOutputOptions(command, options->output);
   command.callback([options, &run] { run = [options] { return TrainWith(*options); }; });
 }
 

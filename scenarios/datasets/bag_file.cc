@@ -248,7 +248,7 @@ struct BagFile::Impl {
 
   void ReadFlight() {
     ForEach<ros1::String>(kScenarioTopic, [this](const ros1::String& text, const ros::Time&) {
-      TellOfFlight(runner::ParseScenario(text.data, kScenarioTopic, {}), facts);
+      DescribeFlight(runner::ParseScenario(text.data, kScenarioTopic, {}), facts);
       epoch_ns = kBagEpoch_ns;
     });
   }

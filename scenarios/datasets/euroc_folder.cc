@@ -36,7 +36,7 @@ EurocFolder::EurocFolder(const fs::path& mav0)
   }
   const fs::path scenario = fs::weakly_canonical(mav0).parent_path() / "scenario.yaml";
   if (Exists(scenario)) {
-    TellOfFlight(runner::LoadScenario(scenario), facts_);
+    DescribeFlight(runner::LoadScenario(scenario), facts_);
   } else {
     ReadSensors();
   }

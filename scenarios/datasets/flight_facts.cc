@@ -2,7 +2,7 @@
 
 namespace touchdown::datasets {
 
-void TellOfFlight(const runner::Scenario& scenario, FootageFacts& facts) {
+void DescribeFlight(const runner::Scenario& scenario, FootageFacts& facts) {
   facts.frame_order = estimator::FrameOrder::kFlight;
   facts.time = scenario.time;
   facts.latency = scenario.time.FromSeconds(scenario.camera.latency_s());

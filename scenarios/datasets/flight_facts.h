@@ -6,6 +6,6 @@
 namespace touchdown::datasets {
 
 /// Tells of footage of a flight what the flight's estimator was told, all but its frames and samples.
-void TellOfFlight(const runner::Scenario& scenario, FootageFacts& facts);
+void DescribeFlight(const runner::Scenario& scenario, FootageFacts& facts);
 
 }  // namespace touchdown::datasets

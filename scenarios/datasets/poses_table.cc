@@ -49,7 +49,7 @@ std::string PosesCsv(std::span<const FootageEstimate> estimates, const models::T
 }
 
 std::string ChoicesCsv(std::span<const FootageEstimate> estimates) {
-  util::CsvWriter table("frame,source,reason,chosen_angle_deg,other_angle_deg,chosen_misfit_mm,other_misfit_mm");
+  util::CsvWriter table("frame,source,reason,chosen_angle_deg,other_angle_deg,chosen_residual_mm,other_residual_mm");
   constexpr double kMillimetersPerMeter = 1000.0;
   for (std::size_t i = 0; i < estimates.size(); ++i) {
     const std::optional<PoseChoice>& choice = estimates[i].seen.choice;

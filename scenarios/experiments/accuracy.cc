@@ -104,10 +104,10 @@ Json MeasurePlacement(const PaperVehicle& vehicle, int placement, int frames,
                       const util::StopRequested& stop_requested) {
   const auto seed = static_cast<std::uint64_t>(1 + placement);
   RandomStream hand(seed, "paper.accuracy.hand");
-  runner::Scenario told;
-  vehicle.Equip(told);
-  const models::CameraModel camera = told.camera.model;
-  StillRoom room(told, sim::MakeScene({}, told.pad, seed), seed);
+  runner::Scenario nominal;
+  vehicle.Equip(nominal);
+  const models::CameraModel camera = nominal.camera.model;
+  StillRoom room(nominal, sim::MakeScene({}, nominal.pad, seed), seed);
   Json cells = Json::array();
   for (const double distance_m : kDistances_m) {
     for (const double roll_deg : kRolls_deg) {
@@ -118,14 +118,14 @@ Json MeasurePlacement(const PaperVehicle& vehicle, int placement, int frames,
       const Vector3d gravity_B = models::RotationExp(gravity_error) * DownIn(X_WB);
       ErrorSums sums;
       models::Image image = room.Take({.X_WC = X_WC});
-      const double noise_share = StillRoom::kFlightNoise[0] / EdgeStep(image, told.pad, camera, X_WC);
+      const double noise_share = StillRoom::kFlightNoise[0] / EdgeStep(image, nominal.pad, camera, X_WC);
       for (int frame = 0; frame < frames; ++frame) {
         if (frame > 0) image = room.TakeAgain();
         const auto seen = room.Estimate(image, gravity_B);
         if (seen.pose) sums.Add(seen.pose->X_WB, X_WB);
       }
       cells.push_back(
-          CellJson(sums, frames, noise_share, LimitForCircle(camera, told.pad.outer_radius_m, X_WC, noise_share)));
+          CellJson(sums, frames, noise_share, LimitForCircle(camera, nominal.pad.outer_radius_m, X_WC, noise_share)));
     }
   }
   return cells;

@@ -98,10 +98,10 @@ void Choose(const std::array<estimator::pad::CirclePose, 2>& poses, const Eigen:
 Json MeasureAmbiguity(const PaperVehicle& vehicle, double tilt_deg, int views,
                       const util::StopRequested& stop_requested) {
   const auto seed = static_cast<std::uint64_t>(100.0 + tilt_deg);
-  runner::Scenario told;
-  vehicle.Equip(told);
-  const Eigen::Isometry3d X_BC = told.assumed_vehicle().X_BC();
-  StillRoom room(told, sim::MakeScene({}, told.pad, seed), seed);
+  runner::Scenario nominal;
+  vehicle.Equip(nominal);
+  const Eigen::Isometry3d X_BC = nominal.assumed_vehicle().X_BC();
+  StillRoom room(nominal, sim::MakeScene({}, nominal.pad, seed), seed);
   RandomStream random(seed, "paper.ambiguity");
   Counts counts;
   int found = 0;
@@ -115,8 +115,8 @@ Json MeasureAmbiguity(const PaperVehicle& vehicle, double tilt_deg, int views,
     if (!seen.pose) continue;
     const auto& ring = *seen.overlay.FindEllipse("ring_outer");
     const auto poses = estimator::pad::PosesOfCircle(
-        estimator::pad::NormalizedConic({ring.center, ring.semi_axes, ring.angle}, told.assumed_camera()),
-        told.pad.outer_radius_m);
+        estimator::pad::NormalizedConic({ring.center, ring.semi_axes, ring.angle}, nominal.assumed_camera()),
+        nominal.pad.outer_radius_m);
     if (!poses) continue;
     ++found;
     Choose(*poses, X_WC, X_BC, random, counts);
@@ -176,7 +176,7 @@ PaperSection ReportAmbiguity(const PaperPlan& plan, const Measured& measured) {
   section.tables = {std::move(rates), std::move(caught)};
   std::string curves;
   constexpr std::array<const char*, 7> kColors = {"MUTED", "SECOND", "ESTIMATE", "FOURTH",
-                                                   "THIRD", "FIRST",  "SET_POINT"};
+                                                  "THIRD", "FIRST",  "SET_POINT"};
   for (std::size_t i = 0; i < kGravityErrors_deg.size(); ++i) {
     curves += fmt::format(
         "data using 'tilt_deg':(column('gravity_error_deg')=={0} ? 100*column('wrong_share') : NaN) with linespoints "

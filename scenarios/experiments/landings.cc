@@ -95,7 +95,7 @@ PaperSection ReportLandings(const PaperPlan& plan, const Measured& measured) {
   const FlightGroup row(measured, AutonomousFlightIds(plan)), many(measured, ids);
   const Deviations places = DeviationsOf(many);
   const auto landed = static_cast<int>(places.x_mm.size());
-  const util::Interval share = util::ShareInterval(landed, many.count());
+  const util::Interval share = util::WilsonInterval(landed, many.count());
   PaperSection section{{.id = "landings", .title = "Landings (Sec. VI-B.3)"}};
   section.paragraphs.push_back(fmt::format(
       "In a row: the {} autonomous flights above. Beyond them {} landings from about the hover at 1 m, 0.1 "

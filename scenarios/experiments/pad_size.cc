@@ -43,10 +43,10 @@ Eigen::Isometry3d DrawPose(double height_m, const Eigen::Isometry3d& X_BC, Rando
 Json MeasurePadSize(const PaperVehicle& vehicle, double radius_m, int frames,
                     const util::StopRequested& stop_requested) {
   const auto seed = static_cast<std::uint64_t>(std::lround(1e3 * radius_m));
-  runner::Scenario told;
-  vehicle.Equip(told);
-  told.pad = PadOfRadius(radius_m);
-  StillRoom room(told, sim::MakeScene({}, told.pad, seed), seed);
+  runner::Scenario nominal;
+  vehicle.Equip(nominal);
+  nominal.pad = PadOfRadius(radius_m);
+  StillRoom room(nominal, sim::MakeScene({}, nominal.pad, seed), seed);
   RandomStream random(seed, "paper.pad_size");
   Json heights = Json::array();
   for (double height_m = kLowest_m; height_m < kHighest_m; height_m *= kStep) {

@@ -38,12 +38,12 @@ training::ViewConfig Views() {
 /// A frame of a room and all that is known of it.
 class Room {
  public:
-  Room(const runner::Scenario& told, int number, bool with_pad)
-      : told_(told),
+  Room(const runner::Scenario& nominal, int number, bool with_pad)
+      : nominal_(nominal),
         random_(static_cast<std::uint64_t>(number), with_pad ? "paper.recognition.pad" : "paper.recognition.decoys"),
-        scene_(sim::MakeScene(Decoys(with_pad), told.pad, random_.Bits())),
+        scene_(sim::MakeScene(Decoys(with_pad), nominal.pad, random_.Bits())),
         shapes_(training::ShapesOf(scene_)),
-        room_(told, scene_, random_.Bits(), views_.noise_sigmas) {}
+        room_(nominal, scene_, random_.Bits(), views_.noise_sigmas) {}
 
   struct Seen {
     training::View view = {};
@@ -58,27 +58,27 @@ class Room {
     const int first = scene_.config.pad ? 2 : 0, last = static_cast<int>(shapes_.size()) - 1;
     const training::GroundShape& target =
         shapes_[static_cast<std::size_t>(for_pad ? 0 : random_.UniformInt(first, last))];
-    Seen seen{.view = training::DrawView(views_, scene_, target, told_.camera.model, random_)};
+    Seen seen{.view = training::DrawView(views_, scene_, target, nominal_.camera.model, random_)};
     seen.image = room_.Take(seen.view);
     const estimator::paper::ComponentSet set =
         estimator::paper::ExtractComponents(estimator::paper::Binarize(seen.image.View()).View());
     std::vector<std::optional<training::ProjectedShape>> projections;
     for (const training::GroundShape& each : shapes_)
-      projections.push_back(training::Project(each, told_.camera.model, seen.view.X_WC));
-    const double blur_px = training::MotionBlur(seen.view, target, told_.camera.model) + seen.view.defocus_px;
+      projections.push_back(training::Project(each, nominal_.camera.model, seen.view.X_WC));
+    const double blur_px = training::MotionBlur(seen.view, target, nominal_.camera.model) + seen.view.defocus_px;
     seen.truth =
         training::LabelComponents(set, shapes_, projections, {seen.image.width, seen.image.height}, blur_px, {});
-    const Eigen::Isometry3d X_WB = seen.view.X_WC * told_.vehicle.X_BC().inverse();
+    const Eigen::Isometry3d X_WB = seen.view.X_WC * nominal_.vehicle.X_BC().inverse();
     seen.estimate = room_.Estimate(seen.image, DownIn(X_WB));
     return seen;
   }
 
   bool ShowsWholeRing(const training::View& view) const {
-    return scene_.config.pad && runner::WholeRingInView(told_.camera.model, told_.pad, view.X_WC);
+    return scene_.config.pad && runner::WholeRingInView(nominal_.camera.model, nominal_.pad, view.X_WC);
   }
   bool IsFalse(const Seen& seen) const {
     if (!seen.estimate.pad_px) return false;
-    const auto pad_px = told_.camera.model.Project(seen.view.X_WC.inverse() * Eigen::Vector3d::Zero());
+    const auto pad_px = nominal_.camera.model.Project(seen.view.X_WC.inverse() * Eigen::Vector3d::Zero());
     return !scene_.config.pad || !pad_px || (*pad_px - *seen.estimate.pad_px).norm() > runner::kFalsePad_px;
   }
 
@@ -91,7 +91,7 @@ class Room {
     return config;
   }
 
-  const runner::Scenario& told_;
+  const runner::Scenario& nominal_;
   training::ViewConfig views_ = Views();
   RandomStream random_;
   sim::Scene scene_;
@@ -108,8 +108,8 @@ ComponentClass ClassOf(const estimator::Overlay::Box& box) {
 }
 
 /// Of a room's frames without a pad: components and frames that were taken for what they are not.
-Json CountFalse(const runner::Scenario& told, int number, int frames, const util::StopRequested& stop_requested) {
-  Room room(told, number, false);
+Json CountFalse(const runner::Scenario& nominal, int number, int frames, const util::StopRequested& stop_requested) {
+  Room room(nominal, number, false);
   // By the true class: how many there are, and how many of them are labeled circle and H.
   std::array<std::array<int, 3>, 3> given{};
   int frames_false_circle = 0, frames_false_letter = 0, pairs = 0, pads = 0;
@@ -145,8 +145,8 @@ std::size_t BinOf(double value, std::span<const double> edges) {
 }
 
 /// Of a room's frames with a pad in view: how many found it, by distance and tilt.
-Json CountFound(const runner::Scenario& told, int number, int frames, const util::StopRequested& stop_requested) {
-  Room room(told, number, true);
+Json CountFound(const runner::Scenario& nominal, int number, int frames, const util::StopRequested& stop_requested) {
+  Room room(nominal, number, true);
   std::array<std::array<std::array<int, 2>, kRecallTilts_deg.size() - 1>, kRecallDistances_m.size() - 1> bins{};
   int whole = 0, found = 0, false_pads = 0, all = 0;
   while (whole < frames) {
@@ -190,7 +190,7 @@ struct FalseCounts {
       for (std::size_t k = 0; k < 3; ++k) others += given[truth][k];
       wrong += given[truth][as];
     }
-    return util::ShareInterval(wrong, std::max(1, others));
+    return util::WilsonInterval(wrong, std::max(1, others));
   }
 };
 
@@ -212,10 +212,10 @@ FalseCounts SumFalse(const PaperPlan& plan, const Measured& measured) {
 
 void ReportFalse(const FalseCounts& sum, PaperSection& section) {
   const util::Interval p1 = sum.FalseShare(ComponentClass::kCircle), p2 = sum.FalseShare(ComponentClass::kH);
-  const util::Interval frames_p1 = util::ShareInterval(sum.frames_false_circle, sum.frames),
-                       frames_p2 = util::ShareInterval(sum.frames_false_letter, sum.frames),
-                       pairs = util::ShareInterval(sum.pairs, sum.frames),
-                       pads = util::ShareInterval(sum.pads, sum.frames);
+  const util::Interval frames_p1 = util::WilsonInterval(sum.frames_false_circle, sum.frames),
+                       frames_p2 = util::WilsonInterval(sum.frames_false_letter, sum.frames),
+                       pairs = util::WilsonInterval(sum.pairs, sum.frames),
+                       pads = util::WilsonInterval(sum.pads, sum.frames);
   section.tables.push_back(
       {.name = "recognition_false_positives",
        .caption = fmt::format("False positives over {} frames without a pad, with lone rings and letters.", sum.frames),
@@ -252,7 +252,7 @@ void ReportFound(const PaperPlan& plan, const Measured& measured, PaperSection& 
       .name = "recognition_recall",
       .caption = fmt::format("Found, of {} frames that show the ring whole: {}. Of {} frames in these "
                              "rooms {} showed a pad where there was none.",
-                             frames, Percent(util::ShareInterval(found, frames), 1), all, false_pads),
+                             frames, Percent(util::WilsonInterval(found, frames), 1), all, false_pads),
       .head = {"distance, m"}};
   for (std::size_t k = 0; k + 1 < kRecallTilts_deg.size(); ++k) {
     table.head.push_back(fmt::format("tilt {:.0f} to {:.0f}°", kRecallTilts_deg[k], kRecallTilts_deg[k + 1]));
@@ -283,26 +283,27 @@ PaperSection ReportRecognition(const PaperPlan& plan, const Measured& measured) 
 }  // namespace
 
 Experiment RecognitionExperiment(const PaperPlan& plan, const PaperVehicle& vehicle) {
-  runner::Scenario told;
-  vehicle.Equip(told);
+  runner::Scenario nominal;
+  vehicle.Equip(nominal);
   const int frames = plan.recognition_frames;
   const double expected_s = 3.0 + 0.02 * frames;
   Experiment experiment;
   for (int room = 1; room <= plan.recognition_scenes; ++room) {
     experiment.measurements.push_back({.id = FalseId(room),
                                        .expected_s = expected_s,
-                                       .take = [told, room, frames](const util::StopRequested& stop_requested) {
-                                         return CountFalse(told, room, frames, stop_requested);
+                                       .take = [nominal, room, frames](const util::StopRequested& stop_requested) {
+                                         return CountFalse(nominal, room, frames, stop_requested);
                                        }});
     experiment.measurements.push_back({.id = FoundId(room),
                                        .expected_s = expected_s,
-                                       .take = [told, room, frames](const util::StopRequested& stop_requested) {
-                                         return CountFound(told, room, frames, stop_requested);
+                                       .take = [nominal, room, frames](const util::StopRequested& stop_requested) {
+                                         return CountFound(nominal, room, frames, stop_requested);
                                        }});
   }
-  experiment.measurements.push_back({.id = kPicturesId, .expected_s = 8.0, .take = [told](const util::StopRequested&) {
-                                       return TakeRecognitionPictures(told);
-                                     }});
+  experiment.measurements.push_back(
+      {.id = kPicturesId, .expected_s = 8.0, .take = [nominal](const util::StopRequested&) {
+         return TakeRecognitionPictures(nominal);
+       }});
   experiment.report = [plan](const Measured& measured) { return ReportRecognition(plan, measured); };
   return experiment;
 }

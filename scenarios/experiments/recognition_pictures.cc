@@ -49,8 +49,8 @@ training::View ViewOf(const Look& look, const models::CameraModel& camera) {
 /// A room, and the estimator that looks at pictures of it.
 class Studio {
  public:
-  Studio(const runner::Scenario& told, std::uint64_t seed)
-      : told_(told), room_(told, sim::MakeScene(told.scene, told.pad, seed), seed) {}
+  Studio(const runner::Scenario& nominal, std::uint64_t seed)
+      : nominal_(nominal), room_(nominal, sim::MakeScene(nominal.scene, nominal.pad, seed), seed) {}
 
   struct Taken {
     models::Image image = {};
@@ -58,14 +58,14 @@ class Studio {
   };
 
   Taken Take(const Look& look) {
-    const training::View view = ViewOf(look, told_.camera.model);
+    const training::View view = ViewOf(look, nominal_.camera.model);
     Taken taken{.image = room_.Take(view)};
-    taken.seen = room_.Estimate(taken.image, DownIn(view.X_WC * told_.vehicle.X_BC().inverse()));
+    taken.seen = room_.Estimate(taken.image, DownIn(view.X_WC * nominal_.vehicle.X_BC().inverse()));
     return taken;
   }
 
  private:
-  const runner::Scenario& told_;
+  const runner::Scenario& nominal_;
   StillRoom room_;
 };
 
@@ -131,8 +131,8 @@ Json PictureJson(const std::string& name, const std::string& title, const std::s
 }
 
 /// Fig. 2: the picture, its dark pixels, its components, what they are.
-Json Stages(const runner::Scenario& told) {
-  Studio studio(told, 4);
+Json Stages(const runner::Scenario& nominal) {
+  Studio studio(nominal, 4);
   Studio::Taken taken = studio.Take({.distance_m = 1.0,
                                      .tilt_deg = 12.0,
                                      .direction_deg = 40.0,
@@ -148,7 +148,7 @@ Json Stages(const runner::Scenario& told) {
   estimator::Overlay labels;
   labels.boxes = taken.seen.overlay.boxes;
   const cv::Mat3b classified = report::AnnotateFrame(
-      taken.image.View(), told.camera.model, {.overlay = labels, .pad_px = taken.seen.pad_px, .X_WC = std::nullopt});
+      taken.image.View(), nominal.camera.model, {.overlay = labels, .pad_px = taken.seen.pad_px, .X_WC = std::nullopt});
   return PictureJson("fig_2_stages", "Fig. 2: the steps of the recognition",
                      "The image, its dark pixels, the connected components, and their classes: circles green, letters "
                      "H blue, others red, the pad an orange cross.",
@@ -157,7 +157,7 @@ Json Stages(const runner::Scenario& told) {
 }
 
 /// Fig. 4: posters, lone rings and letters, strong perspective, blur.
-Json ClutteredViews(const runner::Scenario& told) {
+Json ClutteredViews(const runner::Scenario& nominal) {
   const std::array<Look, 6> looks = {{{.distance_m = 0.45,
                                        .tilt_deg = 5.0,
                                        .direction_deg = 0.0,
@@ -201,11 +201,11 @@ Json ClutteredViews(const runner::Scenario& told) {
   std::string csv = kComponentHead;
   std::uint64_t seed = 11;
   for (const Look& look : looks) {
-    Studio studio(told, seed++);
+    Studio studio(nominal, seed++);
     Studio::Taken taken = studio.Take(look);
     csv += ComponentLines(static_cast<int>(tiles.size()) + 1, taken.seen.overlay);
     tiles.push_back(
-        report::AnnotateFrame(taken.image.View(), told.camera.model,
+        report::AnnotateFrame(taken.image.View(), nominal.camera.model,
                               {.overlay = taken.seen.overlay, .pad_px = taken.seen.pad_px, .X_WC = std::nullopt}));
   }
   return PictureJson("fig_4_clutter", "Fig. 4: recognition in clutter",
@@ -215,11 +215,11 @@ Json ClutteredViews(const runner::Scenario& told) {
 }
 
 /// Fig. 5: the patch around the pad, and the ellipses fitted to its contours.
-Json FittedPatches(const runner::Scenario& told) {
+Json FittedPatches(const runner::Scenario& nominal) {
   constexpr int kSide = 200;
   std::vector<cv::Mat3b> patches, fitted;
   std::string csv = kEllipseHead;
-  Studio studio(told, 21);
+  Studio studio(nominal, 21);
   for (int i = 0; i < 8; ++i) {
     const bool moves = i % 3 == 2;
     const Look look{.distance_m = 0.5 + 0.12 * i,
@@ -238,7 +238,7 @@ Json FittedPatches(const runner::Scenario& told) {
                             cv::Rect(0, 0, taken.image.width, taken.image.height);
     estimator::Overlay ellipses = taken.seen.overlay;
     ellipses.boxes.clear();
-    const cv::Mat3b drawn = report::AnnotateFrame(taken.image.View(), told.camera.model,
+    const cv::Mat3b drawn = report::AnnotateFrame(taken.image.View(), nominal.camera.model,
                                                   {.overlay = ellipses, .pad_px = std::nullopt, .X_WC = std::nullopt});
     const auto tile = [&](const cv::Mat3b& whole) {
       cv::Mat3b scaled;
@@ -259,8 +259,8 @@ Json FittedPatches(const runner::Scenario& told) {
 
 }  // namespace
 
-Json TakeRecognitionPictures(const runner::Scenario& told) {
-  return Json::array({Stages(told), ClutteredViews(told), FittedPatches(told)});
+Json TakeRecognitionPictures(const runner::Scenario& nominal) {
+  return Json::array({Stages(nominal), ClutteredViews(nominal), FittedPatches(nominal)});
 }
 
 std::vector<report::ReportPicture> PicturesFromJson(const Json& pictures) {

@@ -10,7 +10,7 @@ namespace touchdown::experiments {
 
 /// Figs. 2, 4 and 5 redrawn: the stages of the recognition, cluttered views from many perspectives, and the ellipses
 /// fitted to patches, some of them blurred. As JSON, which PicturesFromJson reads back.
-Json TakeRecognitionPictures(const runner::Scenario& told);
+Json TakeRecognitionPictures(const runner::Scenario& nominal);
 
 std::vector<report::ReportPicture> PicturesFromJson(const Json& pictures);
 

@@ -4,15 +4,15 @@
 
 namespace touchdown::experiments {
 
-StillRoom::StillRoom(const runner::Scenario& told, const sim::Scene& scene, std::uint64_t seed,
+StillRoom::StillRoom(const runner::Scenario& nominal, const sim::Scene& scene, std::uint64_t seed,
                      std::span<const double> noise_sigmas)
-    : camera_(scene, sim::CameraOptics(told.camera.model), noise_sigmas, seed),
-      R_BU_(told.assumed_vehicle().X_BU().linear()),
-      estimator_(estimator::MakeEstimator(told.estimator, {.camera = told.assumed_camera(),
-                                                           .pad = told.pad,
-                                                           .X_BC = told.assumed_vehicle().X_BC(),
-                                                           .R_BU = R_BU_,
-                                                           .time = told.time})) {}
+    : camera_(scene, sim::CameraOptics(nominal.camera.model), noise_sigmas, seed),
+      R_BU_(nominal.assumed_vehicle().X_BU().linear()),
+      estimator_(estimator::MakeEstimator(nominal.estimator, {.camera = nominal.assumed_camera(),
+                                                              .pad = nominal.pad,
+                                                              .X_BC = nominal.assumed_vehicle().X_BC(),
+                                                              .R_BU = R_BU_,
+                                                              .time = nominal.time})) {}
 
 estimator::FrameResult StillRoom::Estimate(const models::Image& image, const Eigen::Vector3d& gravity_B) {
   estimator_->Reset();

@@ -22,7 +22,7 @@ class StillRoom {
 
   /// `noise_sigmas`, of 255, are what View::noise_level chooses from; `seed` is the noise's. `told` must outlive the
   /// room.
-  StillRoom(const runner::Scenario& told, const sim::Scene& scene, std::uint64_t seed,
+  StillRoom(const runner::Scenario& nominal, const sim::Scene& scene, std::uint64_t seed,
             std::span<const double> noise_sigmas = kFlightNoise);
 
   models::Image Take(const training::View& view) { return camera_.Take(view); }

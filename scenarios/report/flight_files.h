@@ -6,7 +6,7 @@
 namespace touchdown::report {
 
 /// What result.json of a flight, and of nothing else, holds.
-inline constexpr char kFlightMark[] = "\"log_sha256\"";
+inline constexpr char kFlightSignature[] = "\"log_sha256\"";
 
 /// The texts of a flight's folder that its page is made of.
 struct FlightFiles {

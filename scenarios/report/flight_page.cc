@@ -239,7 +239,7 @@ std::string FlightPage(const FlightFiles& files) {
   const Json& metrics = result.Members("metrics", Json::value_t::object);
 
   data page;
-  page.set("mark", kFlightPageMark);
+  page.set("mark", kFlightPageSignature);
   page.set("style", std::string(PageStyle()));
   page.set("script", std::string(PageScript()));
   PutVerdict(result, page);

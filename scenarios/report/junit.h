@@ -9,7 +9,7 @@
 namespace touchdown::report {
 
 /// What a JUnit file of Touchdown's, and none of another program's, holds.
-inline constexpr char kJunitMark[] = "<testsuites name=\"touchdown\"";
+inline constexpr char kJunitSignature[] = "<testsuites name=\"touchdown\"";
 
 /// A flight and its checks.
 struct JunitSuite {

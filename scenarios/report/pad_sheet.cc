@@ -174,11 +174,11 @@ std::string PadSheet(const LandingPad& pad, SheetFormat format) {
   const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
       create(AppendBytes, &bytes, kPointsPerMm * page.width_mm, kPointsPerMm * page.height_mm), cairo_surface_destroy);
   if (format == SheetFormat::kPdf) {
-    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, kPadSheetMark);
+    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, kPadSheetSignature);
   }
   Drawing(pad, page, surface.get()).Draw();
   cairo_surface_finish(surface.get());
-  if (format == SheetFormat::kSvg) bytes += fmt::format("<!-- {} -->\n", kPadSheetMark);
+  if (format == SheetFormat::kSvg) bytes += fmt::format("<!-- {} -->\n", kPadSheetSignature);
   return bytes;
 }
 

@@ -7,7 +7,7 @@
 namespace touchdown::report {
 
 /// Every sheet holds this text.
-inline constexpr char kPadSheetMark[] = "Touchdown landing pad";
+inline constexpr char kPadSheetSignature[] = "Touchdown landing pad";
 
 enum class SheetFormat { kPdf, kSvg };
 

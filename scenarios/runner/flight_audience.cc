@@ -5,23 +5,23 @@
 namespace touchdown::runner {
 
 template <typename Tell>
-void FlightAudience::TellAll(const Tell& tell) {
+void FlightAudience::ReportAll(const Tell& tell) {
   const util::Stopwatch clock;
   for (FlightObserver* const observer : observers_) tell(*observer);
   seconds_ += clock.seconds();
 }
 
 void FlightAudience::OnStart(const sim::World& world) {
-  TellAll([&](FlightObserver& observer) { observer.OnStart(world); });
+  ReportAll([&](FlightObserver& observer) { observer.OnStart(world); });
 }
 
 void FlightAudience::OnImu(const models::ImuSample& sample, bool at_rest) {
-  TellAll([&](FlightObserver& observer) { observer.OnImu(sample, at_rest); });
+  ReportAll([&](FlightObserver& observer) { observer.OnImu(sample, at_rest); });
 }
 
 void FlightAudience::OnFrame(const models::CameraFrame& frame, const estimator::FrameResult& estimate,
                              const FrameRecord& record) {
-  TellAll([&](FlightObserver& observer) { observer.OnFrame(frame, estimate, record); });
+  ReportAll([&](FlightObserver& observer) { observer.OnFrame(frame, estimate, record); });
 }
 
 }  // namespace touchdown::runner

@@ -22,7 +22,7 @@ class FlightAudience final : public FlightObserver {
 
  private:
   template <typename Tell>
-  void TellAll(const Tell& tell);
+  void ReportAll(const Tell& tell);
 
   FlightObservers observers_;
   double seconds_ = 0.0;

@@ -39,7 +39,7 @@ Scenario ReadScenario(const config::ConfigNode& root, const std::string& default
 Outcome Scenario::expected_outcome() const {
   if (expect) return *expect;
   return !script.empty() && script.back().kind == controller::ManeuverKind::kLand ? Outcome::kLanded
-                                                                                   : Outcome::kHovered;
+                                                                                  : Outcome::kHovered;
 }
 
 models::Vehicle Scenario::assumed_vehicle() const {

@@ -43,8 +43,8 @@ struct ClassifierStudy {
   ConfusionMatrix test;
   std::vector<LabeledPattern> test_patterns;
   std::vector<LabeledPattern> mistaken;  ///< Those of the test that the network gets wrong.
-  std::vector<cv::Mat3b> pictures;        ///< Frames of the test scenes, boxes colored by the truth.
-  int unclear = 0;                        ///< Test components left out since their truth is unclear.
+  std::vector<cv::Mat3b> pictures;       ///< Frames of the test scenes, boxes colored by the truth.
+  int unclear = 0;                       ///< Test components left out since their truth is unclear.
 };
 
 /// Renders, trains and tests. The same config and seed give the same network, bit for bit, on the same type of CPU.

@@ -86,7 +86,7 @@ double StudentsTQuantile(double chance, int degrees_of_freedom) {
   return boost::math::quantile(boost::math::students_t(degrees_of_freedom), chance);
 }
 
-double ChanceOfAtLeast(int least, int trials, double chance) {
+double BinomialTail(int least, int trials, double chance) {
   if (least <= 0) return 1.0;
   return boost::math::cdf(boost::math::complement(boost::math::binomial(trials, chance), least - 1));
 }
@@ -100,9 +100,9 @@ Interval MeanInterval(std::span<const double> values) {
   return {mean, mean - half, mean + half};
 }
 
-Interval ShareInterval(int successes, int trials) { return ShareInterval(successes, trials, trials); }
+Interval WilsonInterval(int successes, int trials) { return WilsonInterval(successes, trials, trials); }
 
-Interval ShareInterval(int successes, int trials, int clusters) {
+Interval WilsonInterval(int successes, int trials, int clusters) {
   if (trials < 1 || successes < 0 || successes > trials) throw std::invalid_argument("no share of so many trials");
   RequireClusters(clusters, static_cast<std::size_t>(trials));
   const double n = clusters, p = static_cast<double>(successes) / trials;

@@ -22,7 +22,7 @@ double StandardDeviation(std::span<const double> values);
 double Quantile(std::span<const double> values, double q);
 
 /// The same, with the order statistics between which the true quantile lies whatever the distribution (David and
-/// Nagaraja 2003, section 7.1): an end that so few values do not tell is infinite. `clusters`: see ShareInterval.
+/// Nagaraja 2003, section 7.1): an end that so few values do not tell is infinite. `clusters`: see WilsonInterval.
 Interval QuantileInterval(std::vector<double> values, double q, int clusters);
 
 /// The fewest values that tell both ends of a quantile's interval; `q` in (0, 1).
@@ -34,17 +34,17 @@ double NormalQuantile(double chance);
 double StudentsTQuantile(double chance, int degrees_of_freedom);
 
 /// That of so many trials, each with this chance, at least `least` succeed.
-double ChanceOfAtLeast(int least, int trials, double chance);
+double BinomialTail(int least, int trials, double chance);
 
 /// The mean, by Student's t on n - 1 degrees of freedom; a single value has no interval but itself.
 Interval MeanInterval(std::span<const double> values);
 
 /// The share of `successes` in `trials`, by Wilson's score interval (Wilson 1927), which holds at 0 and 1 too. `trials`
 /// must be positive.
-Interval ShareInterval(int successes, int trials);
+Interval WilsonInterval(int successes, int trials);
 
 /// The same, of trials that come in clusters which may succeed or fail together, as the flights of one seed do: each
 /// cluster counts as a single trial, the least that it can be worth. There are from one to as many as trials.
-Interval ShareInterval(int successes, int trials, int clusters);
+Interval WilsonInterval(int successes, int trials, int clusters);
 
 }  // namespace touchdown::util

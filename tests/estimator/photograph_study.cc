@@ -61,8 +61,8 @@ void Save(const std::string& folder, std::uint64_t seed, const Photograph& photo
   cv::Mat3b picture = Picture(photo);
   for (const auto& c : score.estimate.overlay.boxes) {
     const cv::Scalar color = c.name == "circle" ? cv::Scalar(0, 200, 0)
-                              : c.name == "h"    ? cv::Scalar(255, 80, 0)
-                                                 : cv::Scalar(0, 0, 230);
+                             : c.name == "h"    ? cv::Scalar(255, 80, 0)
+                                                : cv::Scalar(0, 0, 230);
     cv::rectangle(picture, cv::Rect(c.box.u, c.box.v, c.box.width, c.box.height), color);
   }
   const std::string status(estimator::ReasonOrStatus(score.estimate.status, score.estimate.reason));
@@ -104,14 +104,14 @@ int main(int argc, char** argv) {
   std::map<std::string, std::string> options{
       {"--pads", "300"}, {"--look-alikes", "600"}, {"--seed", "1"}, {"--save", ""}, {"--sheet", ""}};
   for (int i = 1; i + 1 < argc; i += 2) options[argv[i]] = argv[i + 1];
-  const int pads = std::stoi(options["--pads"]), look_alikes = std::stoi(options["--look-alikes"]);
+  const int pads = std::stoi(options["--pads"]), distractors = std::stoi(options["--look-alikes"]);
   const std::uint64_t first = std::stoull(options["--seed"]);
   const std::string folder = options["--save"];
   if (!options["--sheet"].empty()) {
     const auto take = [&](int i) {
-      return i < pads ? tests::PhotographPad(first + i) : tests::PhotographLookAlike(first + i - pads);
+      return i < pads ? tests::PhotographPad(first + i) : tests::PhotographDistractor(first + i - pads);
     };
-    DrawSheet(options["--sheet"], take, pads + look_alikes);
+    DrawSheet(options["--sheet"], take, pads + distractors);
     return 0;
   }
 
@@ -132,8 +132,8 @@ int main(int argc, char** argv) {
     if (score.found) distance_errors.push_back(score.distance_error);
     if (!score.found && !folder.empty()) Save(folder, first + i, photo, score);
   }
-  for (int i = 0; i < look_alikes; ++i) {
-    const Photograph photo = tests::PhotographLookAlike(first + i);
+  for (int i = 0; i < distractors; ++i) {
+    const Photograph photo = tests::PhotographDistractor(first + i);
     const tests::PhotoScore score = tests::Score(photo);
     for (const std::string& kind : {photo.subject, std::string("~ all")}) {
       Count& count = by_kind[""][kind];

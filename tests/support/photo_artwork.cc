@@ -321,7 +321,7 @@ void PrintMarks(const LandingPad& pad, const std::string& kind, RandomStream& ra
   }
 }
 
-const std::vector<std::string>& LookAlikeKinds() {
+const std::vector<std::string>& DistractorKinds() {
   static const std::vector<std::string> kinds = [] {
     std::vector<std::string> result = {"floor desk", "floor cups", "floor tiles", "floor page"};
     for (const auto& [kind, unused] : Printers()) result.push_back(kind);
@@ -330,7 +330,7 @@ const std::vector<std::string>& LookAlikeKinds() {
   return kinds;
 }
 
-void PrintLookAlike(const LandingPad& pad, const std::string& kind, RandomStream& random, Artwork& art) {
+void PrintDistractor(const LandingPad& pad, const std::string& kind, RandomStream& random, Artwork& art) {
   const auto printer = Printers().find(kind);
   if (printer != Printers().end()) printer->second(pad, random, art);
 }

@@ -34,9 +34,10 @@ void PrintPad(const models::LandingPad& pad, Artwork& art);
 void PrintMarks(const models::LandingPad& pad, const std::string& kind, models::RandomStream& random, Artwork& art);
 const std::vector<std::string>& MarkKinds();
 
-/// What is not the pad, `kind` being one of LookAlikeKinds(). The kinds that begin with "floor" print nothing: the
+/// What is not the pad, `kind` being one of DistractorKinds(). The kinds that begin with "floor" print nothing: the
 /// floor is all there is.
-void PrintLookAlike(const models::LandingPad& pad, const std::string& kind, models::RandomStream& random, Artwork& art);
-const std::vector<std::string>& LookAlikeKinds();
+void PrintDistractor(const models::LandingPad& pad, const std::string& kind, models::RandomStream& random,
+                     Artwork& art);
+const std::vector<std::string>& DistractorKinds();
 
 }  // namespace touchdown::tests

@@ -29,7 +29,7 @@ struct PhotoConditions {
 
 /// A photograph of a printed sheet under room light, or of something that is not the pad, with its truth.
 struct Photograph {
-  std::string subject;     ///< "pad", or one of LookAlikeKinds().
+  std::string subject;     ///< "pad", or one of DistractorKinds().
   models::LandingPad pad;  ///< As the estimator is told.
   models::CameraModel camera;
   models::Image image;

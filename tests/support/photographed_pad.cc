@@ -63,7 +63,7 @@ Artwork Print(const Photograph& photo, RandomStream& random) {
     PrintPad(photo.pad, art);
     if (photo.conditions.marks != "none") PrintMarks(photo.pad, photo.conditions.marks, random, art);
   } else {
-    PrintLookAlike(photo.pad, photo.subject, random, art);
+    PrintDistractor(photo.pad, photo.subject, random, art);
   }
   return art;
 }
@@ -126,9 +126,9 @@ Photograph PhotographPad(std::uint64_t seed) {
   return Take("pad", random);
 }
 
-Photograph PhotographLookAlike(std::uint64_t seed) {
-  RandomStream random(seed, "photographs.look_alike");
-  return Take(LookAlikeKinds()[seed % LookAlikeKinds().size()], random);
+Photograph PhotographDistractor(std::uint64_t seed) {
+  RandomStream random(seed, "photographs.distractor");
+  return Take(DistractorKinds()[seed % DistractorKinds().size()], random);
 }
 
 }  // namespace touchdown::tests

@@ -12,7 +12,7 @@ namespace touchdown::tests {
 /// The same seed gives the same photograph, on the same type of CPU.
 Photograph PhotographPad(std::uint64_t seed);
 
-/// The same of what is not the pad. The i-th kind of LookAlikeKinds(), modulo their number, is `seed`'s.
-Photograph PhotographLookAlike(std::uint64_t seed);
+/// The same of what is not the pad. The i-th kind of DistractorKinds(), modulo their number, is `seed`'s.
+Photograph PhotographDistractor(std::uint64_t seed);
 
 }  // namespace touchdown::tests

@@ -70,7 +70,7 @@ double ResolvableChange(int both_ways, int seeds) {
   double too_rare = 0.0, enough = 1.0;
   for (int i = 0; i < 40; ++i) {
     const double chance = 0.5 * (too_rare + enough);
-    (util::ChanceOfAtLeast(needed, seeds, chance) < kPower ? too_rare : enough) = chance;
+    (util::BinomialTail(needed, seeds, chance) < kPower ? too_rare : enough) = chance;
   }
   return enough - static_cast<double>(both_ways) / seeds;
 }
@@ -92,7 +92,8 @@ PairedDifference PassRateDifference(const PairsBySeed& pairs_by_seed) {
   difference.a /= difference.seeds;
   difference.b /= difference.seeds;
   difference.difference = ShareDifference(gained, lost, difference.seeds);
-  difference.resolvable = ResolvableChange(static_cast<int>(std::ceil(std::min(gained, lost))), difference.seeds);
+  difference.min_detectable_difference =
+      ResolvableChange(static_cast<int>(std::ceil(std::min(gained, lost))), difference.seeds);
   return difference;
 }
 
@@ -126,7 +127,7 @@ std::optional<PairedDifference> MetricDifference(const runner::MetricInfo& metri
       .a = util::Mean(of_a),
       .b = util::Mean(of_b),
       .difference = util::MeanInterval(differences),
-      .resolvable =
+      .min_detectable_difference =
           (util::StudentsTQuantile(kUpper, freedom) + util::StudentsTQuantile(kPower, freedom)) * standard_error,
       .larger_is_better = metric.larger_is_better};
 }

@@ -26,9 +26,9 @@ struct PairedDifference {
   int seeds = 0;   ///< Of these pairs.
   double a = 0.0;  ///< Its mean.
   double b = 0.0;
-  util::Interval difference = {};  ///< With 95 % confidence.
-  double resolvable = 0.0;         ///< The smallest change that so many seeds show with 80 % chance.
-  double margin = 0.0;             ///< How much worse it may be.
+  util::Interval difference = {};          ///< With 95 % confidence.
+  double min_detectable_difference = 0.0;  ///< The smallest change that so many seeds show with 80 % chance.
+  double margin = 0.0;                     ///< How much worse it may be.
   bool larger_is_better = false;
   bool is_worse = false;  ///< Surely worse, and by more than the margin.
 };

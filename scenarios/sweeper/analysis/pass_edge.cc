@@ -18,7 +18,7 @@ double Falling(double x) { return 1.0 / (1.0 + std::exp(x)); }
 
 }  // namespace
 
-PassEdge::PassEdge(double min, double max, double level) : min_(min), max_(max) {
+PassBoundary::PassBoundary(double min, double max, double level) : min_(min), max_(max) {
   const double range = max - min;
   for (int place = 0; place < kPlaces; ++place) {
     for (int i = 0; i < kWidths; ++i) {
@@ -35,7 +35,7 @@ PassEdge::PassEdge(double min, double max, double level) : min_(min), max_(max) 
   }
 }
 
-void PassEdge::Take(double value, int passed, int failed) {
+void PassBoundary::Take(double value, int passed, int failed) {
   constexpr double kLeastChance = 1e-12;
   for (Curve& curve : curves_) {
     const double pass_rate = (1.0 - curve.lapse) * Falling((value - curve.middle) / curve.width);
@@ -44,7 +44,7 @@ void PassEdge::Take(double value, int passed, int failed) {
   }
 }
 
-double PassEdge::Quantile(double share) const {
+double PassBoundary::Quantile(double share) const {
   const double most = std::max_element(curves_.begin(), curves_.end(), [](const Curve& a, const Curve& b) {
                         return a.log_posterior < b.log_posterior;
                       })->log_posterior;

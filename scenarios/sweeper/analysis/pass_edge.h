@@ -10,10 +10,10 @@ namespace touchdown::sweeper {
 /// logistic curve of the pass rate over the value (its place, its width, its direction, and a share of failures that
 /// have nothing to do with the value), from a flat prior over the place within [min, max] and over the width's
 /// logarithm. So adaptive searches for thresholds work (Kontsevich and Tyler 1999).
-class PassEdge {
+class PassBoundary {
  public:
   /// The level is the pass rate of interest, in (0, 1).
-  PassEdge(double min, double max, double level);
+  PassBoundary(double min, double max, double level);
 
   /// So many flights at this value, independent of one another.
   void Take(double value, int passed, int failed);

@@ -9,7 +9,7 @@
 namespace touchdown::sweeper {
 
 /// What tells a file of rows from any other: see WriteOutputFile.
-inline constexpr const char* kRowsCsvMark = "id,variant,";
+inline constexpr const char* kRowsCsvSignature = "id,variant,";
 
 /// The results of a sweep, wherever they were kept.
 struct StoredResults {

@@ -14,9 +14,9 @@
 namespace touchdown::sweeper {
 namespace {
 
-constexpr double kGridEdgePassRate = 0.5;
+constexpr double kBoundaryPassRate = 0.5;
 
-std::vector<PassCountOf> CountsByValue(const SweepTerms& terms, const std::vector<SweepResult>& results) {
+std::vector<PassCountOf> CountsByValue(const SweepSpec& terms, const std::vector<SweepResult>& results) {
   std::vector<PassCountOf> counts;
   const auto add = [&](const std::string& key, const std::string& value, const auto& belongs) {
     const PassCount count = CountWhere(results, belongs);
@@ -97,29 +97,30 @@ std::map<double, PassCount> CountsOf(const std::vector<PassTrial>& trials) {
   return counts;
 }
 
-util::Interval PosteriorEdge(PassEdge posterior, const std::map<double, PassCount>& counts) {
+util::Interval PosteriorBoundary(PassBoundary posterior, const std::map<double, PassCount>& counts) {
   for (const auto& [value, count] : counts) posterior.Take(value, count.passed, count.flown - count.passed);
   return posterior.edge();
 }
 
-PassEdgeOf EdgeOfSought(const SoughtEdge& sought, std::size_t axis, const std::vector<SweepResult>& results) {
-  PassEdgeOf found{.key = sought.key, .pass_rate = sought.pass_rate};
+PassBoundaryOf BoundaryOfSearch(const SearchedBoundary& sought, std::size_t axis,
+                                const std::vector<SweepResult>& results) {
+  PassBoundaryOf found{.key = sought.key, .pass_rate = sought.pass_rate};
   const PassCount all = CountWhere(results, [](const SweepResult&) { return true; });
   if (all.passed == 0 || all.passed == all.flown) return found;
-  found.edge = PosteriorEdge({sought.min, sought.max, sought.pass_rate}, CountsOf(TrialsOver(axis, results, "")));
+  found.edge = PosteriorBoundary({sought.min, sought.max, sought.pass_rate}, CountsOf(TrialsOver(axis, results, "")));
   found.may_lie_beyond = found.edge->low == sought.min || found.edge->high == sought.max;
   return found;
 }
 
-std::vector<PassEdgeOf> EdgesOf(const SweepTerms& terms, const std::vector<SweepResult>& results) {
-  std::vector<PassEdgeOf> edges;
+std::vector<PassBoundaryOf> EdgesOf(const SweepSpec& terms, const std::vector<SweepResult>& results) {
+  std::vector<PassBoundaryOf> edges;
   for (std::size_t axis = 0; axis < terms.axes.size(); ++axis) {
     const std::string& key = terms.axes[axis].key;
-    if (terms.sought && terms.sought->key == key) edges.push_back(EdgeOfSought(*terms.sought, axis, results));
+    if (terms.sought && terms.sought->key == key) edges.push_back(BoundaryOfSearch(*terms.sought, axis, results));
     if (terms.sought || !IsNumeric(terms.axes[axis])) continue;
     for (const std::string& variant : terms.flown_variants()) {
-      const auto edge = EdgeOver(TrialsOver(axis, results, variant));
-      if (edge) edges.push_back({.variant = variant, .key = key, .pass_rate = kGridEdgePassRate, .edge = *edge});
+      const auto edge = PassBoundaryOver(TrialsOver(axis, results, variant));
+      if (edge) edges.push_back({.variant = variant, .key = key, .pass_rate = kBoundaryPassRate, .edge = *edge});
     }
   }
   return edges;
@@ -148,19 +149,19 @@ bool SweepSummary::keeps_criteria() const {
 }
 
 bool SweepSummary::finds_edge() const {
-  return std::any_of(edges.begin(), edges.end(), [](const PassEdgeOf& each) { return each.edge.has_value(); });
+  return std::any_of(edges.begin(), edges.end(), [](const PassBoundaryOf& each) { return each.edge.has_value(); });
 }
 
-std::optional<util::Interval> EdgeOver(const std::vector<PassTrial>& trials) {
+std::optional<util::Interval> PassBoundaryOver(const std::vector<PassTrial>& trials) {
   const std::map<double, PassCount> counts = CountsOf(trials);
   ValueRange passing, failing;
   for (const auto& [value, count] : counts) {
-    if (count.rate().low > kGridEdgePassRate) passing.Take(value);
-    if (count.rate().high < kGridEdgePassRate) failing.Take(value);
+    if (count.rate().low > kBoundaryPassRate) passing.Take(value);
+    if (count.rate().high < kBoundaryPassRate) failing.Take(value);
   }
   const bool are_both = passing.least <= passing.largest && failing.least <= failing.largest;
   if (!are_both || (passing.largest > failing.least && failing.largest > passing.least)) return std::nullopt;
-  return PosteriorEdge({counts.begin()->first, counts.rbegin()->first, kGridEdgePassRate}, counts);
+  return PosteriorBoundary({counts.begin()->first, counts.rbegin()->first, kBoundaryPassRate}, counts);
 }
 
 bool IsNumeric(const SweepAxis& axis) {

@@ -24,7 +24,7 @@ struct PassCount {
   }
   /// The share with its Wilson interval, of at least one flight. The flights of one seed, over the same floor in the
   /// same light, count as a single one.
-  util::Interval rate() const { return util::ShareInterval(passed, flown, static_cast<int>(seeds.size())); }
+  util::Interval rate() const { return util::WilsonInterval(passed, flown, static_cast<int>(seeds.size())); }
 };
 
 /// The flights that share a value of a parameter, or a variant.
@@ -36,7 +36,7 @@ struct PassCountOf {
 
 /// All that is known of a sweep.
 struct SweepOutcome {
-  SweepTerms terms = {};
+  SweepSpec terms = {};
   std::vector<SweepResult> results = {};  ///< What is flown of the plan.
   std::size_t planned = 0;
   std::size_t whole = 0;      ///< Flights of the whole sweep, of which those planned here may be a part.
@@ -57,7 +57,7 @@ struct SweepCheck {
 std::string ValueText(const runner::Check& check);
 
 /// Where the pass rate goes through a level over a parameter.
-struct PassEdgeOf {
+struct PassBoundaryOf {
   std::string variant = {};  ///< Empty without variants.
   std::string key = {};
   double pass_rate = 0.5;
@@ -75,9 +75,10 @@ struct PassTrial {
 struct SweepSummary {
   PassCount all = {};
   std::vector<PassCountOf> by_value = {};  ///< Of keys with a few values each: those that are listed, not drawn.
-  std::vector<PassEdgeOf> edges = {};      ///< Of the key that was sought, or of those that list numbers (EdgeOver).
-  std::vector<SweepCheck> criteria = {};   ///< The decision of stop_when first.
-  bool is_whole = false;                   ///< Every flight of the whole sweep is flown.
+  std::vector<PassBoundaryOf> edges =
+      {};  ///< Of the key that was sought, or of those that list numbers (PassBoundaryOver).
+  std::vector<SweepCheck> criteria = {};  ///< The decision of stop_when first.
+  bool is_whole = false;                  ///< Every flight of the whole sweep is flown.
 
   bool keeps_criteria() const;  ///< What is said of a sweep that is not whole is said of what is flown.
   bool finds_edge() const;      ///< Of a sweep that sought one.
@@ -86,7 +87,7 @@ struct SweepSummary {
 /// The edge between values that flights pass at and values that they fail at, of a grid: nullopt unless the rates of
 /// some values lie above a half with their whole intervals and those of others below, and each of the ones lies on the
 /// same side of all of the others.
-std::optional<util::Interval> EdgeOver(const std::vector<PassTrial>& trials);
+std::optional<util::Interval> PassBoundaryOver(const std::vector<PassTrial>& trials);
 
 /// A criterion on a metric that no flight has is not kept.
 SweepSummary Summarize(const SweepOutcome& sweep);

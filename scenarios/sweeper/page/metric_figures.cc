@@ -41,7 +41,7 @@ std::vector<Bin> BinsOf(const std::vector<SweepResult>& results, const std::stri
 }
 
 /// What the criteria ask of the metric's quantiles; not what is far from every value.
-std::vector<double> LimitsNear(const std::vector<Bin>& bins, const SweepTerms& terms, const std::string& metric) {
+std::vector<double> LimitsNear(const std::vector<Bin>& bins, const SweepSpec& terms, const std::string& metric) {
   const double span = bins.back().to - bins.front().from;
   std::vector<double> limits;
   for (const SweepCriterion& criterion : terms.criteria) {

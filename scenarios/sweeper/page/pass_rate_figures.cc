@@ -102,10 +102,10 @@ const char* ColorOf(std::size_t variant) {
 }
 
 /// A dashed line at each edge, in the color of its variant, and its interval shaded.
-std::string EdgeCommands(const SweepTerms& terms, const std::vector<PassEdgeOf>& edges) {
+std::string BoundaryCommands(const SweepSpec& terms, const std::vector<PassBoundaryOf>& edges) {
   const std::vector<std::string> variants = terms.flown_variants();
   std::string commands;
-  for (const PassEdgeOf& each : edges) {
+  for (const PassBoundaryOf& each : edges) {
     if (!each.edge) continue;
     const auto variant = std::find(variants.begin(), variants.end(), each.variant) - variants.begin();
     const char* const color = ColorOf(static_cast<std::size_t>(variant));
@@ -118,8 +118,9 @@ std::string EdgeCommands(const SweepTerms& terms, const std::vector<PassEdgeOf>&
   return commands;
 }
 
-std::string EdgeCaption(const std::vector<PassEdgeOf>& edges) {
-  const bool is_drawn = std::any_of(edges.begin(), edges.end(), [](const PassEdgeOf& e) { return e.edge.has_value(); });
+std::string BoundaryCaption(const std::vector<PassBoundaryOf>& edges) {
+  const bool is_drawn =
+      std::any_of(edges.begin(), edges.end(), [](const PassBoundaryOf& e) { return e.edge.has_value(); });
   return is_drawn ? fmt::format(" Dashed: where the rate goes through {:.4g} %, its 95 % interval shaded.",
                                 kPercent * edges.front().pass_rate)
                   : "";
@@ -127,7 +128,7 @@ std::string EdgeCaption(const std::vector<PassEdgeOf>& edges) {
 
 }  // namespace
 
-report::Figure PassRateFigure(const SweepOutcome& sweep, std::size_t axis, const std::vector<PassEdgeOf>& edges) {
+report::Figure PassRateFigure(const SweepOutcome& sweep, std::size_t axis, const std::vector<PassBoundaryOf>& edges) {
   const SweepAxis& over = sweep.terms.axes[axis];
   const std::vector<std::string> variants = sweep.terms.flown_variants();
   std::vector<std::string> values = over.listed;
@@ -137,9 +138,9 @@ report::Figure PassRateFigure(const SweepOutcome& sweep, std::size_t axis, const
   report::Figure figure{
       .name = NameOf("pass_rate", over.key),
       .title = over.key,
-      .caption = "Share of flights that passed, with its 95 % interval (Wilson)." + EdgeCaption(edges),
+      .caption = "Share of flights that passed, with its 95 % interval (Wilson)." + BoundaryCaption(edges),
       .csv = "curve,variant,place,value,percent,low,high\n",
-      .plot = RangeAround("xrange", least, most) + EdgeCommands(sweep.terms, edges) +
+      .plot = RangeAround("xrange", least, most) + BoundaryCommands(sweep.terms, edges) +
               fmt::format("set xlabel {} noenhanced\nset ylabel 'passed, %'\nset yrange [-3:103]\n", Quoted(over.key))};
   std::vector<std::string> curves;
   for (std::size_t variant = 0; variant < variants.size(); ++variant) {
@@ -211,7 +212,8 @@ report::Figure HeatMapFigure(const SweepOutcome& sweep, std::size_t axis_x, std:
   return figure;
 }
 
-report::Figure DrawnValuesFigure(const SweepOutcome& sweep, std::size_t axis, const std::vector<PassEdgeOf>& edges) {
+report::Figure DrawnValuesFigure(const SweepOutcome& sweep, std::size_t axis,
+                                 const std::vector<PassBoundaryOf>& edges) {
   const std::string& key = sweep.terms.axes[axis].key;
   const std::vector<DrawnPoint> points = DrawnPoints(sweep, axis);
   const std::string groups = GroupLines(points);
@@ -221,7 +223,7 @@ report::Figure DrawnValuesFigure(const SweepOutcome& sweep, std::size_t axis, co
       .caption = "Each flight that passed above, each that did not below, spread in height to be seen.",
       .csv = "value,passed,failed,percent,low,high\n"};
   if (!groups.empty()) figure.caption += " The line: share that passed in five groups of as many, with 95 % intervals.";
-  figure.caption += EdgeCaption(edges);
+  figure.caption += BoundaryCaption(edges);
   constexpr double kGoldenRatio = 0.6180339887498949, kSpread = 12.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double spread = kSpread * std::fmod(kGoldenRatio * static_cast<double>(i), 1.0);
@@ -231,7 +233,7 @@ report::Figure DrawnValuesFigure(const SweepOutcome& sweep, std::size_t axis, co
   figure.csv += groups;
   figure.plot =
       (points.empty() ? "set xrange [0:1]\n" : RangeAround("xrange", points.front().value, points.back().value)) +
-      EdgeCommands(sweep.terms, edges) +
+      BoundaryCommands(sweep.terms, edges) +
       fmt::format(
           "set xlabel {} noenhanced\nset yrange [-20:120]\n{}\n"
           "set key outside top center horizontal\nplot data using 'value':'passed' with {} title 'passed', '' using "

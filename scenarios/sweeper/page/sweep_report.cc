@@ -22,7 +22,7 @@ data Flag(bool on) { return on ? data::type::bool_true : data::type::bool_false;
 
 /// The boundary that was sought: of flights that gather around it the share that passed says nothing.
 template <typename Put>
-void PutEdge(const PassEdgeOf& each, const Put& put) {
+void PutEdge(const PassBoundaryOf& each, const Put& put) {
   if (!each.edge) {
     put("No boundary found", "all alike", "");
     return;
@@ -41,7 +41,7 @@ data Glance(const SweepOutcome& sweep, const SweepSummary& summary) {
     items << item;
   };
   if (sweep.terms.sought) {
-    for (const PassEdgeOf& each : summary.edges) PutEdge(each, put);
+    for (const PassBoundaryOf& each : summary.edges) PutEdge(each, put);
   } else if (summary.all.flown > 0) {
     put("Passed", RateText(summary.all), "%");
     put(sweep.terms.stop_when ? "95 % interval (Wilson), not corrected for the early stop" : "95 % interval (Wilson)",
@@ -65,14 +65,14 @@ data Texts(const std::vector<std::string>& texts) {
 }
 
 /// Seed, variant and parameters: those columns that the sweep has.
-std::vector<std::string> FailureHead(const SweepTerms& terms) {
+std::vector<std::string> FailureHead(const SweepSpec& terms) {
   std::vector<std::string> head{"Seed"};
   if (!terms.variants.empty()) head.push_back("Variant");
   for (const SweepAxis& axis : terms.axes) head.push_back(axis.key);
   return head;
 }
 
-std::vector<std::string> FailureCells(const SweepTerms& terms, const SweepResult& result) {
+std::vector<std::string> FailureCells(const SweepSpec& terms, const SweepResult& result) {
   std::vector<std::string> cells{std::to_string(result.seed)};
   if (!terms.variants.empty()) cells.push_back(result.variant);
   for (std::size_t i = 0; i < terms.axes.size(); ++i) {
@@ -82,7 +82,7 @@ std::vector<std::string> FailureCells(const SweepTerms& terms, const SweepResult
   return cells;
 }
 
-data FailureData(const SweepTerms& terms, const SweepResult& result, const fs::path& folder) {
+data FailureData(const SweepSpec& terms, const SweepResult& result, const fs::path& folder) {
   const FlightRow& row = result.row;
   data failure;
   failure.set("id", row.id);
@@ -138,7 +138,7 @@ void PutSections(const std::vector<report::ReportSection>& sections, data& page)
 
 std::string SweepPage(const SweepOutcome& sweep, const SweepSummary& summary, const fs::path& folder) {
   data page;
-  page.set("mark", kSweepPageMark);
+  page.set("mark", kSweepPageSignature);
   page.set("style", std::string(report::PageStyle()));
   page.set("name", sweep.terms.name);
   page.set("description", sweep.terms.description);

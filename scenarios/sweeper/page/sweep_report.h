@@ -8,7 +8,7 @@
 namespace touchdown::sweeper {
 
 /// What a sweep's page is known again by.
-inline constexpr const char* kSweepPageMark = "<!-- touchdown.sweep -->";
+inline constexpr const char* kSweepPageSignature = "<!-- touchdown.sweep -->";
 
 /// The page of a sweep and its summary, which lies in its folder as report.html and shows the pictures beside it.
 /// `folder` is told in the commands that fly a flight again, as it is. Throws as Draw does.

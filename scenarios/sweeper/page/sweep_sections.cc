@@ -61,20 +61,21 @@ report::ReportTable PassRateTable(const SweepSummary& summary) {
   return table;
 }
 
-std::vector<PassEdgeOf> EdgesOver(std::size_t axis, const SweepOutcome& sweep, const SweepSummary& summary) {
-  std::vector<PassEdgeOf> edges;
+std::vector<PassBoundaryOf> PassBoundariesOver(std::size_t axis, const SweepOutcome& sweep,
+                                               const SweepSummary& summary) {
+  std::vector<PassBoundaryOf> edges;
   std::copy_if(summary.edges.begin(), summary.edges.end(), std::back_inserter(edges),
-               [&](const PassEdgeOf& edge) { return edge.key == sweep.terms.axes[axis].key; });
+               [&](const PassBoundaryOf& edge) { return edge.key == sweep.terms.axes[axis].key; });
   return edges;
 }
 
-report::ReportTable EdgesTable(const SweepSummary& summary) {
+report::ReportTable PassBoundariesTable(const SweepSummary& summary) {
   report::ReportTable table{.name = "edges",
                             .caption =
                                 "Where the pass rate goes through a level: median and 95 % of the posterior over a "
                                 "logistic curve.",
                             .head = {"Parameter", "Variant", "Pass rate, %", "Edge", "Interval"}};
-  for (const PassEdgeOf& each : summary.edges) {
+  for (const PassBoundaryOf& each : summary.edges) {
     table.rows.push_back({each.key, each.variant, Short(kPercent * each.pass_rate),
                           each.edge ? Short(each.edge->value) : "none found",
                           each.edge ? IntervalText(*each.edge) + (each.may_lie_beyond ? ", or beyond" : "") : ""});
@@ -85,7 +86,7 @@ report::ReportTable EdgesTable(const SweepSummary& summary) {
 void AddFigureOver(std::size_t axis, const SweepOutcome& sweep, const SweepSummary& summary,
                    report::ReportSection& section) {
   const SweepAxis& over = sweep.terms.axes[axis];
-  const std::vector<PassEdgeOf> edges = EdgesOver(axis, sweep, summary);
+  const std::vector<PassBoundaryOf> edges = PassBoundariesOver(axis, sweep, summary);
   if (over.listed.empty()) {
     section.figures.push_back(DrawnValuesFigure(sweep, axis, edges));
   } else if (IsNumeric(over)) {
@@ -110,7 +111,7 @@ void AddPassRateFigures(const SweepOutcome& sweep, const SweepSummary& summary, 
 report::ReportSection PassRateSection(const SweepOutcome& sweep, const SweepSummary& summary) {
   report::ReportSection section{.id = "pass-rate", .title = "Pass rate"};
   AddPassRateFigures(sweep, summary, section);
-  if (!summary.edges.empty()) section.tables.push_back(EdgesTable(summary));
+  if (!summary.edges.empty()) section.tables.push_back(PassBoundariesTable(summary));
   section.tables.push_back(PassRateTable(summary));
   return section;
 }
@@ -164,7 +165,7 @@ report::ReportTable VariantTable(const StoredResults& stored, const std::string&
     table.rows.push_back({each.name, each.unit, std::to_string(each.pairs), std::to_string(each.seeds), Short(each.a),
                           Short(each.b), fmt::format("{:+.4g}", each.difference.value),
                           fmt::format("{:+.4g} … {:+.4g}", each.difference.low, each.difference.high),
-                          Short(each.resolvable)});
+                          Short(each.min_detectable_difference)});
   }
   return table;
 }

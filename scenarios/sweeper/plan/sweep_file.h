@@ -91,7 +91,7 @@ struct FlightLimits {
 };
 
 /// The value of a parameter at which the pass rate goes through a level.
-struct SoughtEdge {
+struct SearchedBoundary {
   std::string key = {};
   double min = 0.0, max = 1.0;  ///< Between which it is sought.
   double pass_rate = 0.5;
@@ -110,7 +110,7 @@ struct SweepFile {
   std::vector<SweepVariant> variants = {};  ///< One of no name that sets nothing when the file has none.
   std::vector<SweepCriterion> criteria = {};
   std::optional<StopWhen> stop_when = {};
-  std::optional<SoughtEdge> sought = {};  ///< Of no file: see FindBoundary.
+  std::optional<SearchedBoundary> sought = {};  ///< Of no file: see FindBoundary.
 };
 
 /// The number that a value is; nullopt for one that is none.

@@ -209,7 +209,7 @@ SweepStore::SweepStore(const fs::path& folder, Access access) : impl_(std::make_
 
 SweepStore::~SweepStore() = default;
 
-void SweepStore::SetPlan(const SweepTerms& terms, const SweepPlan& plan, const std::string& program_digest) {
+void SweepStore::SetPlan(const SweepSpec& terms, const SweepPlan& plan, const std::string& program_digest) {
   impl_->Guarded([&] {
     SQLite::Database& db = *impl_->db;
     SQLite::Transaction transaction(db);
@@ -275,10 +275,10 @@ std::string SweepStore::program() const {
   return impl_->Guarded([&] { return impl_->Value("program"); });
 }
 
-SweepTerms SweepStore::terms() const {
+SweepSpec SweepStore::terms() const {
   const std::string json = impl_->Guarded([&] { return impl_->Value("terms"); });
   try {
-    return json.empty() ? SweepTerms() : TermsFromJson(json);
+    return json.empty() ? SweepSpec() : TermsFromJson(json);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", impl_->file.string(), error.what()));
   }

@@ -10,7 +10,7 @@
 
 #include "scenarios/sweeper/plan/flight_row.h"
 #include "scenarios/sweeper/plan/sweep_plan.h"
-#include "scenarios/sweeper/plan/sweep_terms.h"
+#include "scenarios/sweeper/plan/sweep_spec.h"
 
 namespace touchdown::sweeper {
 
@@ -26,7 +26,7 @@ class SweepStore {
   ~SweepStore();
 
   /// Replaces the plan. Rows of flights that it does not hold stay, and do not count.
-  void SetPlan(const SweepTerms& terms, const SweepPlan& plan, const std::string& program_digest);
+  void SetPlan(const SweepSpec& terms, const SweepPlan& plan, const std::string& program_digest);
 
   /// A row of the same id is replaced, but not a flown one by one whose process crashed, hung or ran out of memory.
   void Put(const FlightRow& row);
@@ -40,7 +40,7 @@ class SweepStore {
   /// Whether one was ever set.
   bool has_plan() const;
   /// Of the plan that was set last.
-  SweepTerms terms() const;
+  SweepSpec terms() const;
   /// Digest of the program that planned.
   std::string program() const;
   std::size_t planned() const;

@@ -61,7 +61,7 @@ Boundary FindBoundary(const SweepFile& file, const BoundarySearch& search, const
   }
   const std::size_t parameter = IndexOf(file, search.key);
   const auto [min, max] = RangeOf(file.parameters[parameter]);
-  PassEdge posterior(min, max, search.pass_rate);
+  PassBoundary posterior(min, max, search.pass_rate);
   Boundary boundary{.edge = posterior.edge()};
   SweepPlan plan;
   SweepFile whole = file;

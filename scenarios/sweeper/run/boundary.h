@@ -24,7 +24,7 @@ struct Boundary {
 };
 
 /// Finds the value of one parameter at which the pass rate goes through a level, in rounds of a few flights where the
-/// posterior (PassEdge) has the edge, each flight with a seed of its own. All other parameters keep to their first
+/// posterior (PassBoundary) has the edge, each flight with a seed of its own. All other parameters keep to their first
 /// listed value, or are drawn. The rounds do not depend on `jobs`, so that the same flights are flown; those that are
 /// in `folder` already are not flown again. Throws InputError when the sweep lists no such parameter or has variants,
 /// and as RunSweep does.

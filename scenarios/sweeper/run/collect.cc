@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 /// A sweep, or some of its flights, as a folder has it.
 struct Part {
   fs::path folder;
-  SweepTerms terms;
+  SweepSpec terms;
   std::string program;
   SweepPlan plan;
 };

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kChunkMark = "\"program\"";
+constexpr const char* kChunkSignature = "\"program\"";
 
 /// Where flights leave their rows until these are whole: what lies in the sweep's rows may be taken in at any time.
 class Bench {
@@ -85,7 +85,7 @@ void WriteChunk(const fs::path& file, const FlightChunk& chunk) {
                                {"limit_s", flight.limit_s},
                                {"memory_mb", flight.memory_mb}});
   }
-  util::WriteOutputFile(file, json.dump(1) + "\n", kChunkMark);
+  util::WriteOutputFile(file, json.dump(1) + "\n", kChunkSignature);
 }
 
 bool FlyChunk(const fs::path& folder, int number, int jobs, const util::StopRequested& stop_requested,
@@ -102,8 +102,8 @@ bool FlyChunk(const fs::path& folder, int number, int jobs, const util::StopRequ
     while (at != chunk.flights.end() && rows.Find(at->id)) ++at;
     return at == chunk.flights.end() ? nullptr : &*at++;
   };
-  const CrewOptions crew{.jobs = jobs,
-                         .fly = [&](const FlightTask& task) { FlyRow(task.scenario_yaml, task.id, unfinished); }};
+  const ProcessPoolOptions crew{
+      .jobs = jobs, .fly = [&](const FlightTask& task) { FlyRow(task.scenario_yaml, task.id, unfinished); }};
   const auto keep = [&](const FlightRow& row) {
     HandOver(unfinished, rows, row);
     on_row(row);

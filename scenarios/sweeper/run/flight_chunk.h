@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scenarios/sweeper/run/crew.h"
+#include "scenarios/sweeper/run/process_pool.h"
 
 namespace touchdown::sweeper {
 

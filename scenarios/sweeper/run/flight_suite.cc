@@ -7,7 +7,7 @@
 
 #include "models/error.h"
 #include "scenarios/sweeper/plan/sweep_plan.h"
-#include "scenarios/sweeper/run/crew.h"
+#include "scenarios/sweeper/run/process_pool.h"
 #include "scenarios/util/scratch_folder.h"
 
 namespace touchdown::sweeper {
@@ -41,8 +41,8 @@ std::vector<TestedFlight> TestFlights(const fs::path& folder, int jobs, const ut
   }
   const util::ScratchFolder scratch;
   const RowFolder rows(scratch.path());
-  const CrewOptions crew{.jobs = jobs,
-                         .fly = [&rows](const FlightTask& task) { FlyRow(task.scenario_yaml, task.id, rows); }};
+  const ProcessPoolOptions crew{.jobs = jobs,
+                                .fly = [&rows](const FlightTask& task) { FlyRow(task.scenario_yaml, task.id, rows); }};
   std::size_t next = 0, done = 0;
   const auto tell = [&](const FlightRow& row) {
     const auto test = std::find_if(tests.begin(), tests.end(),

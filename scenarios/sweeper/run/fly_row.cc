@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kRowMark = "\"failed_phase\"";
-constexpr const char* kPngMark = "PNG";
+constexpr const char* kRowSignature = "\"failed_phase\"";
+constexpr const char* kPngSignature = "PNG";
 
 void MakeFolder(const fs::path& folder) {
   std::error_code error;
@@ -30,7 +30,7 @@ void MakeFolder(const fs::path& folder) {
   if (error) throw InputError(fmt::format("output folder {}: {}", folder.string(), error.message()));
 }
 
-void TellResult(const runner::Scenario& scenario, const runner::FlightLog& log, FlightRow& row) {
+void ReportResult(const runner::Scenario& scenario, const runner::FlightLog& log, FlightRow& row) {
   const runner::FlightResult result = runner::JudgeFlight(scenario, log);
   row.process = ProcessEnd::kFlown;
   row.verdict = result.verdict;
@@ -66,7 +66,7 @@ RowFolder::RowFolder(const fs::path& folder) : rows_(folder / "rows"), pictures_
   MakeFolder(pictures_);
 }
 
-void RowFolder::Leave(const FlightRow& row) const { util::WriteOutputFile(RowOf(row.id), RowJson(row), kRowMark); }
+void RowFolder::Leave(const FlightRow& row) const { util::WriteOutputFile(RowOf(row.id), RowJson(row), kRowSignature); }
 
 void FlyRow(const std::string& scenario_yaml, const std::string& id, const RowFolder& folder) {
   const runner::Scenario scenario = runner::ParseScenario(scenario_yaml, "scenario", {});
@@ -79,14 +79,14 @@ void FlyRow(const std::string& scenario_yaml, const std::string& id, const RowFo
   report::ContactSheet sheet(scenario.assumed_camera(), scenario.time);
   runner::FlightObserver* const observers[] = {&sheet};
   try {
-    TellResult(scenario, runner::FlyClosedLoop(scenario, observers, nullptr), row);
+    ReportResult(scenario, runner::FlyClosedLoop(scenario, observers, nullptr), row);
   } catch (const InputError& error) {
     row.process = ProcessEnd::kFlown;
     row.reason = error.what();
   }
   row.wall_s = stopwatch.seconds();
   if (row.process == ProcessEnd::kFlown && !row.passed()) {
-    if (const auto png = sheet.Png()) util::WriteOutputFile(folder.PictureOf(row.id), *png, kPngMark);
+    if (const auto png = sheet.Png()) util::WriteOutputFile(folder.PictureOf(row.id), *png, kPngSignature);
   }
   folder.Leave(row);
 }

@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "models/error.h"
-#include "scenarios/sweeper/run/crew.h"
+#include "scenarios/sweeper/run/process_pool.h"
 #include "scenarios/util/folder_lock.h"
 #include "scenarios/util/program_digest.h"
 
@@ -17,9 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What is known of the planned flights, and what is to be flown next.
-class Agenda {
+class FlightQueue {
  public:
-  Agenda(const SweepFile& file, const SweepPlan& plan, const SweepStore& store, bool retry) : plan_(plan) {
+  FlightQueue(const SweepFile& file, const SweepPlan& plan, const SweepStore& store, bool retry) : plan_(plan) {
     if (file.stop_when) test_.emplace(*file.stop_when);
     progress_.planned = static_cast<int>(plan.flights.size());
     for (const PlannedFlight& flight : plan.flights) {
@@ -164,27 +164,27 @@ bool RunSweep(const SweepFile& file, const SweepPlan& plan, const fs::path& fold
   SweepStore store(folder, SweepStore::Access::kWrite);
   TakeInRows(folder, store);
   store.SetPlan(TermsOf(file), plan, util::ProgramDigest());
-  Agenda agenda(file, plan, store, options.retry);
-  if (progress) progress(agenda.Progress());
+  FlightQueue queue(file, plan, store, options.retry);
+  if (progress) progress(queue.Progress());
 
   const RowFolder rows(folder);
-  const CrewOptions crew{.jobs = options.jobs,
-                         .fly = [&rows](const FlightTask& task) { FlyRow(task.scenario_yaml, task.id, rows); }};
+  const ProcessPoolOptions crew{.jobs = options.jobs,
+                                .fly = [&rows](const FlightTask& task) { FlyRow(task.scenario_yaml, task.id, rows); }};
   const auto next = [&] {
-    const FlightTask* const task = agenda.Next();
-    if (task != nullptr && progress) progress(agenda.Progress());
+    const FlightTask* const task = queue.Next();
+    if (task != nullptr && progress) progress(queue.Progress());
     return task;
   };
   const auto keep = [&](const FlightRow& row) {
     if (store.TryPut(row)) RemoveRow(rows.RowOf(row.id));  // Else it is taken in at the end.
-    agenda.Take(row);
-    const bool another_starts = agenda.HasNext() && !(stop_requested && stop_requested());
-    if (progress && !another_starts) progress(agenda.Progress());
+    queue.Take(row);
+    const bool another_starts = queue.HasNext() && !(stop_requested && stop_requested());
+    if (progress && !another_starts) progress(queue.Progress());
   };
   FlyTasks(rows, crew, next, keep, stop_requested);
   TakeInRows(folder, store);
-  if (agenda.IsDecided()) store.SetPlan(TermsOf(file), FirstOf(plan, agenda.counted()), util::ProgramDigest());
-  return agenda.IsDone();
+  if (queue.IsDecided()) store.SetPlan(TermsOf(file), FirstOf(plan, queue.counted()), util::ProgramDigest());
+  return queue.IsDone();
 }
 
 }  // namespace touchdown::sweeper

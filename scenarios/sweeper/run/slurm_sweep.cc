@@ -24,8 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kScriptMark = "sweep-task";
-constexpr const char* kJobMark = "slurm_job: ";
+constexpr const char* kScriptSignature = "sweep-task";
+constexpr const char* kJobSignature = "slurm_job: ";
 
 /// The planned flights that have no row in `folder`, or with `retry` one without a flight.
 std::vector<const PlannedFlight*> MissingFlights(const SweepPlan& plan, const fs::path& folder, bool retry) {
@@ -93,7 +93,7 @@ void RefuseWhileQueued(const fs::path& folder) {
 /// Before the job may run: one that the folder does not know would lose its tasks to the next.
 void WriteJob(const fs::path& folder, const std::string& job) {
   try {
-    util::WriteOutputFile(JobFile(folder), kJobMark + job + "\n", kJobMark);
+    util::WriteOutputFile(JobFile(folder), kJobSignature + job + "\n", kJobSignature);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}; Slurm job {} is submitted and held: scancel {} ends it", error.what(), job, job));
   }
@@ -130,7 +130,7 @@ SlurmSweep SubmitSweep(const SweepFile& file, const SweepPlan& plan, const fs::p
   if (missing.empty()) return {};
   const std::vector<FlightChunk> chunks = Chunks(file, missing, ChunkSize(missing, options, most));
   WriteTasks(folder, chunks);
-  util::WriteOutputFile(folder / "slurm.sh", Script(chunks.size()), kScriptMark);
+  util::WriteOutputFile(folder / "slurm.sh", Script(chunks.size()), kScriptSignature);
   const std::string job = SubmitHeld(folder / "slurm.sh", fs::absolute(folder), options.site);
   WriteJob(folder, job);
   ReleaseJob(job);

@@ -73,15 +73,15 @@ TEST(ImuMounting, TakesTheAccelerometersBiasForATilt) {
 TEST(ImuMounting, TellsHowFarNoiseMayTiltIt) {
   const double noise_m_s2 = 0.05;
   for (const int count : {100, 10000}) {
-    double squared_rad2 = 0.0, told_rad = 0.0;
+    double squared_rad2 = 0.0, predicted_rad = 0.0;
     const int runs = count == 100 ? 200 : 20;
     for (int seed = 0; seed < runs; ++seed) {
       const auto found = FindImuMounting(AtRest(Matrix3d::Identity(), count, noise_m_s2, static_cast<unsigned>(seed)));
       squared_rad2 += models::RotationLog(found.R_BU).squaredNorm() / (2.0 * runs);
-      told_rad += found.noise_sigma_rad / runs;
+      predicted_rad += found.noise_sigma_rad / runs;
     }
-    EXPECT_NEAR(std::sqrt(squared_rad2) / told_rad, 1.0, 0.35) << count;
-    EXPECT_NEAR(told_rad, noise_m_s2 / models::kGravity_m_s2 / std::sqrt(count), 0.3 * told_rad);
+    EXPECT_NEAR(std::sqrt(squared_rad2) / predicted_rad, 1.0, 0.35) << count;
+    EXPECT_NEAR(predicted_rad, noise_m_s2 / models::kGravity_m_s2 / std::sqrt(count), 0.3 * predicted_rad);
   }
 }
 

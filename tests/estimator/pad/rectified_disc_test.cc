@@ -12,14 +12,14 @@ using Eigen::Vector2d;
 
 class RectifiedDiscTest : public testing::Test {
  protected:
-  SeenPlane Plane() const {
+  PadPlane Plane() const {
     const Eigen::Isometry3d X_CW = X_WC_.inverse();
-    return SeenPlane({X_CW.linear().col(2), X_CW.translation()}, {camera_, undistort_, 1});
+    return PadPlane({X_CW.linear().col(2), X_CW.translation()}, {camera_, undistort_, 1});
   }
 
   /// A floor that gets brighter along the plane's first coordinate.
   models::Image Slope() const {
-    const SeenPlane plane = Plane();
+    const PadPlane plane = Plane();
     const Eigen::Vector3d x_W = X_WC_.linear() * (plane.InCamera({1, 0}) - plane.InCamera({0, 0}));
     tests::PadPicture picture{.samples_per_side = 2};
     picture.paint = [&](const Vector2d& p) { return std::optional(120.0 + 600.0 * p.dot(x_W.head<2>())); };
@@ -65,7 +65,7 @@ TEST_F(RectifiedDiscTest, LevelsLightThatIsUneven) {
     picture.paint = lit(slope);
     const auto disc = RectifiedDisc::Of(tests::RenderPad(camera_, {}, X_WC_, picture).View(), Plane(), 0.06);
     ASSERT_TRUE(disc);
-    Cells cells = disc->Leveled(1.0);
+    Cells cells = disc->ContrastNormalized(1.0);
     for (int row = 0; row < RectifiedDisc::kCells; ++row) {
       for (int column = 0; column < RectifiedDisc::kCells; ++column) {
         if (!disc->Holds(column, row)) cells(row, column) = 0.0F;
@@ -73,9 +73,9 @@ TEST_F(RectifiedDiscTest, LevelsLightThatIsUneven) {
     }
     leveled.push_back(cells);
   }
-  const double likeness =
+  const double zncc =
       (leveled[0] * leveled[1]).sum() / std::sqrt(leveled[0].square().sum() * leveled[1].square().sum());
-  EXPECT_GT(likeness, 0.97);
+  EXPECT_GT(zncc, 0.97);
 }
 
 TEST_F(RectifiedDiscTest, WeighsALocalMean) {

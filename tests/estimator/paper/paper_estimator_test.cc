@@ -256,13 +256,13 @@ TEST_F(PaperEstimatorTest, TakesNoPadForOneOfAnotherLetter) {
   const models::LandingPad with_h, with_rectangle = PadWithRectangle();
   for (const FrameOrder order : {FrameOrder::kFlight, FrameOrder::kUnrelated}) {
     setup_.frame_order = order;
-    for (const auto& [printed, told] : {std::pair(with_h, with_rectangle), {with_rectangle, with_h}}) {
+    for (const auto& [printed, described] : {std::pair(with_h, with_rectangle), {with_rectangle, with_h}}) {
       for (const double height : {0.4, 1.0}) {
         const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.05, -0.02, height}, 0.4, 0.1, 0.6);
         setup_.pad = printed;
         const models::Image image = Picture(X_WB, {.noise_sigma = 3.0, .samples_per_side = 3});
         ASSERT_TRUE(PaperEstimator(setup_).Estimate(image.View(), 0, GravityIn(X_WB)).pose) << height;
-        setup_.pad = told;
+        setup_.pad = described;
         EXPECT_FALSE(PaperEstimator(setup_).Estimate(image.View(), 0, GravityIn(X_WB)).pose) << height;
       }
     }

@@ -23,9 +23,9 @@ TEST_F(Photographs, ShowThePadThatTheEstimatorFinds) {
 }
 
 TEST_F(Photographs, OfOtherThingsShowNoPad) {
-  constexpr int kLookAlikes = 100;
-  for (std::uint64_t seed = kFresh; seed < kFresh + kLookAlikes; ++seed) {
-    const Photograph photo = PhotographLookAlike(seed);
+  constexpr int kDistractors = 100;
+  for (std::uint64_t seed = kFresh; seed < kFresh + kDistractors; ++seed) {
+    const Photograph photo = PhotographDistractor(seed);
     EXPECT_FALSE(Score(photo).claims_pad) << photo.subject << ", seed " << seed;
   }
 }

@@ -59,7 +59,7 @@ TEST(Junit, HasACaseForEachCheckAndCountsThoseThatFailed) {
 
 TEST(Junit, IsAnErrorOfEveryCaseWhenTheSimulationWentWrong) {
   const std::string text = Xml(runner::Verdict::kError);
-  EXPECT_NE(text.find(kJunitMark), std::string::npos);
+  EXPECT_NE(text.find(kJunitSignature), std::string::npos);
   pugi::xml_document document;
   ASSERT_TRUE(document.load_string(text.c_str()));
   const pugi::xml_node suites = document.child("testsuites");

@@ -199,8 +199,8 @@ TEST(PadSheet, IsAnSvgOfTheSameSize) {
   const std::string svg = PadSheet({}, SheetFormat::kSvg);
   EXPECT_THAT(svg, testing::StartsWith("<?xml"));
   EXPECT_THAT(svg, testing::ContainsRegex("width=\"595\\.27.*pt\" height=\"841\\.8.*pt\""));
-  EXPECT_THAT(svg, testing::HasSubstr(kPadSheetMark));
-  EXPECT_THAT(PadSheet({}, SheetFormat::kPdf), testing::HasSubstr(kPadSheetMark));
+  EXPECT_THAT(svg, testing::HasSubstr(kPadSheetSignature));
+  EXPECT_THAT(PadSheet({}, SheetFormat::kPdf), testing::HasSubstr(kPadSheetSignature));
 }
 
 TEST(PadSheet, RefusesAPadThatIsNone) {

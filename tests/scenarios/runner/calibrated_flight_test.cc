@@ -1,4 +1,4 @@
-// Flights whose estimator and autopilot are told a calibration.
+// Flights whose estimator and autopilot are calibrated a calibration.
 #include <gtest/gtest.h>
 
 #include "models/angles.h"
@@ -25,10 +25,10 @@ TEST(CalibratedFlight, TakesACalibrationThatIsTheTruthForTheTruth) {
   Scenario scenario = ShortHover();
   const FlightLog plain = FlyClosedLoop(scenario, {}, nullptr);
   scenario.calibration = {scenario.camera.model, scenario.vehicle.camera, scenario.vehicle.imu};
-  const FlightLog told = FlyClosedLoop(scenario, {}, nullptr);
-  ASSERT_EQ(told.ticks.size(), plain.ticks.size());
-  EXPECT_EQ(told.ticks.back().truth.X_WB.matrix(), plain.ticks.back().truth.X_WB.matrix());
-  EXPECT_EQ(told.frames.back().pose.value().X_WB.matrix(), plain.frames.back().pose.value().X_WB.matrix());
+  const FlightLog calibrated = FlyClosedLoop(scenario, {}, nullptr);
+  ASSERT_EQ(calibrated.ticks.size(), plain.ticks.size());
+  EXPECT_EQ(calibrated.ticks.back().truth.X_WB.matrix(), plain.ticks.back().truth.X_WB.matrix());
+  EXPECT_EQ(calibrated.frames.back().pose.value().X_WB.matrix(), plain.frames.back().pose.value().X_WB.matrix());
 }
 
 TEST(CalibratedFlight, IsWrongByWhatTheCamerasAssumedMountingIs) {

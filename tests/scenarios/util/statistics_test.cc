@@ -44,30 +44,30 @@ TEST(MeanInterval, HoldsTheTrueMeanIn95OfAHundredCases) {
   EXPECT_NEAR(held / static_cast<double>(kCases), 0.95, 0.012);
 }
 
-TEST(ShareInterval, IsWilsons) {
+TEST(WilsonInterval, IsWilsons) {
   // 10 of 100: 5.5 to 17.4 %; 0 of 100: up to 3.7 %.
-  const Interval tenth = ShareInterval(10, 100);
+  const Interval tenth = WilsonInterval(10, 100);
   EXPECT_DOUBLE_EQ(tenth.value, 0.1);
   EXPECT_NEAR(tenth.low, 0.0552, 5e-4);
   EXPECT_NEAR(tenth.high, 0.1744, 5e-4);
-  const Interval none = ShareInterval(0, 100);
+  const Interval none = WilsonInterval(0, 100);
   EXPECT_EQ(none.low, 0.0);
   EXPECT_NEAR(none.high, 0.0370, 5e-4);
-  EXPECT_EQ(ShareInterval(7, 7).high, 1.0);
-  EXPECT_THROW(ShareInterval(1, 0), std::invalid_argument);
+  EXPECT_EQ(WilsonInterval(7, 7).high, 1.0);
+  EXPECT_THROW(WilsonInterval(1, 0), std::invalid_argument);
 }
 
-TEST(ShareInterval, HoldsTheTrueShareOfClustersThatSucceedOrFailTogether) {
-  EXPECT_EQ(ShareInterval(40, 200, 20).low, ShareInterval(4, 20).low);
-  EXPECT_THROW(ShareInterval(1, 2, 3), std::invalid_argument);
+TEST(WilsonInterval, HoldsTheTrueShareOfClustersThatSucceedOrFailTogether) {
+  EXPECT_EQ(WilsonInterval(40, 200, 20).low, WilsonInterval(4, 20).low);
+  EXPECT_THROW(WilsonInterval(1, 2, 3), std::invalid_argument);
   models::RandomStream random(1, "tests.clusters");
   constexpr int kCases = 4000, kClusters = 20, kEach = 10;
   int held = 0, held_as_if_independent = 0;
   for (int i = 0; i < kCases; ++i) {
     int successes = 0;
     for (int k = 0; k < kClusters; ++k) successes += random.Chance(0.8) ? kEach : 0;
-    const Interval share = ShareInterval(successes, kClusters * kEach, kClusters);
-    const Interval naive = ShareInterval(successes, kClusters * kEach);
+    const Interval share = WilsonInterval(successes, kClusters * kEach, kClusters);
+    const Interval naive = WilsonInterval(successes, kClusters * kEach);
     held += share.low <= 0.8 && 0.8 <= share.high ? 1 : 0;
     held_as_if_independent += naive.low <= 0.8 && 0.8 <= naive.high ? 1 : 0;
   }
@@ -89,11 +89,11 @@ TEST(QuantileInterval, HoldsTheTrueQuantileOfClustersOfTheSameValue) {
   EXPECT_LE(held / static_cast<double>(kCases), 0.99);
 }
 
-TEST(ChanceOfAtLeast, IsTheBinomials) {
+TEST(BinomialTail, IsTheBinomials) {
   // Of three throws of a coin: 7/8 for one head, 4/8 for two.
-  EXPECT_NEAR(ChanceOfAtLeast(1, 3, 0.5), 0.875, 1e-12);
-  EXPECT_NEAR(ChanceOfAtLeast(2, 3, 0.5), 0.5, 1e-12);
-  EXPECT_EQ(ChanceOfAtLeast(0, 3, 0.5), 1.0);
+  EXPECT_NEAR(BinomialTail(1, 3, 0.5), 0.875, 1e-12);
+  EXPECT_NEAR(BinomialTail(2, 3, 0.5), 0.5, 1e-12);
+  EXPECT_EQ(BinomialTail(0, 3, 0.5), 1.0);
 }
 
 TEST(QuantileInterval, IsOfTheOrderStatisticsOfTheTables) {

@@ -80,7 +80,7 @@ TEST(Compare, FindsASmallChangeOfAMetricOnTheSameSeeds) {
   EXPECT_NEAR(d.difference.value, 0.001, 0.0005);
   EXPECT_GT(d.difference.low, 0.0);
   // (t(0.975) + t(0.8)) s / sqrt(n), with s about 1 mm: 2.01 + 0.85.
-  EXPECT_NEAR(d.resolvable, 2.86 * 0.001 / std::sqrt(50.0), 0.0001);
+  EXPECT_NEAR(d.min_detectable_difference, 2.86 * 0.001 / std::sqrt(50.0), 0.0001);
   EXPECT_FALSE(d.is_worse) << "nobody asked for it";
   EXPECT_TRUE(Compare(a, b, {{"flight.touchdown_xy_error_m", 0.0}}).is_worse());
   EXPECT_FALSE(Compare(a, b, {{"flight.touchdown_xy_error_m", 0.005}}).is_worse());
@@ -107,9 +107,9 @@ TEST(Compare, ResolvesAChangeOfThePassRateWithEightyPercentChance) {
   StoredResults a = Stored({});
   constexpr int kPairs = 100;
   for (std::uint64_t seed = 0; seed < kPairs; ++seed) a.results.push_back(Result(seed, true));
-  const double change = Of(Compare(a, a, {}), "pass_rate").resolvable;
+  const double change = Of(Compare(a, a, {}), "pass_rate").min_detectable_difference;
   EXPECT_NEAR(change, 0.078, 0.001) << "six of a hundred must be lost";
-  models::RandomStream random(1, "resolvable");
+  models::RandomStream random(1, "min_detectable_difference");
   constexpr int kTrials = 400;
   int shown = 0;
   for (int trial = 0; trial < kTrials; ++trial) {
@@ -120,7 +120,7 @@ TEST(Compare, ResolvesAChangeOfThePassRateWithEightyPercentChance) {
   }
   EXPECT_NEAR(shown / static_cast<double>(kTrials), 0.8, 0.06);
   a.results.resize(3);
-  EXPECT_EQ(Of(Compare(a, a, {}), "pass_rate").resolvable, 1.0) << "three pairs show nothing";
+  EXPECT_EQ(Of(Compare(a, a, {}), "pass_rate").min_detectable_difference, 1.0) << "three pairs show nothing";
 }
 
 TEST(Compare, CountsThePairsOfASeedAsOne) {
@@ -146,7 +146,7 @@ TEST(Compare, CountsThePairsOfASeedAsOne) {
     EXPECT_NEAR(three.difference.value, one.difference.value, 1e-12);
     EXPECT_NEAR(three.difference.low, one.difference.low, 1e-12);
     EXPECT_NEAR(three.difference.high, one.difference.high, 1e-12);
-    EXPECT_NEAR(three.resolvable, one.resolvable, 1e-12);
+    EXPECT_NEAR(three.min_detectable_difference, one.min_detectable_difference, 1e-12);
   }
 }
 

@@ -14,9 +14,9 @@ double PassRate(double value, double width) { return 0.99 / (1.0 + std::exp((val
 /// Where it is `level`.
 double TrueEdge(double level, double width) { return 6.0 + width * std::log(0.99 / level - 1.0); }
 
-PassEdge AfterGrid(double level, double width, int each, std::uint64_t seed) {
+PassBoundary AfterGrid(double level, double width, int each, std::uint64_t seed) {
   models::RandomStream random(seed, "pass_edge_test");
-  PassEdge edge(0.0, 12.0, level);
+  PassBoundary edge(0.0, 12.0, level);
   for (int value = 0; value <= 12; value += 2) {
     for (int i = 0; i < each; ++i) {
       const bool passed = random.Chance(PassRate(value, width));
@@ -26,14 +26,14 @@ PassEdge AfterGrid(double level, double width, int each, std::uint64_t seed) {
   return edge;
 }
 
-TEST(PassEdge, KnowsNothingAtFirst) {
-  const util::Interval edge = PassEdge(0.0, 12.0, 0.5).edge();
+TEST(PassBoundary, KnowsNothingAtFirst) {
+  const util::Interval edge = PassBoundary(0.0, 12.0, 0.5).edge();
   EXPECT_NEAR(edge.value, 6.0, 0.2);
   EXPECT_LT(edge.low, 0.5);
   EXPECT_GT(edge.high, 11.5);
 }
 
-TEST(PassEdge, HoldsTheTrueEdgeNineteenTimesOfTwenty) {
+TEST(PassBoundary, HoldsTheTrueEdgeNineteenTimesOfTwenty) {
   for (const double level : {0.5, 0.9}) {
     int held = 0;
     constexpr int kSearches = 60;
@@ -46,25 +46,25 @@ TEST(PassEdge, HoldsTheTrueEdgeNineteenTimesOfTwenty) {
   }
 }
 
-TEST(PassEdge, NarrowsWithEveryFlightNearIt) {
+TEST(PassBoundary, NarrowsWithEveryFlightNearIt) {
   const util::Interval few = AfterGrid(0.5, 0.8, 3, 1).edge(), many = AfterGrid(0.5, 0.8, 40, 1).edge();
   EXPECT_LT(many.high - many.low, 0.6 * (few.high - few.low));
   EXPECT_NEAR(many.value, TrueEdge(0.5, 0.8), 0.4);
 }
 
-TEST(PassEdge, FindsAnEdgeFromFailureToSuccessToo) {
-  PassEdge edge(0.0, 12.0, 0.5);
+TEST(PassBoundary, FindsAnEdgeFromFailureToSuccessToo) {
+  PassBoundary edge(0.0, 12.0, 0.5);
   for (int i = 0; i < 120; ++i) edge.Take(0.1 * i, 0.1 * i > 4.0 ? 1 : 0, 0.1 * i > 4.0 ? 0 : 1);
   EXPECT_NEAR(edge.edge().value, 4.0, 0.2);
   EXPECT_LT(edge.edge().high - edge.edge().low, 0.6);
 }
 
-TEST(PassEdge, SaysThatTheEdgeMayLieBeyondWhereEveryFlightPasses) {
-  PassEdge edge(0.0, 12.0, 0.5);
+TEST(PassBoundary, SaysThatTheEdgeMayLieBeyondWhereEveryFlightPasses) {
+  PassBoundary edge(0.0, 12.0, 0.5);
   for (int i = 0; i <= 24; ++i) edge.Take(0.5 * i, 1, 0);
   EXPECT_EQ(edge.edge().high, 12.0);
   for (const auto& [min, max] : {std::pair(0.2, 0.9), {0.4, 1.8}, {-2.0, -0.6}}) {
-    PassEdge other(min, max, 0.5);
+    PassBoundary other(min, max, 0.5);
     for (int i = 0; i <= 24; ++i) other.Take(std::lerp(min, max, i / 24.0), 1, 0);
     EXPECT_EQ(other.edge().high, max) << "to the last bit";
   }

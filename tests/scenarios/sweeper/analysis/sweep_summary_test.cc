@@ -28,34 +28,34 @@ SweepCheck Judged(int passed, int flown, const SweepCriterion& criterion) {
   return Summarize(Landings(passed, flown, {criterion})).criteria.at(0);
 }
 
-TEST(EdgeOver, LiesBetweenWhatPassesAndWhatFails) {
+TEST(PassBoundaryOver, LiesBetweenWhatPassesAndWhatFails) {
   std::vector<PassTrial> trials;
   for (const double value : {0.0, 2.0, 4.0}) Add(trials, value, 10, 10);
   for (const double value : {6.0, 8.0, 10.0}) Add(trials, value, 0, 10);
-  const util::Interval edge = EdgeOver(trials).value();
+  const util::Interval edge = PassBoundaryOver(trials).value();
   EXPECT_GT(edge.low, 3.5);
   EXPECT_NEAR(edge.value, 5.0, 0.3);
   EXPECT_LT(edge.high, 6.5);
   for (PassTrial& trial : trials) trial.passed = !trial.passed;
-  EXPECT_NEAR(EdgeOver(trials)->value, 5.0, 0.3) << "from failure to success";
+  EXPECT_NEAR(PassBoundaryOver(trials)->value, 5.0, 0.3) << "from failure to success";
 }
 
-TEST(EdgeOver, IsNoneWhereNoValueClearlyFails) {
+TEST(PassBoundaryOver, IsNoneWhereNoValueClearlyFails) {
   std::vector<PassTrial> trials;
   for (const double value : {0.0, 1.0}) Add(trials, value, 10, 10);
-  EXPECT_EQ(EdgeOver(trials), std::nullopt);
+  EXPECT_EQ(PassBoundaryOver(trials), std::nullopt);
   Add(trials, 2.0, 3, 10);
-  EXPECT_EQ(EdgeOver(trials), std::nullopt) << "3 of 10: from 11 to 60 %";
+  EXPECT_EQ(PassBoundaryOver(trials), std::nullopt) << "3 of 10: from 11 to 60 %";
   Add(trials, 3.0, 1, 10);
-  EXPECT_NE(EdgeOver(trials), std::nullopt) << "1 of 10: from 2 to 40 %";
+  EXPECT_NE(PassBoundaryOver(trials), std::nullopt) << "1 of 10: from 2 to 40 %";
 }
 
-TEST(EdgeOver, IsNoneWhenFlightsPassOnlyInTheMiddle) {
+TEST(PassBoundaryOver, IsNoneWhenFlightsPassOnlyInTheMiddle) {
   std::vector<PassTrial> trials;
   Add(trials, 0.0, 0, 10);
   Add(trials, 1.0, 10, 10);
   Add(trials, 2.0, 0, 10);
-  EXPECT_EQ(EdgeOver(trials), std::nullopt);
+  EXPECT_EQ(PassBoundaryOver(trials), std::nullopt);
 }
 
 TEST(SweepSummary, JudgesByTheMeasuredValueOrByItsWholeInterval) {
@@ -132,7 +132,7 @@ TEST(SweepSummary, TellsTheEdgeOfEachVariantOverEachListedNumber) {
 }
 
 TEST(SweepSummary, TellsTheEdgeThatWasSoughtAlsoWhereItMayLieBeyond) {
-  SweepOutcome sweep{.terms = {.axes = {{"wind", {}}}, .sought = SoughtEdge{"wind", 0.0, 10.0, 0.6}}};
+  SweepOutcome sweep{.terms = {.axes = {{"wind", {}}}, .sought = SearchedBoundary{"wind", 0.0, 10.0, 0.6}}};
   for (std::uint64_t i = 0; i < 12; ++i) {
     sweep.results.push_back(
         {.seed = i, .values = {std::to_string(i % 11)}, .row = {.verdict = runner::Verdict::kPass}});
@@ -140,7 +140,7 @@ TEST(SweepSummary, TellsTheEdgeThatWasSoughtAlsoWhereItMayLieBeyond) {
   EXPECT_EQ(Summarize(sweep).edges.at(0).edge, std::nullopt) << "all pass: nothing tells of an edge";
   EXPECT_FALSE(Summarize(sweep).finds_edge());
   sweep.results[5].row.verdict = runner::Verdict::kFail;
-  const PassEdgeOf edge = Summarize(sweep).edges.at(0);
+  const PassBoundaryOf edge = Summarize(sweep).edges.at(0);
   EXPECT_EQ(edge.pass_rate, 0.6);
   EXPECT_TRUE(edge.edge);
   EXPECT_TRUE(edge.may_lie_beyond);
@@ -162,8 +162,8 @@ TEST(SweepSummary, CountsTheFlightsOfASeedAsOneForItsIntervals) {
   }
   const SweepSummary summary = Summarize(sweep);
   EXPECT_EQ(summary.all.flown, 20);
-  EXPECT_EQ(summary.all.rate().low, util::ShareInterval(10, 10).low);
-  EXPECT_EQ(summary.by_value.at(0).count.rate().low, util::ShareInterval(10, 10).low);
+  EXPECT_EQ(summary.all.rate().low, util::WilsonInterval(10, 10).low);
+  EXPECT_EQ(summary.by_value.at(0).count.rate().low, util::WilsonInterval(10, 10).low);
   EXPECT_DOUBLE_EQ(summary.criteria.at(0).interval->low, 0.002);
   EXPECT_DOUBLE_EQ(summary.criteria.at(0).interval->high, 0.009);
 }

@@ -170,7 +170,8 @@ TEST_F(SweepReportTest, ShowsTheFirstFiftyPicturesAndLinksTheOthers) {
 TEST_F(SweepReportTest, IsOneSafePage) {
   const std::string page = Page();
   EXPECT_THAT(page, StartsWith("<!doctype html>"));
-  EXPECT_THAT(page, AllOf(HasSubstr(kSweepPageMark), HasSubstr("night &lt;1&gt;"), HasSubstr("Of &amp; for people.")));
+  EXPECT_THAT(page,
+              AllOf(HasSubstr(kSweepPageSignature), HasSubstr("night &lt;1&gt;"), HasSubstr("Of &amp; for people.")));
   EXPECT_THAT(page, Not(HasSubstr("night <1>")));
   EXPECT_THAT(page, HasSubstr("Not done: 3 of 23 flights are yet to be flown or collected."));
   EXPECT_THAT(page, Not(HasSubstr("Criteria not kept"))) << "not yet";

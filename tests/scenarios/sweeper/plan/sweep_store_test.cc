@@ -27,7 +27,7 @@ SweepPlan PlanOf(const std::vector<std::string>& ids) {
   return plan;
 }
 
-SweepTerms Terms() {
+SweepSpec Terms() {
   return {.name = "sweep",
           .description = "For people: \"so\".",
           .axes = {{"camera.noise_sigma", {"3", "4.5"}}, {"start.yaw_deg", {}}},
@@ -35,7 +35,7 @@ SweepTerms Terms() {
           .criteria = {{.metric = "pass_rate", .min = 0.9, .max = 1.0},
                        {.metric = "flight.sim_time_s", .quantile = 0.25, .max = 0.1 + 0.2, .by = JudgedBy::kInterval}},
           .stop_when = StopWhen{.good_pass_rate = 0.9, .bad_pass_rate = 0.8},
-          .sought = SoughtEdge{"camera.noise_sigma", 3.0, 4.5, 0.9}};
+          .sought = SearchedBoundary{"camera.noise_sigma", 3.0, 4.5, 0.9}};
 }
 
 FlightRow Row(const std::string& id, runner::Verdict verdict = runner::Verdict::kPass,
@@ -89,7 +89,7 @@ TEST_F(SweepStoreTest, GivesBackWhatItWasGiven) {
 TEST_F(SweepStoreTest, KeepsWhatTheResultsAreJudgedBy) {
   EXPECT_THAT(Open().terms().keys(), testing::IsEmpty()) << "no plan yet";
   Open().SetPlan(Terms(), PlanOf({"a"}), "this");
-  const SweepTerms terms = Open(SweepStore::Access::kRead).terms();
+  const SweepSpec terms = Open(SweepStore::Access::kRead).terms();
   EXPECT_EQ(terms.name, "sweep");
   EXPECT_EQ(terms.description, "For people: \"so\".");
   EXPECT_THAT(terms.keys(), ElementsAre("camera.noise_sigma", "start.yaw_deg"));
@@ -114,14 +114,14 @@ TEST_F(SweepStoreTest, KeepsWhatTheResultsAreJudgedBy) {
   EXPECT_EQ(terms.sought->pass_rate, 0.9);
 }
 
-TEST(SweepTerms, AreOfASweepsFile) {
+TEST(SweepSpec, AreOfASweepsFile) {
   const SweepFile file{
       .name = "n",
       .description = "d",
       .parameters = {{.key = "a", .values = ListedValues{{"1", "2"}}}, {.key = "b", .values = UniformValues{}}},
       .variants = {{.name = "v"}, {.name = "w"}},
       .criteria = {{.metric = "pass_rate", .min = 0.5}}};
-  const SweepTerms terms = TermsOf(file);
+  const SweepSpec terms = TermsOf(file);
   EXPECT_THAT(terms.axes[0].listed, ElementsAre("1", "2"));
   EXPECT_THAT(terms.axes[1].listed, testing::IsEmpty());
   EXPECT_THAT(terms.variants, ElementsAre("v", "w"));

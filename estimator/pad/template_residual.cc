@@ -1,4 +1,4 @@
-#include "estimator/pad/print_misfit.h"
+#include "estimator/pad/template_residual.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -61,8 +61,8 @@ double BestLetterSquares(const std::vector<Vector2d>& points, const models::PadO
 
 }  // namespace
 
-PrintMisfit MisfitOfPrint(std::span<const Vector2d> ring_inner, std::span<const Vector2d> letter,
-                          const models::LandingPad& pad, const CirclePose& pose) {
+TemplateResidual ResidualOfTemplate(std::span<const Vector2d> ring_inner, std::span<const Vector2d> letter,
+                                    const models::LandingPad& pad, const CirclePose& pose) {
   const double farthest_m = 0.5 * pad.h_stroke_m;
   double squares = BestLetterSquares(OnPlane(letter, pose), models::PadOutline(pad), farthest_m);
   for (const Vector2d& point : OnPlane(ring_inner, pose)) {
@@ -74,7 +74,7 @@ PrintMisfit MisfitOfPrint(std::span<const Vector2d> ring_inner, std::span<const 
   return {std::sqrt(squares / static_cast<double>(points)), points};
 }
 
-double ProbabilityOfLargerMisfit(const PrintMisfit& smaller, const PrintMisfit& larger) {
+double WrongBranchProbability(const TemplateResidual& smaller, const TemplateResidual& larger) {
   if (smaller.points == 0 || larger.rms_m <= 0.0) return 0.5;
   constexpr double kIndependentPoints = 10.0;
   constexpr double kLeastRms_m = 1e-9;

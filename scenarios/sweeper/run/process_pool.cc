@@ -1,4 +1,4 @@
-#include "scenarios/sweeper/run/crew.h"
+#include "scenarios/sweeper/run/process_pool.h"
 
 #include <fmt/format.h>
 #include <signal.h>
@@ -66,7 +66,7 @@ std::string LastLine(std::string text) {
 }
 
 /// What a process of the crew does; returns its exit status.
-int FlyAndExplain(const CrewOptions& options, const FlightTask& task) {
+int FlyAndExplain(const ProcessPoolOptions& options, const FlightTask& task) {
   try {
     options.fly(task);
     return 0;
@@ -83,7 +83,7 @@ int FlyAndExplain(const CrewOptions& options, const FlightTask& task) {
 
 }  // namespace
 
-void FlyTasks(const RowFolder& folder, const CrewOptions& options, const NextTask& next, const OnRow& on_row,
+void FlyTasks(const RowFolder& folder, const ProcessPoolOptions& options, const NextTask& next, const OnRow& on_row,
               const util::StopRequested& stop_requested) {
   constexpr std::chrono::milliseconds kLookEvery(5);
   std::list<Flying> flying;

@@ -5,7 +5,7 @@
 namespace touchdown::cli {
 
 /// What a command that works for long says, beside its errors.
-struct Talk {
+struct OutputOptions {
   bool quiet = false;  ///< Neither progress nor a result for people.
   bool json = false;   ///< The result as JSON on stdout, in place of the one for people.
 
@@ -13,9 +13,9 @@ struct Talk {
 };
 
 /// Adds --quiet and --json.
-inline void AddTalk(CLI::App& command, Talk& talk) {
-  command.add_flag("--quiet", talk.quiet, "Say nothing but errors");
-  command.add_flag("--json", talk.json, "Print the result as JSON");
+inline void AddOutputOptions(CLI::App& command, OutputOptions& output) {
+  command.add_flag("--quiet", output.quiet, "Say nothing but errors");
+  command.add_flag("--json", output.json, "Print the result as JSON");
 }
 
 }  // namespace touchdown::cli

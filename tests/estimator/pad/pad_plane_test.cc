@@ -1,4 +1,4 @@
-#include "estimator/pad/seen_plane.h"
+#include "estimator/pad/pad_plane.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-class SeenPlaneTest : public testing::Test {
+class PadPlaneTest : public testing::Test {
  protected:
   const models::CameraModel camera_;
   const UndistortTable undistort_{camera_};
@@ -18,10 +18,10 @@ class SeenPlaneTest : public testing::Test {
   const CirclePose pose_{X_CW_.linear().col(2), X_CW_.translation()};
 };
 
-TEST_F(SeenPlaneTest, SeesItsPointsWhereTheCameraDoes) {
+TEST_F(PadPlaneTest, SeesItsPointsWhereTheCameraDoes) {
   for (const int reduction : {1, 2, 4}) {
-    const ReducedView view{camera_, undistort_, reduction};
-    const SeenPlane plane(pose_, view);
+    const DownsampledCamera view{camera_, undistort_, reduction};
+    const PadPlane plane(pose_, view);
     for (const Vector2d& point : {Vector2d(0.0, 0.0), Vector2d(0.08, -0.03), Vector2d(-0.05, 0.07)}) {
       const auto raw = camera_.Project(plane.InCamera(point));
       const auto pixel = plane.PixelAt(point);
@@ -33,19 +33,19 @@ TEST_F(SeenPlaneTest, SeesItsPointsWhereTheCameraDoes) {
   }
 }
 
-TEST_F(SeenPlaneTest, LiesOnThePlaneOfTheRingAndTurnsLikeW) {
-  const ReducedView view{camera_, undistort_, 1};
-  const SeenPlane plane(pose_, view);
+TEST_F(PadPlaneTest, LiesOnThePlaneOfTheRingAndTurnsLikeW) {
+  const DownsampledCamera view{camera_, undistort_, 1};
+  const PadPlane plane(pose_, view);
   EXPECT_LT((plane.InCamera(Vector2d::Zero()) - X_CW_.translation()).norm(), 1e-12);
   const Eigen::Vector3d x = plane.InCamera({1, 0}) - plane.InCamera({0, 0});
   const Eigen::Vector3d y = plane.InCamera({0, 1}) - plane.InCamera({0, 0});
   EXPECT_LT((x.cross(y) - X_CW_.linear().col(2)).norm(), 1e-12);
 }
 
-TEST_F(SeenPlaneTest, SeesNothingBehindTheCamera) {
-  const ReducedView view{camera_, undistort_, 1};
+TEST_F(PadPlaneTest, SeesNothingBehindTheCamera) {
+  const DownsampledCamera view{camera_, undistort_, 1};
   const CirclePose steep{Eigen::Vector3d(0.0, -0.8, -0.6), Eigen::Vector3d(0.0, 0.0, 0.3)};
-  const SeenPlane plane(steep, view);
+  const PadPlane plane(steep, view);
   int unseen = 0;
   for (const Vector2d& far : {Vector2d(9, 0), Vector2d(-9, 0), Vector2d(0, 9), Vector2d(0, -9)}) {
     unseen += !plane.PixelAt(far);

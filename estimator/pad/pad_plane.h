@@ -11,7 +11,7 @@ namespace touchdown::estimator::pad {
 
 /// How an image came out of a camera's: one pixel of it is a square of `reduction` pixels of the camera. Camera and
 /// table must outlive it.
-struct ReducedView {
+struct DownsampledCamera {
   const models::CameraModel& camera;
   const UndistortTable& undistort;
   int reduction = 1;
@@ -24,9 +24,9 @@ struct ReducedView {
 
 /// The plane on which a ring lies, with the ring's center as origin, in a reduced image. What it is made of must
 /// outlive it.
-class SeenPlane {
+class PadPlane {
  public:
-  SeenPlane(const CirclePose& ring_pose, const ReducedView& view);
+  PadPlane(const CirclePose& ring_pose, const DownsampledCamera& view);
 
   /// Where on the plane, m, a pixel of the image looks.
   Eigen::Vector2d PointAt(const Eigen::Vector2d& pixel) const;
@@ -45,7 +45,7 @@ class SeenPlane {
  private:
   CirclePose pose_;
   Eigen::Vector3d x_C_, y_C_;
-  ReducedView view_;
+  DownsampledCamera view_;
 };
 
 }  // namespace touchdown::estimator::pad

@@ -14,24 +14,24 @@ struct SweepAxis {
 };
 
 /// What a sweep's results are told and judged by: what is kept of its file beside its rows.
-struct SweepTerms {
+struct SweepSpec {
   std::string name = {};
   std::string description = {};
   std::vector<SweepAxis> axes = {};
   std::vector<std::string> variants = {};  ///< Names; none without variants.
   std::vector<SweepCriterion> criteria = {};
   std::optional<StopWhen> stop_when = {};
-  std::optional<SoughtEdge> sought = {};
+  std::optional<SearchedBoundary> sought = {};
 
   std::vector<std::string> keys() const;
   /// One of no name without variants.
   std::vector<std::string> flown_variants() const;
 };
 
-SweepTerms TermsOf(const SweepFile& file);
+SweepSpec TermsOf(const SweepFile& file);
 
-std::string TermsJson(const SweepTerms& terms);
+std::string TermsJson(const SweepSpec& terms);
 /// Throws InputError, without a file name, for a text that TermsJson did not write.
-SweepTerms TermsFromJson(const std::string& text);
+SweepSpec TermsFromJson(const std::string& text);
 
 }  // namespace touchdown::sweeper

@@ -1,4 +1,4 @@
-#include "estimator/pad/ring_search.h"
+#include "estimator/pad/ellipse_detection.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ class RingSearchTest : public testing::Test {
   RingSearchTest() { camera_.k1 = camera_.k2 = 0.0; }
 
   std::vector<Ellipse> RingsIn(const tests::PadPicture& picture) const {
-    return FindRings(tests::RenderPad(camera_, pad_, X_WC_, picture).View());
+    return DetectEllipses(tests::RenderPad(camera_, pad_, X_WC_, picture).View());
   }
 
   /// Of the ring's outer boundary, point by point, from an ellipse, the farthest, px.
@@ -84,7 +84,7 @@ TEST_F(RingSearchTest, FindsNothingInImagesOfFewPixels) {
     for (int height = 1; height < 8; ++height) {
       models::Image image(width, height);
       for (auto& pixel : image.pixels) pixel = static_cast<std::uint8_t>(random.UniformInt(0, 255));
-      EXPECT_TRUE(FindRings(image.View()).empty());
+      EXPECT_TRUE(DetectEllipses(image.View()).empty());
     }
   }
 }

@@ -1,4 +1,4 @@
-#include "scenarios/sweeper/plan/sweep_terms.h"
+#include "scenarios/sweeper/plan/sweep_spec.h"
 
 #include <nlohmann/json.hpp>
 
@@ -17,8 +17,8 @@ std::optional<double> NumberIfThere(const Json& json, const char* key) {
   return json.contains(key) ? std::optional(json.at(key).get<double>()) : std::nullopt;
 }
 
-SweepTerms TermsFrom(const Json& json) {
-  SweepTerms terms{.name = json.at("name"), .description = json.at("description"), .variants = json.at("variants")};
+SweepSpec TermsFrom(const Json& json) {
+  SweepSpec terms{.name = json.at("name"), .description = json.at("description"), .variants = json.at("variants")};
   for (const Json& axis : json.at("parameters")) terms.axes.push_back({axis.at("key"), axis.at("listed")});
   for (const Json& criterion : json.at("criteria")) {
     terms.criteria.push_back({.metric = criterion.at("metric"),
@@ -44,22 +44,22 @@ SweepTerms TermsFrom(const Json& json) {
 
 }  // namespace
 
-std::vector<std::string> SweepTerms::keys() const {
+std::vector<std::string> SweepSpec::keys() const {
   std::vector<std::string> keys;
   for (const SweepAxis& axis : axes) keys.push_back(axis.key);
   return keys;
 }
 
-std::vector<std::string> SweepTerms::flown_variants() const {
+std::vector<std::string> SweepSpec::flown_variants() const {
   return variants.empty() ? std::vector<std::string>{""} : variants;
 }
 
-SweepTerms TermsOf(const SweepFile& file) {
-  SweepTerms terms{.name = file.name,
-                   .description = file.description,
-                   .criteria = file.criteria,
-                   .stop_when = file.stop_when,
-                   .sought = file.sought};
+SweepSpec TermsOf(const SweepFile& file) {
+  SweepSpec terms{.name = file.name,
+                  .description = file.description,
+                  .criteria = file.criteria,
+                  .stop_when = file.stop_when,
+                  .sought = file.sought};
   for (const SweepParameter& parameter : file.parameters) {
     const auto* listed = std::get_if<ListedValues>(&parameter.values);
     terms.axes.push_back({parameter.key, listed == nullptr ? std::vector<std::string>() : listed->yaml});
@@ -70,7 +70,7 @@ SweepTerms TermsOf(const SweepFile& file) {
   return terms;
 }
 
-std::string TermsJson(const SweepTerms& terms) {
+std::string TermsJson(const SweepSpec& terms) {
   Json json{{"name", terms.name},
             {"description", terms.description},
             {"parameters", Json::array()},
@@ -100,7 +100,7 @@ std::string TermsJson(const SweepTerms& terms) {
   return json.dump();
 }
 
-SweepTerms TermsFromJson(const std::string& text) {
+SweepSpec TermsFromJson(const std::string& text) {
   try {
     return TermsFrom(Json::parse(text));
   } catch (const Json::exception&) {

@@ -1,4 +1,4 @@
-#include "estimator/pad/print_match.h"
+#include "estimator/pad/pad_template_matcher.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -109,22 +109,22 @@ std::optional<int> PartAt(const models::LandingPad& pad, const models::PadOutlin
 
 }  // namespace
 
-Vector2d PrintPlace::OnPlane(const Vector2d& p_W) const {
+Vector2d TemplateWarp::OnPlane(const Vector2d& p_W) const {
   return offset_m + Eigen::Rotation2Dd(angle) * p_W.cwiseProduct(scale);
 }
 
-Vector2d PrintPlace::OnPrint(const Vector2d& p_plane) const {
+Vector2d TemplateWarp::OnTemplate(const Vector2d& p_plane) const {
   return (Eigen::Rotation2Dd(-angle) * (p_plane - offset_m)).cwiseQuotient(scale);
 }
 
-void PrintMatchConfig::Validate() const {
+void TemplateMatcherConfig::Validate() const {
   for (const double share : {least_ring, least_between_strokes, least_bar, least_rectangle, least_stroke, least_strokes,
                              least_beside, least_contrast}) {
     if (!(share > 0.0 && share <= 1.0)) throw InputError("a print's least shares must be within (0, 1]");
   }
 }
 
-PrintMatch::PrintMatch(const models::LandingPad& pad, const PrintMatchConfig& config)
+PadTemplateMatcher::PadTemplateMatcher(const models::LandingPad& pad, const TemplateMatcherConfig& config)
     : pad_(pad),
       outline_(pad),
       config_(config),
@@ -136,22 +136,23 @@ PrintMatch::PrintMatch(const models::LandingPad& pad, const PrintMatchConfig& co
   blurred_ = Smoothed(print, kBlurred);
 }
 
-bool PrintMatch::IsAt(const models::ImageView& image, const SeenPlane& plane,
-                      std::span<const PrintPlace> places) const {
+bool PadTemplateMatcher::IsAt(const models::ImageView& image, const PadPlane& plane,
+                              std::span<const TemplateWarp> places) const {
   const auto within = Within(image, plane);
-  return within && std::any_of(places.begin(), places.end(), [&](const PrintPlace& place) {
+  return within && std::any_of(places.begin(), places.end(), [&](const TemplateWarp& place) {
            return Passes(At(within->disc, place), within->ring_contrast);
          });
 }
 
-std::optional<PrintMatch::Found> PrintMatch::Find(const models::ImageView& image, const SeenPlane& plane) const {
+std::optional<PadTemplateMatcher::Found> PadTemplateMatcher::Find(const models::ImageView& image,
+                                                                  const PadPlane& plane) const {
   const auto within = Within(image, plane);
   if (!within) return std::nullopt;
   const auto& [disc, ring_contrast] = *within;
-  constexpr double kNoiseShare = 0.15, kLeastLikeness = 0.3;
-  const Cells leveled = disc.Leveled(kNoiseShare * ring_contrast);
-  const PrintPlace turned = Turned(leveled, disc);
-  if (Likeness(leveled, disc, turned, 1) < kLeastLikeness) return std::nullopt;
+  constexpr double kNoiseShare = 0.15, kLeastZncc = 0.3;
+  const Cells leveled = disc.ContrastNormalized(kNoiseShare * ring_contrast);
+  const TemplateWarp turned = Turned(leveled, disc);
+  if (Zncc(leveled, disc, turned, 1) < kLeastZncc) return std::nullopt;
   const Found found = Refined(leveled, disc, turned);
   constexpr double kLargestSize = 1.1;
   const double size = std::sqrt(found.place.scale.prod());
@@ -160,7 +161,8 @@ std::optional<PrintMatch::Found> PrintMatch::Find(const models::ImageView& image
   return found;
 }
 
-std::optional<PrintMatch::WithinRing> PrintMatch::Within(const models::ImageView& image, const SeenPlane& plane) const {
+std::optional<PadTemplateMatcher::WithinRing> PadTemplateMatcher::Within(const models::ImageView& image,
+                                                                         const PadPlane& plane) const {
   constexpr double kFaintest = 5.0;
   const SeenRing ring = RingAt(image, plane);
   if (ring.contrast < kFaintest || ring.share < config_.least_ring) return std::nullopt;
@@ -169,14 +171,14 @@ std::optional<PrintMatch::WithinRing> PrintMatch::Within(const models::ImageView
   return WithinRing{*disc, ring.contrast};
 }
 
-PrintMatch::Seen PrintMatch::At(const RectifiedDisc& disc, const PrintPlace& place) const {
+PadTemplateMatcher::Seen PadTemplateMatcher::At(const RectifiedDisc& disc, const TemplateWarp& place) const {
   const double margin_m = EdgeMargin(pad_, outline_, disc.cell_m());
   constexpr float kSurelyWhite = 0.1F, kSurelyBlack = 0.9F;
   Cells black(kCells, kCells), white(kCells, kCells), expected(kCells, kCells);
   Eigen::ArrayXXi parts = Eigen::ArrayXXi::Constant(kCells, kCells, -1);
   for (int row = 0; row < kCells; ++row) {
     for (int column = 0; column < kCells; ++column) {
-      const Vector2d p_W = place.OnPrint(disc.PointOf(column, row));
+      const Vector2d p_W = place.OnTemplate(disc.PointOf(column, row));
       expected(row, column) = BlackAt(print_, p_W);
       const bool inside = disc.Holds(column, row);
       black(row, column) = inside && expected(row, column) > kSurelyBlack;
@@ -218,7 +220,7 @@ PrintMatch::Seen PrintMatch::At(const RectifiedDisc& disc, const PrintPlace& pla
   return seen;
 }
 
-bool PrintMatch::Passes(const Seen& seen, double ring_contrast) const {
+bool PadTemplateMatcher::Passes(const Seen& seen, double ring_contrast) const {
   const bool is_rectangle = pad_.letter() == models::PadLetter::kRectangle;
   const double least_bar = is_rectangle ? config_.least_rectangle : config_.least_bar;
   return seen.contrast >= config_.least_contrast * ring_contrast &&
@@ -228,8 +230,8 @@ bool PrintMatch::Passes(const Seen& seen, double ring_contrast) const {
 }
 
 /// Correlation, -1 to 1, of every stride-th cell with the print.
-double PrintMatch::Likeness(const Cells& leveled, const RectifiedDisc& disc, const PrintPlace& place,
-                            int stride) const {
+double PadTemplateMatcher::Zncc(const Cells& leveled, const RectifiedDisc& disc, const TemplateWarp& place,
+                                int stride) const {
   const Eigen::Matrix2d to_print =
       place.scale.cwiseInverse().asDiagonal() * Eigen::Rotation2Dd(-place.angle).toRotationMatrix();
   double count = 0.0, a = 0.0, aa = 0.0, b = 0.0, bb = 0.0, ab = 0.0;
@@ -250,22 +252,23 @@ double PrintMatch::Likeness(const Cells& leveled, const RectifiedDisc& disc, con
   return variances > 0.0 ? (ab - a * b / count) / std::sqrt(variances) : -1.0;
 }
 
-PrintPlace PrintMatch::Turned(const Cells& leveled, const RectifiedDisc& disc) const {
+TemplateWarp PadTemplateMatcher::Turned(const Cells& leveled, const RectifiedDisc& disc) const {
   constexpr int kAngles = 45, kCoarse = 2;
   const int half_turns = pad_.marks.empty() ? 1 : 2;  // After one the H looks the same, marks may not.
   Found best{{}, -2.0};
   for (int i = 0; i < half_turns * kAngles; ++i) {
-    const PrintPlace place{.angle = models::kPi * i / kAngles};
-    const double likeness = Likeness(leveled, disc, place, kCoarse);
-    if (likeness > best.likeness) best = {place, likeness};
+    const TemplateWarp place{.angle = models::kPi * i / kAngles};
+    const double zncc = Zncc(leveled, disc, place, kCoarse);
+    if (zncc > best.zncc) best = {place, zncc};
   }
   return best.place;
 }
 
-/// The place of the greatest likeness near `start`, a coordinate after the other in ever smaller steps.
-PrintMatch::Found PrintMatch::Refined(const Cells& leveled, const RectifiedDisc& disc, const PrintPlace& start) const {
+/// The place of the greatest zncc near `start`, a coordinate after the other in ever smaller steps.
+PadTemplateMatcher::Found PadTemplateMatcher::Refined(const Cells& leveled, const RectifiedDisc& disc,
+                                                      const TemplateWarp& start) const {
   const double radius = pad_.inner_radius_m(), farthest = kFarthestOffset * radius;
-  const auto moved = [&](PrintPlace place, int coordinate, double step) {
+  const auto moved = [&](TemplateWarp place, int coordinate, double step) {
     constexpr double kTurn = 0.05, kShift = 0.03, kStretch = 0.05;
     if (coordinate == 0) place.angle += kTurn * step;
     if (coordinate == 1) place.offset_m.x() += kShift * radius * step;
@@ -279,25 +282,25 @@ PrintMatch::Found PrintMatch::Refined(const Cells& leveled, const RectifiedDisc&
   Found best{start, -1.0};
   for (const double step : {1.0, 0.5, 0.25, 0.125}) {
     const int stride = step >= 0.5 ? 2 : 1;
-    best.likeness = Likeness(leveled, disc, best.place, stride);
+    best.zncc = Zncc(leveled, disc, best.place, stride);
     constexpr int kRounds = 3;
     constexpr double kLeastGain = 1e-3;
     for (int round = 0; round < kRounds; ++round) {
-      const double before = best.likeness;
+      const double before = best.zncc;
       for (int coordinate = 0; coordinate < 5; ++coordinate) {
         for (const double sign : {-1.0, 1.0}) {
-          const PrintPlace place = moved(best.place, coordinate, sign * step);
-          const double likeness = Likeness(leveled, disc, place, stride);
-          if (likeness > best.likeness) best = {place, likeness};
+          const TemplateWarp place = moved(best.place, coordinate, sign * step);
+          const double zncc = Zncc(leveled, disc, place, stride);
+          if (zncc > best.zncc) best = {place, zncc};
         }
       }
-      if (best.likeness < before + kLeastGain) break;
+      if (best.zncc < before + kLeastGain) break;
     }
   }
   return best;
 }
 
-PrintMatch::SeenRing PrintMatch::RingAt(const models::ImageView& image, const SeenPlane& plane) const {
+PadTemplateMatcher::SeenRing PadTemplateMatcher::RingAt(const models::ImageView& image, const PadPlane& plane) const {
   constexpr int kDirections = 60, kSteps = 5;
   constexpr double kCurl = 0.03;  // Of the radius.
   const double from_m = pad_.inner_radius_m() - kCurl * pad_.outer_radius_m;
@@ -329,7 +332,7 @@ PrintMatch::SeenRing PrintMatch::RingAt(const models::ImageView& image, const Se
   return {Quantile(contrasts, 0.5), static_cast<double>(dark) / kDirections};
 }
 
-float PrintMatch::BlackAt(const Cells& print, const Vector2d& p_W) const {
+float PadTemplateMatcher::BlackAt(const Cells& print, const Vector2d& p_W) const {
   const double texels_per_m = kTexels / (2.0 * pad_.inner_radius_m()), middle = 0.5 * kTexels;
   const auto texel = [&](double coordinate_m) {
     return std::clamp(static_cast<int>(middle + texels_per_m * coordinate_m), 0, kTexels - 1);

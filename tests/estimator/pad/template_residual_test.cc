@@ -1,4 +1,4 @@
-#include "estimator/pad/print_misfit.h"
+#include "estimator/pad/template_residual.h"
 
 #include <gtest/gtest.h>
 
@@ -47,40 +47,40 @@ struct TiltedPad {
   CirclePose pose;
 };
 
-TEST(PrintMisfit, IsNothingAtThePoseFromWhichThePadIsSeen) {
+TEST(TemplateResidual, IsNothingAtThePoseFromWhichThePadIsSeen) {
   for (const double turn : {0.0, 0.4, 1.5, 3.0}) {
     const TiltedPad seen(0.5, turn);
-    const PrintMisfit misfit = MisfitOfPrint(seen.InnerEdge(), seen.Letter(), seen.pad, seen.pose);
-    EXPECT_LT(misfit.rms_m, 2e-5) << turn;
-    EXPECT_EQ(misfit.points, seen.InnerEdge().size() + seen.Letter().size());
+    const TemplateResidual residual = ResidualOfTemplate(seen.InnerEdge(), seen.Letter(), seen.pad, seen.pose);
+    EXPECT_LT(residual.rms_m, 2e-5) << turn;
+    EXPECT_EQ(residual.points, seen.InnerEdge().size() + seen.Letter().size());
   }
 }
 
-TEST(PrintMisfit, IsLargerAtThePoseTiltedToTheOtherSide) {
+TEST(TemplateResidual, IsLargerAtThePoseTiltedToTheOtherSide) {
   const TiltedPad seen(0.5), mirrored(-0.5);
-  EXPECT_GT(MisfitOfPrint(seen.InnerEdge(), seen.Letter(), seen.pad, mirrored.pose).rms_m, 5e-4);
+  EXPECT_GT(ResidualOfTemplate(seen.InnerEdge(), seen.Letter(), seen.pad, mirrored.pose).rms_m, 5e-4);
 }
 
-TEST(PrintMisfit, IsTheDistanceByWhichThePrintIsOff) {
+TEST(TemplateResidual, IsTheDistanceByWhichThePrintIsOff) {
   const TiltedPad seen(0.0);
   std::vector<Vector2d> wider = seen.InnerEdge();
   for (Vector2d& point : wider) point += 0.002 / 0.8 * (point - seen.Seen(0.0, 0.0)).normalized();
-  EXPECT_NEAR(MisfitOfPrint(wider, {}, seen.pad, seen.pose).rms_m, 0.002, 1e-5);
+  EXPECT_NEAR(ResidualOfTemplate(wider, {}, seen.pad, seen.pose).rms_m, 0.002, 1e-5);
 }
 
-TEST(PrintMisfit, CountsAPointFarOffAsHalfAStroke) {
+TEST(TemplateResidual, CountsAPointFarOffAsHalfAStroke) {
   const TiltedPad seen(0.0);
   const std::vector<Vector2d> stray{seen.Seen(0.0, 0.0)};
-  EXPECT_NEAR(MisfitOfPrint(stray, {}, seen.pad, seen.pose).rms_m, 0.5 * seen.pad.h_stroke_m, 1e-12);
-  EXPECT_EQ(MisfitOfPrint({}, {}, seen.pad, seen.pose).points, 0u);
+  EXPECT_NEAR(ResidualOfTemplate(stray, {}, seen.pad, seen.pose).rms_m, 0.5 * seen.pad.h_stroke_m, 1e-12);
+  EXPECT_EQ(ResidualOfTemplate({}, {}, seen.pad, seen.pose).points, 0u);
 }
 
-TEST(PrintMisfit, LeavesLittleDoubtOnceOneIsClearlyLarger) {
-  EXPECT_DOUBLE_EQ(ProbabilityOfLargerMisfit({0.001, 300}, {0.001, 300}), 0.5);
-  EXPECT_DOUBLE_EQ(ProbabilityOfLargerMisfit({}, {}), 0.5);
+TEST(TemplateResidual, LeavesLittleDoubtOnceOneIsClearlyLarger) {
+  EXPECT_DOUBLE_EQ(WrongBranchProbability({0.001, 300}, {0.001, 300}), 0.5);
+  EXPECT_DOUBLE_EQ(WrongBranchProbability({}, {}), 0.5);
   // Ten independent points with twice the sigma: (1/2)^10 against 1.
-  EXPECT_NEAR(ProbabilityOfLargerMisfit({0.001, 300}, {0.002, 300}), 1.0 / 1025.0, 1e-12);
-  EXPECT_GT(ProbabilityOfLargerMisfit({0.001, 300}, {0.0011, 300}), 0.2);
+  EXPECT_NEAR(WrongBranchProbability({0.001, 300}, {0.002, 300}), 1.0 / 1025.0, 1e-12);
+  EXPECT_GT(WrongBranchProbability({0.001, 300}, {0.0011, 300}), 0.2);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "estimator/pad/print_match.h"
+#include "estimator/pad/pad_template_matcher.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ struct View {
   std::function<double(double gray, const Vector2d& p_W)> light = nullptr;
 };
 
-class PrintMatchTest : public testing::Test {
+class PadTemplateMatcherTest : public testing::Test {
  protected:
   void Look(const View& view) {
     X_WC_ = tests::CameraAbovePad(Eigen::Vector3d::Zero(), kYaw, models::DegToRad(view.tilt_deg), 1.0);
@@ -41,7 +41,7 @@ class PrintMatchTest : public testing::Test {
   }
 
   /// A ring with `black` in it, from the ring's own pose.
-  std::optional<PrintPlace> Find(const Black& black, const View& view = {}) {
+  std::optional<TemplateWarp> Find(const Black& black, const View& view = {}) {
     Look(view);
     tests::PadPicture picture{
         .noise_sigma = view.noise_sigma, .lens_blur_sigma_px = view.lens_blur_sigma_px, .letter = false};
@@ -56,17 +56,17 @@ class PrintMatchTest : public testing::Test {
     const models::Image image = tests::RenderPad(camera_, pad_, X_WC_, picture, &noise);
     const Eigen::Isometry3d X_CW = X_WC_.inverse();
     const CirclePose pose{X_CW.linear().col(2), X_CW.translation()};
-    const ReducedView reduced{camera_, undistort_, 1};
-    const auto found = PrintMatch(pad_).Find(image.View(), SeenPlane(pose, reduced));
+    const DownsampledCamera reduced{camera_, undistort_, 1};
+    const auto found = PadTemplateMatcher(pad_).Find(image.View(), PadPlane(pose, reduced));
     return found ? std::optional(found->place) : std::nullopt;
   }
 
   /// Between the found direction of W's X axis and the true one, modulo a half turn, rad.
-  double AngleError(const PrintPlace& place) const {
+  double AngleError(const TemplateWarp& place) const {
     const Eigen::Isometry3d X_CW = X_WC_.inverse();
     const CirclePose pose{X_CW.linear().col(2), X_CW.translation()};
-    const ReducedView reduced{camera_, undistort_, 1};
-    const SeenPlane plane(pose, reduced);
+    const DownsampledCamera reduced{camera_, undistort_, 1};
+    const PadPlane plane(pose, reduced);
     const Eigen::Vector3d origin = plane.InCamera({0, 0}), x = plane.InCamera({1, 0}) - origin,
                           y = plane.InCamera({0, 1}) - origin, along = X_CW.linear().col(0);
     return std::abs(models::WrapToHalfPi(place.angle - std::atan2(along.dot(y), along.dot(x))));
@@ -81,7 +81,7 @@ class PrintMatchTest : public testing::Test {
 
 const Black kPrint = [](const Artwork& pad, const Vector2d& p) { return pad.outline.IsBlack(p); };
 
-TEST_F(PrintMatchTest, FindsTheHAndItsDirectionFromAnyDistanceAndTilt) {
+TEST_F(PadTemplateMatcherTest, FindsTheHAndItsDirectionFromAnyDistanceAndTilt) {
   for (const View& view : {View{.distance = 0.25, .tilt_deg = 0.0}, View{.distance = 0.5, .tilt_deg = 30.0},
                            View{.distance = 0.5, .tilt_deg = 55.0}, View{.distance = 1.8, .tilt_deg = 10.0}}) {
     const auto place = Find(kPrint, view);
@@ -93,7 +93,7 @@ TEST_F(PrintMatchTest, FindsTheHAndItsDirectionFromAnyDistanceAndTilt) {
   }
 }
 
-TEST_F(PrintMatchTest, RefusesOtherLetters) {
+TEST_F(PadTemplateMatcherTest, RefusesOtherLetters) {
   const Black letter_n = [](const Artwork& pad, const Vector2d& p) {
     const double half_x = pad.h_height_m / 2, half_y = pad.h_width_m / 2 - pad.h_stroke_m / 2;
     const bool diagonal = std::abs(p.x()) < half_x && std::abs(p.y() - p.x() / half_x * half_y) < pad.h_stroke_m / 2;
@@ -121,14 +121,14 @@ TEST_F(PrintMatchTest, RefusesOtherLetters) {
   }
 }
 
-TEST_F(PrintMatchTest, RefusesAnHOfAnotherSizeOrPlace) {
+TEST_F(PadTemplateMatcherTest, RefusesAnHOfAnotherSizeOrPlace) {
   EXPECT_FALSE(Find([](const Artwork& pad, const Vector2d& p) { return pad.outline.IsLetter(p / 0.7); }));
   EXPECT_FALSE(Find([](const Artwork& pad, const Vector2d& p) { return pad.outline.IsLetter(p / 1.3); }));
   EXPECT_FALSE(
       Find([](const Artwork& pad, const Vector2d& p) { return pad.outline.IsLetter(p - Vector2d(0.0, 0.02)); }));
 }
 
-TEST_F(PrintMatchTest, FindsAnHThatGlareBreaks) {
+TEST_F(PadTemplateMatcherTest, FindsAnHThatGlareBreaks) {
   const auto glare = [](double gray, const Vector2d& p) {
     return (p - Vector2d(0.032, 0.02)).norm() < 0.012 ? 225.0 : gray;
   };
@@ -137,30 +137,30 @@ TEST_F(PrintMatchTest, FindsAnHThatGlareBreaks) {
   EXPECT_LT(AngleError(*place), models::DegToRad(2.0));
 }
 
-TEST_F(PrintMatchTest, FindsAnHHalfInShadow) {
+TEST_F(PadTemplateMatcherTest, FindsAnHHalfInShadow) {
   const auto shadow = [](double gray, const Vector2d& p) { return p.x() + p.y() > 0.01 ? 0.5 * gray : gray; };
   EXPECT_TRUE(Find(kPrint, {.light = shadow}));
 }
 
-TEST_F(PrintMatchTest, FindsASquareHAndItsDirection) {
+TEST_F(PadTemplateMatcherTest, FindsASquareHAndItsDirection) {
   pad_.h_height_m = pad_.h_width_m = 0.08;
   const auto place = Find(kPrint);
   ASSERT_TRUE(place);
   EXPECT_LT(AngleError(*place), models::DegToRad(1.0));
 }
 
-TEST_F(PrintMatchTest, KnowsWhetherThePrintIsAtAPlace) {
+TEST_F(PadTemplateMatcherTest, KnowsWhetherThePrintIsAtAPlace) {
   Look({});
   const models::Image image = tests::RenderPad(camera_, pad_, X_WC_);
   const Eigen::Isometry3d X_CW = X_WC_.inverse();
-  const ReducedView reduced{camera_, undistort_, 1};
-  const SeenPlane plane({X_CW.linear().col(2), X_CW.translation()}, reduced);
-  const PrintMatch print(pad_);
+  const DownsampledCamera reduced{camera_, undistort_, 1};
+  const PadPlane plane({X_CW.linear().col(2), X_CW.translation()}, reduced);
+  const PadTemplateMatcher print(pad_);
   const auto found = print.Find(image.View(), plane);
   ASSERT_TRUE(found);
-  EXPECT_GT(found->likeness, 0.9);
+  EXPECT_GT(found->zncc, 0.9);
   const double angle = found->place.angle;
-  const auto turned = [&](double by_deg) { return PrintPlace{.angle = angle + models::DegToRad(by_deg)}; };
+  const auto turned = [&](double by_deg) { return TemplateWarp{.angle = angle + models::DegToRad(by_deg)}; };
   for (const double by_deg : {0.0, 3.0, -3.0, 180.0}) {
     EXPECT_TRUE(print.IsAt(image.View(), plane, std::vector{turned(by_deg)})) << by_deg;
   }
@@ -172,7 +172,7 @@ TEST_F(PrintMatchTest, KnowsWhetherThePrintIsAtAPlace) {
   EXPECT_FALSE(print.IsAt(image.View(), plane, {}));
 }
 
-TEST_F(PrintMatchTest, FindsAPadWhoseMarksLieAllAlongTheRing) {
+TEST_F(PadTemplateMatcherTest, FindsAPadWhoseMarksLieAllAlongTheRing) {
   for (int i = 0; i < 10; ++i) {
     const double angle = 2.0 * models::kPi * i / 10.0;
     pad_.marks.push_back({.center_m = 0.064 * Vector2d(std::cos(angle), std::sin(angle)), .diameter_m = 0.014});
@@ -181,7 +181,7 @@ TEST_F(PrintMatchTest, FindsAPadWhoseMarksLieAllAlongTheRing) {
   EXPECT_TRUE(Find(kPrint));
 }
 
-TEST_F(PrintMatchTest, FindsThinAndFatAndFlatHs) {
+TEST_F(PadTemplateMatcherTest, FindsThinAndFatAndFlatHs) {
   const LandingPad usual = pad_;
   pad_.h_stroke_m = 0.0025;
   EXPECT_TRUE(Find(kPrint, {.distance = 0.25, .noise_sigma = 0.0, .lens_blur_sigma_px = 0.3})) << "thin";
@@ -195,7 +195,7 @@ TEST_F(PrintMatchTest, FindsThinAndFatAndFlatHs) {
   EXPECT_TRUE(Find(kPrint)) << "in a thin ring";
 }
 
-TEST_F(PrintMatchTest, FindsARectangleAndItsDirection) {
+TEST_F(PadTemplateMatcherTest, FindsARectangleAndItsDirection) {
   pad_.h_stroke_m = 0.5 * pad_.h_width_m;
   for (const View& view : {View{.distance = 0.25, .tilt_deg = 0.0}, View{.distance = 0.5, .tilt_deg = 30.0},
                            View{.distance = 0.5, .tilt_deg = 55.0}, View{.distance = 1.8, .tilt_deg = 10.0}}) {
@@ -205,7 +205,7 @@ TEST_F(PrintMatchTest, FindsARectangleAndItsDirection) {
   }
 }
 
-TEST_F(PrintMatchTest, RefusesWhatIsNoSolidRectangle) {
+TEST_F(PadTemplateMatcherTest, RefusesWhatIsNoSolidRectangle) {
   pad_.h_stroke_m = 0.5 * pad_.h_width_m;
   LandingPad fat;
   fat.h_stroke_m = 0.34 * fat.h_width_m;
@@ -234,7 +234,7 @@ TEST_F(PrintMatchTest, RefusesWhatIsNoSolidRectangle) {
   }
 }
 
-TEST_F(PrintMatchTest, ExpectsTheMarksThatAreDescribed) {
+TEST_F(PadTemplateMatcherTest, ExpectsTheMarksThatAreDescribed) {
   // A bar that joins the upper ends of the strokes makes the H an A.
   pad_.marks = {models::PadMark{
       .shape = models::PadMark::Shape::kBar, .center_m = {0.042, 0.0}, .length_m = 0.016, .width_m = 0.03}};
@@ -243,14 +243,14 @@ TEST_F(PrintMatchTest, ExpectsTheMarksThatAreDescribed) {
   EXPECT_FALSE(Find([](const Artwork& pad, const Vector2d& p) { return pad.outline.IsLetter(p); }));
 }
 
-TEST_F(PrintMatchTest, MindsNoMarkBesideTheH) {
+TEST_F(PadTemplateMatcherTest, MindsNoMarkBesideTheH) {
   const Black dotted = [](const Artwork& pad, const Vector2d& p) {
     return pad.outline.IsLetter(p) || (p - Vector2d(0.0, 0.045)).norm() < 0.01;
   };
   EXPECT_TRUE(Find(dotted));
 }
 
-TEST_F(PrintMatchTest, RefusesAFrameThatIsNoRing) {
+TEST_F(PadTemplateMatcherTest, RefusesAFrameThatIsNoRing) {
   Look({});
   const models::PadOutline outline(pad_);
   tests::PadPicture picture{.noise_sigma = 0.0};
@@ -262,13 +262,13 @@ TEST_F(PrintMatchTest, RefusesAFrameThatIsNoRing) {
   const models::Image image = tests::RenderPad(camera_, pad_, X_WC_, picture);
   const Eigen::Isometry3d X_CW = X_WC_.inverse();
   const CirclePose pose{X_CW.linear().col(2), X_CW.translation()};
-  const ReducedView reduced{camera_, undistort_, 1};
-  EXPECT_FALSE(PrintMatch(pad_).Find(image.View(), SeenPlane(pose, reduced)));
+  const DownsampledCamera reduced{camera_, undistort_, 1};
+  EXPECT_FALSE(PadTemplateMatcher(pad_).Find(image.View(), PadPlane(pose, reduced)));
 }
 
-TEST_F(PrintMatchTest, RefusesImpossibleSettings) {
-  EXPECT_THROW((PrintMatchConfig{.least_bar = 0.0}.Validate()), InputError);
-  EXPECT_THROW((PrintMatchConfig{.least_between_strokes = 1.1}.Validate()), InputError);
+TEST_F(PadTemplateMatcherTest, RefusesImpossibleSettings) {
+  EXPECT_THROW((TemplateMatcherConfig{.least_bar = 0.0}.Validate()), InputError);
+  EXPECT_THROW((TemplateMatcherConfig{.least_between_strokes = 1.1}.Validate()), InputError);
 }
 
 }  // namespace

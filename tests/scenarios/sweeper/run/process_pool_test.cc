@@ -1,4 +1,4 @@
-#include "scenarios/sweeper/run/crew.h"
+#include "scenarios/sweeper/run/process_pool.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ void Pretend(const FlightTask& task, const RowFolder& folder) {
                 .scenario = task.scenario_yaml});
 }
 
-class CrewTest : public testing::Test {
+class ProcessPoolTest : public testing::Test {
  protected:
   /// Flies all, and keeps the rows that it is given in `rows_`.
   void Fly(const std::vector<std::string>& ids, int jobs, const util::StopRequested& stop = nullptr) {
@@ -64,7 +64,7 @@ class CrewTest : public testing::Test {
   std::map<std::string, FlightRow> rows_;
 };
 
-TEST_F(CrewTest, BringsARowOfEachFlight) {
+TEST_F(ProcessPoolTest, BringsARowOfEachFlight) {
   Fly({"a", "b", "c", "d", "e"}, 2);
   ASSERT_EQ(rows_.size(), 5u);
   for (const auto& [id, row] : rows_) {
@@ -73,7 +73,7 @@ TEST_F(CrewTest, BringsARowOfEachFlight) {
   }
 }
 
-TEST_F(CrewTest, GoesOnWhenProcessesFailAndSaysWhatBecameOfThem) {
+TEST_F(ProcessPoolTest, GoesOnWhenProcessesFailAndSaysWhatBecameOfThem) {
   Fly({"crash", "a", "memory", "silent", "status", "fault", "b"}, 2);
   ASSERT_EQ(rows_.size(), 7u);
   EXPECT_TRUE(rows_["a"].passed());
@@ -92,7 +92,7 @@ TEST_F(CrewTest, GoesOnWhenProcessesFailAndSaysWhatBecameOfThem) {
   }
 }
 
-TEST_F(CrewTest, TellsWhatNeedsTooMuchMemoryFromOtherFaults) {
+TEST_F(ProcessPoolTest, TellsWhatNeedsTooMuchMemoryFromOtherFaults) {
   Fly({"alloc", "picture", "opencv"}, 2);
   EXPECT_EQ(rows_["alloc"].process, ProcessEnd::kOutOfMemory);
   EXPECT_EQ(rows_["picture"].process, ProcessEnd::kOutOfMemory);
@@ -100,7 +100,7 @@ TEST_F(CrewTest, TellsWhatNeedsTooMuchMemoryFromOtherFaults) {
   EXPECT_EQ(rows_["opencv"].process, ProcessEnd::kCrashed);
 }
 
-TEST_F(CrewTest, EndsWhatHangs) {
+TEST_F(ProcessPoolTest, EndsWhatHangs) {
   const auto begin = std::chrono::steady_clock::now();
   Fly({"hang", "a", "b"}, 2);
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
@@ -109,13 +109,13 @@ TEST_F(CrewTest, EndsWhatHangs) {
   EXPECT_TRUE(rows_["b"].passed());
 }
 
-TEST_F(CrewTest, LandsWhatIsFlyingWhenAskedToStop) {
+TEST_F(ProcessPoolTest, LandsWhatIsFlyingWhenAskedToStop) {
   int asked = 0;
   Fly({"a", "b", "c", "d"}, 2, [&] { return ++asked > 2; });
   EXPECT_EQ(rows_.size(), 2u);
 }
 
-TEST_F(CrewTest, RefusesToGoOnWhereRowsCannotBeWritten) {
+TEST_F(ProcessPoolTest, RefusesToGoOnWhereRowsCannotBeWritten) {
   try {
     Fly({"a", "full", "b"}, 1);
     FAIL();

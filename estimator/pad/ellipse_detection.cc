@@ -1,4 +1,4 @@
-#include "estimator/pad/ring_search.h"
+#include "estimator/pad/ellipse_detection.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -182,7 +182,7 @@ void RingSearchConfig::Validate() const {
   if (most_rings < 1) throw InputError("the ring search must hand on a ring at least");
 }
 
-std::vector<Ellipse> FindRings(const models::ImageView& image, const RingSearchConfig& config) {
+std::vector<Ellipse> DetectEllipses(const models::ImageView& image, const RingSearchConfig& config) {
   const EdgeMap map(image, config);
   const RingFinder finder(map, config);
   std::vector<std::pair<double, Ellipse>> rings;  // With their coverage.

@@ -25,6 +25,6 @@ struct RingSearchConfig {
 /// Ellipses along which the image is dark inside and bright outside, such as the outer boundary of a ring, whole or in
 /// pieces; raw px, those first along which most edges are seen. It needs no component to hang together: each chain of
 /// edge pixels proposes the ellipse through it, and the edges of the whole image vote on it.
-std::vector<Ellipse> FindRings(const models::ImageView& image, const RingSearchConfig& config = {});
+std::vector<Ellipse> DetectEllipses(const models::ImageView& image, const RingSearchConfig& config = {});
 
 }  // namespace touchdown::estimator::pad

@@ -21,7 +21,7 @@ struct FlightTask {
 using NextTask = std::function<const FlightTask*()>;
 using OnRow = std::function<void(const FlightRow& row)>;
 
-struct CrewOptions {
+struct ProcessPoolOptions {
   int jobs = 1;
   /// Flies a task, in a process of its own, and leaves its row: see FlyRow.
   std::function<void(const FlightTask& task)> fly;
@@ -31,7 +31,7 @@ struct CrewOptions {
 /// landed; once `stop_requested`, no further one begins. Each flight becomes a row, which `on_row` is given when it is
 /// left in `folder`: of a process that crashes, hangs or is ended for its memory, one that says so. Throws InputError
 /// when rows cannot be written; the flights of the other processes are lost then, and what was left before is not.
-void FlyTasks(const RowFolder& folder, const CrewOptions& options, const NextTask& next, const OnRow& on_row,
+void FlyTasks(const RowFolder& folder, const ProcessPoolOptions& options, const NextTask& next, const OnRow& on_row,
               const util::StopRequested& stop_requested);
 
 }  // namespace touchdown::sweeper
