@@ -10,17 +10,18 @@ namespace {
 
 using models::kGravity_m_s2;
 
-/// Density of what the vehicle's own acceleration adds to the accelerometer's idea of down: some 0.3 m/s^2 over 0.7 s.
+/// Noise density of the accelerometer's tilt in flight, from the vehicle's own acceleration of about 0.3 m/s^2 over
+/// 0.7 s.
 constexpr double kManeuverDensity_rad2_s = 0.0015;
-/// The same at rest: the accelerometer's noise (6.4e-3 m/s^2/sqrt(Hz)).
+/// Noise density of the accelerometer's tilt at rest, from accelerometer noise of 6.4e-3 m/s^2/sqrt(Hz).
 constexpr double kRestDensity_rad2_s = 4e-7;
-/// For how long after the first sample the tilt is averaged as at rest: its noise goes, the vehicle's own acceleration,
-/// which changes slowly, stays within initial_tilt_sigma.
+/// Duration after the first sample over which the accelerometer's tilt is averaged. Averaging removes the noise; the
+/// vehicle's own acceleration changes slowly and is covered by initial_tilt_sigma.
 constexpr double kSettling_s = 0.1;
 /// Gyro noise density squared (8.7e-4 rad/s/sqrt(Hz)).
 constexpr double kGyroDensity_rad2_s = 8e-7;
-/// A weaker specific force says nothing of where down is.
-constexpr double kLeastForce_m_s2 = 0.1 * kGravity_m_s2;
+/// Smallest specific force from which the direction of gravity is computed.
+constexpr double kMinForce_m_s2 = 0.1 * kGravity_m_s2;
 
 }  // namespace
 
@@ -36,7 +37,7 @@ void Describe(models::ConfigVisitor& v, AttitudeEstimatorConfig& c) {
        "Time constant of the gyro bias, at least twice accelerometer_time_constant_s. Longer is smoother and slower."},
       c.gyro_bias_time_constant_s, kSecond, kPositiveTime);
   v.Number({"initial_tilt_sigma_deg",
-            "Standard deviation of roll and pitch as the first 0.1 s of samples give them. Larger lets later samples "
+            "Standard deviation of the roll and pitch that the first 0.1 s of samples yield. Larger lets later samples "
             "correct them faster."},
            c.initial_tilt_sigma_deg, kDegree, kPositive);
   v.Number({"initial_gyro_bias_sigma_deg_s",
@@ -44,10 +45,12 @@ void Describe(models::ConfigVisitor& v, AttitudeEstimatorConfig& c) {
            c.initial_gyro_bias_sigma_deg_s, kDegreePerSecond, kPositive);
   v.Number({"level_ground_tolerance_deg",
             "Largest tilt of the accelerometer at rest for which the ground is assumed level (the second assumption of "
-            "Sec. IV-C.2) and the tilt is attributed to its bias. 0 never assumes it: for takeoffs from slopes."},
+            "Sec. IV-C.2) and the tilt is attributed to the accelerometer bias. Larger accepts steeper ground as "
+            "level; 0 disables the assumption, for takeoffs from slopes."},
            c.level_ground_tolerance_deg, kDegree, Between(0.0, 90.0));
   v.Number({"acceleration_tolerance",
-            "Relative deviation of the specific force from gravity above which it does not correct the tilt."},
+            "Relative deviation of the specific force from gravity above which the accelerometer does not correct the "
+            "tilt. Larger corrects the tilt during stronger accelerations too."},
            c.acceleration_tolerance, kNoUnit, kPositive);
   v.Number({"yaw_time_constant_s", "Time constant with which yaw follows vision. Longer is smoother and slower."},
            c.yaw_time_constant_s, kSecond, kPositiveTime);
@@ -55,11 +58,13 @@ void Describe(models::ConfigVisitor& v, AttitudeEstimatorConfig& c) {
       {"yaw_bias_time_constant_s",
        "Time constant with which vision's yaw corrects the bias of the gyro's Z axis. Longer is smoother and slower."},
       c.yaw_bias_time_constant_s, kSecond, kPositiveTime);
-  v.Number({"history_s", "Length of the attitude history. A frame that arrives later than this is not used."},
+  v.Number({"history_s",
+            "Length of the attitude history. A frame that is older than this when it arrives does not correct the yaw. "
+            "Larger accepts older frames and needs more memory."},
            c.history_s, kSecond, PositiveUpTo(10.0));
   v.Check("", [&c] {
     if (c.gyro_bias_time_constant_s < 2.0 * c.accelerometer_time_constant_s) {
-      throw InputError("gyro_bias_time_constant must be at least twice accelerometer_time_constant");
+      throw InputError("gyro_bias_time_constant_s must be at least twice accelerometer_time_constant_s");
     }
   });
 }
@@ -78,7 +83,7 @@ AttitudeEstimator::AttitudeEstimator(const AttitudeEstimatorConfig& config, cons
 void AttitudeEstimator::Update(const models::ImuSample& imu, bool at_rest) {
   const Eigen::Vector3d measured_f_B = R_BU_ * imu.specific_force_U;
   const Eigen::Vector3d w_B = R_BU_ * imu.w_WU_U;
-  if (history_.empty() && measured_f_B.norm() < kLeastForce_m_s2) {
+  if (history_.empty() && measured_f_B.norm() < kMinForce_m_s2) {
     w_WB_B_ = w_B;
     return;
   }
@@ -88,7 +93,7 @@ void AttitudeEstimator::Update(const models::ImuSample& imu, bool at_rest) {
     const double dt_s = time_.ToSeconds(imu.tick - history_.back().tick);
     age_s_ += dt_s;
     if (at_rest) AverageAtRest(measured_f_B, w_B, dt_s);
-    Turn(w_B - gyro_bias_B_, dt_s);
+    Integrate(w_B - gyro_bias_B_, dt_s);
     CorrectTilt(measured_f_B - accelerometer_bias_B_, dt_s, at_rest);
   }
   w_WB_B_ = w_B - gyro_bias_B_;
@@ -116,7 +121,7 @@ void AttitudeEstimator::AverageAtRest(const Eigen::Vector3d& f_B, const Eigen::V
   accelerometer_bias_B_ = level ? Eigen::Vector3d(rest_force_B_ - kGravity_m_s2 * up_B) : Eigen::Vector3d::Zero();
 }
 
-void AttitudeEstimator::Turn(const Eigen::Vector3d& w_WB_B, double dt_s) {
+void AttitudeEstimator::Integrate(const Eigen::Vector3d& w_WB_B, double dt_s) {
   R_GB_ = R_GB_ * models::RotationExp(w_WB_B * dt_s);
   R_GB_ = Eigen::Quaterniond(R_GB_).normalized().toRotationMatrix();
 }
@@ -160,9 +165,9 @@ void AttitudeEstimator::CorrectYaw(models::Tick mid_exposure, double yaw) {
   } else {
     constexpr double kLongestStep_s = 0.1;
     const double dt_s = std::min(kLongestStep_s, time_.ToSeconds(mid_exposure - *yaw_corrected_));
-    const double share = 1.0 - std::exp(-dt_s / config_.yaw_time_constant_s);
-    yaw_WG_ += share * error;
-    gyro_bias_B_.z() -= share * error / config_.yaw_bias_time_constant_s;
+    const double gain = 1.0 - std::exp(-dt_s / config_.yaw_time_constant_s);
+    yaw_WG_ += gain * error;
+    gyro_bias_B_.z() -= gain * error / config_.yaw_bias_time_constant_s;
   }
   yaw_corrected_ = mid_exposure;
 }

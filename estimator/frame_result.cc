@@ -29,7 +29,7 @@ std::string_view Name(PoseChoice::Reason reason) {
     case PoseChoice::Reason::kFrontal:
       return "frontal";
   }
-  throw std::invalid_argument("unknown reason");
+  throw std::invalid_argument("unknown reason of a pose choice");
 }
 
 }  // namespace touchdown::estimator

@@ -11,51 +11,52 @@
 
 namespace touchdown::estimator {
 
-/// What came of a frame.
+/// Result of processing one frame.
 enum class FrameStatus {
-  kOk,        ///< A pose that may be used.
-  kNotFound,  ///< No pose.
-  kRejected,  ///< A pose that must not be used.
+  kOk,        ///< The frame has a pose that may be used.
+  kNotFound,  ///< The frame has no pose.
+  kRejected,  ///< The frame has a pose that must not be used.
 };
 
-/// "ok", "not_found" or "rejected".
+/// Name of a status in files: "ok", "not_found" or "rejected".
 std::string_view Name(FrameStatus status);
 
-/// What the column `status` of a table holds: `reason`, or the status's name where there is no reason.
+/// Entry of the column `status` in tables: `reason`, or the name of the status if `reason` is empty.
 std::string_view ReasonOrStatus(FrameStatus status, std::string_view reason);
 
-/// The body's pose as one frame gives it.
+/// Pose of the body estimated from one frame.
 struct VisionPose {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  /// Covariance of the error that the estimator claims, of (p_WB in m, rotation vector in W in rad).
+  /// Estimated error covariance of (p_WB in m, rotation vector in W in rad).
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
 };
 
-/// How one of the two pose hypotheses of a planar pad (Sec. IV-C.2) was chosen.
+/// Choice between the two pose hypotheses of a planar pad (Sec. IV-C.2).
 struct PoseChoice {
   enum class Reason {
-    kGravity,  ///< Its vertical is nearer to the IMU's (Eq. 14).
-    kPrint,    ///< No IMU: the H and the ring's inner edge fit the pad's description better under it.
-    kFrontal,  ///< No IMU, and both fit alike: the pad is seen more squarely from the front.
+    kGravity,  ///< The vertical of the chosen pose is nearer to the IMU's (Eq. 14).
+    kPrint,    ///< No IMU: letter and inner ring edge match the pad description better at the chosen pose.
+    kFrontal,  ///< No IMU, and both poses match equally well: the chosen pose has the more frontal view of the pad.
   };
   Reason reason = Reason::kGravity;
-  double chosen = 0.0;  ///< kGravity: angle between its vertical and the IMU's, rad. kPrint: RMS residual, m. kFrontal:
-                        ///< angle between the pad's normal and the optical axis, rad.
-  double other = 0.0;   ///< The same of the pose not chosen.
+  /// Measure for the chosen pose. kGravity: angle between its vertical and the IMU's, rad. kPrint: RMS residual, m.
+  /// kFrontal: angle between the pad normal and the optical axis, rad.
+  double chosen = 0.0;
+  double other = 0.0;  ///< The same measure for the pose that was not chosen.
 };
 
-/// "gravity", "print" or "frontal".
+/// Name of a reason in files: "gravity", "print" or "frontal".
 std::string_view Name(PoseChoice::Reason reason);
 
-/// What an estimator found in one frame.
+/// Result of an estimator for one frame.
 struct FrameResult {
   models::Tick mid_exposure = 0;
   FrameStatus status = FrameStatus::kNotFound;
   std::string reason;                ///< Why there is no usable pose, one of the strategy's reasons; empty when kOk.
   std::optional<VisionPose> pose;    ///< Unfiltered. Present when kOk and kRejected.
-  std::optional<PoseChoice> choice;  ///< Present with a pose of which there were two hypotheses.
+  std::optional<PoseChoice> choice;  ///< Present when the pose was chosen from two hypotheses.
   std::optional<Eigen::Vector2d> pad_px;  ///< Center of the detected pad, raw px; present with a pose.
-  std::optional<PixelBox> ring_box;       ///< Encloses the detected ring, raw px; present with a pose.
+  std::optional<PixelBox> ring_box;       ///< Bounding box of the detected ring, raw px; present with a pose.
   Overlay overlay;
 };
 

@@ -9,72 +9,72 @@ namespace touchdown::estimator {
 
 LooselyCoupled::LooselyCoupled(std::unique_ptr<VisionEstimator> vision, const LooselyCoupledConfig& config,
                                const models::TimeBase& time, const Eigen::Matrix3d& R_BU)
-    : vision_(std::move(vision)), config_(config), time_(time), R_BU_(R_BU), memory_(Fresh()) {}
+    : vision_(std::move(vision)), config_(config), time_(time), R_BU_(R_BU), state_(InitialState()) {}
 
-LooselyCoupled::Memory LooselyCoupled::Fresh() const {
+LooselyCoupled::State LooselyCoupled::InitialState() const {
   return {.attitude = AttitudeEstimator(config_.attitude, time_, R_BU_),
           .filter = PoseFilter(config_.pose_filter, time_)};
 }
 
 void LooselyCoupled::AddImu(const models::ImuSample& sample, bool at_rest) {
-  Memory& m = memory_;
-  m.attitude.Update(sample, at_rest);
-  m.has_imu = true;
-  if (m.specific_thrust_m_s2) {
-    m.disturbance_B_m_s2 = R_BU_ * sample.specific_force_U - m.attitude.accelerometer_bias_B() -
-                           *m.specific_thrust_m_s2 * Eigen::Vector3d::UnitZ();
+  State& s = state_;
+  s.attitude.Update(sample, at_rest);
+  s.has_imu = true;
+  if (s.specific_thrust_m_s2) {
+    s.disturbance_B_m_s2 = R_BU_ * sample.specific_force_U - s.attitude.accelerometer_bias_B() -
+                           *s.specific_thrust_m_s2 * Eigen::Vector3d::UnitZ();
   }
 }
 
 void LooselyCoupled::AddCommand(models::Tick /*tick*/, double specific_thrust_m_s2) {
-  memory_.specific_thrust_m_s2 = specific_thrust_m_s2;
+  state_.specific_thrust_m_s2 = specific_thrust_m_s2;
 }
 
 FrameResult LooselyCoupled::AddFrame(const models::ImageView& image, models::Tick mid_exposure) {
-  Memory& m = memory_;
+  State& s = state_;
   std::optional<Eigen::Vector3d> gravity_B;
-  if (m.has_imu) gravity_B = m.attitude.GravityAt(mid_exposure);
+  if (s.has_imu) gravity_B = s.attitude.GravityAt(mid_exposure);
   FrameResult result = vision_->Estimate(image, mid_exposure, gravity_B);
-  m.pad_tracked = result.status == FrameStatus::kOk;
-  if (m.pad_tracked) {
+  s.pad_tracked = result.status == FrameStatus::kOk;
+  if (s.pad_tracked) {
     const VisionPose& pose = result.pose.value();
-    const Eigen::Isometry3d X_WB = models::ResolveYawAmbiguity(pose.X_WB, m.attitude.attitude().yaw);
-    m.filter.Update(mid_exposure, X_WB.translation());
-    m.attitude.CorrectYaw(mid_exposure, models::TaitBryanFromRotation(X_WB.linear()).yaw);
-    m.yaw_variance_rad2 = pose.covariance(5, 5);
+    const Eigen::Isometry3d X_WB = models::ResolveYawAmbiguity(pose.X_WB, s.attitude.attitude().yaw);
+    s.filter.Update(mid_exposure, X_WB.translation());
+    s.attitude.CorrectYaw(mid_exposure, models::TaitBryanFromRotation(X_WB.linear()).yaw);
+    s.yaw_variance_rad2 = pose.covariance(5, 5);
   }
   return result;
 }
 
 std::optional<models::VehicleEstimate> LooselyCoupled::StateAt(models::Tick tick) const {
-  const Memory& m = memory_;
-  if (!m.has_imu) return std::nullopt;
+  const State& s = state_;
+  if (!s.has_imu) return std::nullopt;
   return models::VehicleEstimate{.tick = tick,
-                                 .attitude = m.attitude.attitude(),
-                                 .w_WB_B = m.attitude.w_WB_B(),
-                                 .motion = m.filter.At(tick),
+                                 .attitude = s.attitude.attitude(),
+                                 .w_WB_B = s.attitude.w_WB_B(),
+                                 .motion = s.filter.At(tick),
                                  .covariance = CovarianceAt(tick),
-                                 .pad_seen = m.filter.newest(),
-                                 .pad_tracked = m.pad_tracked,
-                                 .disturbance_B_m_s2 = m.disturbance_B_m_s2};
+                                 .pad_seen = s.filter.newest(),
+                                 .pad_tracked = s.pad_tracked,
+                                 .disturbance_B_m_s2 = s.disturbance_B_m_s2};
 }
 
 std::optional<Eigen::Matrix<double, 9, 9>> LooselyCoupled::CovarianceAt(models::Tick tick) const {
-  const auto motion = memory_.filter.CovarianceAt(tick);
+  const auto motion = state_.filter.CovarianceAt(tick);
   if (!motion) return std::nullopt;
   Eigen::Matrix<double, 9, 9> covariance = Eigen::Matrix<double, 9, 9>::Zero();
   covariance.topLeftCorner<3, 3>() = motion->topLeftCorner<3, 3>();
   covariance.topRightCorner<3, 3>() = motion->topRightCorner<3, 3>();
   covariance.bottomLeftCorner<3, 3>() = motion->bottomLeftCorner<3, 3>();
   covariance.bottomRightCorner<3, 3>() = motion->bottomRightCorner<3, 3>();
-  covariance(3, 3) = covariance(4, 4) = memory_.attitude.tilt_variance();
-  covariance(5, 5) = memory_.yaw_variance_rad2;
+  covariance(3, 3) = covariance(4, 4) = state_.attitude.tilt_variance();
+  covariance(5, 5) = state_.yaw_variance_rad2;
   return covariance;
 }
 
 void LooselyCoupled::Reset() {
   vision_->Reset();
-  memory_ = Fresh();
+  state_ = InitialState();
 }
 
 }  // namespace touchdown::estimator

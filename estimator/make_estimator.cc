@@ -26,7 +26,7 @@ const std::vector<std::pair<std::string, Maker>>& Makers() {
   return makers;
 }
 
-/// nullptr for an unknown name.
+/// The maker for `name`; nullptr for an unknown name.
 const Maker* FindMaker(const std::string& name) {
   const auto found = std::find_if(Makers().begin(), Makers().end(), [&](const auto& row) { return row.first == name; });
   return found == Makers().end() ? nullptr : &found->second;
@@ -44,7 +44,7 @@ void EstimatorConfig::Validate() const {
   if (FindMaker(name) != nullptr) return;
   std::string known;
   for (const std::string& known_name : EstimatorNames()) known += (known.empty() ? "" : ", ") + known_name;
-  throw InputError("unknown estimator '" + name + "', known: " + known);
+  throw InputError("unknown estimator '" + name + "'; allowed: " + known);
 }
 
 void Describe(models::ConfigVisitor& v, EstimatorConfig& c) {

@@ -12,22 +12,23 @@
 
 namespace touchdown::estimator {
 
-/// The strategy by its name, and the options of every strategy, of which those of the named one apply.
+/// Name of the strategy, and the options of every strategy. Only the options of the named strategy apply.
 struct EstimatorConfig {
   std::string name = "paper";
   paper::PaperOptions paper;
-  LooselyCoupledConfig filters;  ///< Of the strategies that are a VisionEstimator within filters: `paper`.
+  LooselyCoupledConfig filters;  ///< For strategies that use LooselyCoupled: `paper`.
 
-  /// Throws InputError for a name that is not among EstimatorNames(); the message lists them.
+  /// Throws InputError when `name` is not one of EstimatorNames(); the message lists them.
   void Validate() const;
 };
 
 void Describe(models::ConfigVisitor& v, EstimatorConfig& config);
 
-/// The names that MakeEstimator knows.
+/// Names that MakeEstimator accepts.
 std::vector<std::string> EstimatorNames();
 
-/// Throws InputError for a config that is not valid, and for a camera or a pad that the estimator cannot work with.
+/// Creates the estimator that `config` names. Throws InputError for an invalid config, camera or pad, and for a pad
+/// that the estimator does not support.
 std::unique_ptr<StateEstimator> MakeEstimator(const EstimatorConfig& config, const EstimatorSetup& setup);
 
 }  // namespace touchdown::estimator

@@ -19,13 +19,18 @@ void Describe(models::ConfigVisitor& v, PoseFilterConfig& c) {
             "Standard deviation of vision's horizontal position per meter of height, from tilt errors. Larger follows "
             "vision later."},
            c.xy_noise_per_height, kNoUnit, kPositive);
-  v.Number({"min_xy_noise_m", "Smallest standard deviation of vision's horizontal position."}, c.min_xy_noise_m, kMeter,
-           kPositive);
+  v.Number({"min_xy_noise_m",
+            "Smallest standard deviation of vision's horizontal position. Larger follows vision later near the pad."},
+           c.min_xy_noise_m, kMeter, kPositive);
   v.Number(
       {"z_noise_per_height", "Standard deviation of vision's height per meter of height. Larger follows vision later."},
       c.z_noise_per_height, kNoUnit, kPositive);
-  v.Number({"min_z_noise_m", "Smallest standard deviation of vision's height."}, c.min_z_noise_m, kMeter, kPositive);
-  v.Number({"initial_speed_m_s", "Standard deviation of each velocity component at the first position."},
+  v.Number(
+      {"min_z_noise_m", "Smallest standard deviation of vision's height. Larger follows vision later near the pad."},
+      c.min_z_noise_m, kMeter, kPositive);
+  v.Number({"initial_speed_m_s",
+            "Standard deviation of each velocity component at the first position. Larger lets the first frames change "
+            "the velocity faster."},
            c.initial_speed_m_s, kMeterPerSecond, kPositive);
 }
 

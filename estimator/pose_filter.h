@@ -9,7 +9,7 @@
 
 namespace touchdown::estimator {
 
-/// Accelerations are densities of the white noise that stands for them.
+/// Settings of PoseFilter. The acceleration noises are densities of the white noise that models the acceleration.
 struct PoseFilterConfig {
   double xy_acceleration_noise_m_s2_sqrt_hz = 0.40;
   double z_acceleration_noise_m_s2_sqrt_hz = 0.30;
@@ -25,14 +25,15 @@ struct PoseFilterConfig {
 
 void Describe(models::ConfigVisitor& v, PoseFilterConfig& config);
 
-/// The "basic Kalman filter without taking the IMU information into account" of Sec. V: constant velocity on each axis
-/// of the vision position.
+/// Kalman filter of the vision position with a constant-velocity model on each axis: the "basic Kalman filter without
+/// taking the IMU information into account" of Sec. V.
 class PoseFilter {
  public:
+  /// Throws InputError for an invalid config.
   PoseFilter(const PoseFilterConfig& config, const models::TimeBase& time);
 
-  /// Takes the position of a frame with status ok, at its mid-exposure. The first one sets the state. A frame that is
-  /// older than the newest one taken is ignored.
+  /// Adds the position of a frame with status ok, m, at its mid-exposure. The first position sets the state. A frame
+  /// that is not newer than the newest one added is ignored.
   void Update(models::Tick mid_exposure, const Eigen::Vector3d& p_WB);
 
   /// Position and velocity predicted to `tick`; nullopt before the first update.
@@ -45,6 +46,7 @@ class PoseFilter {
   std::optional<models::Tick> newest() const { return newest_; }
 
  private:
+  /// Filter of one coordinate.
   struct Axis {
     Eigen::Vector2d state = Eigen::Vector2d::Zero();  ///< Position, m, and velocity, m/s.
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();

@@ -13,22 +13,24 @@ class StateEstimator {
  public:
   virtual ~StateEstimator() = default;
 
-  /// Adds the next IMU sample, a mean since the one before. `at_rest`: the vehicle stands on the ground, motors off.
+  /// Adds the next IMU sample, the mean since the previous sample. `at_rest` is true while the vehicle stands on the
+  /// ground with its motors off.
   virtual void AddImu(const models::ImuSample& sample, bool at_rest) = 0;
 
-  /// Adds the collective thrust commanded from `tick` on, over the vehicle's assumed mass, m/s^2: the specific force
-  /// along body Z that the rotors alone would cause. Optional input: without it no disturbance is reported.
+  /// Adds the collective thrust commanded from `tick` on, divided by the vehicle's assumed mass, m/s^2. It is the
+  /// specific force along body Z that the rotors alone would cause. The input is optional: without it the estimator
+  /// reports no disturbance.
   virtual void AddCommand(models::Tick tick, double specific_thrust_m_s2) = 0;
 
-  /// Adds the next camera frame, in the order of exposure, and returns what was found in it. A frame arrives late: IMU
-  /// samples after its mid-exposure may have been added before. `image` has the camera's size and a stride of at least
-  /// its width (throws std::invalid_argument otherwise).
+  /// Adds the next camera frame, in order of exposure, and returns its result. A frame arrives late: IMU samples after
+  /// its mid-exposure may have been added before it. `image` must have the camera's size and a stride of at least its
+  /// width; throws std::invalid_argument otherwise.
   virtual FrameResult AddFrame(const models::ImageView& image, models::Tick mid_exposure) = 0;
 
-  /// The state at `tick`, which must not lie before the newest IMU sample; nullopt before the first sample.
+  /// State at `tick`, which must not be earlier than the newest IMU sample; nullopt before the first sample.
   virtual std::optional<models::VehicleEstimate> StateAt(models::Tick tick) const = 0;
 
-  /// Forgets all samples, commands and frames: the state is as after construction.
+  /// Discards all samples, commands and frames. The state is then the same as after construction.
   virtual void Reset() = 0;
 };
 

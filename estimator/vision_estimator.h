@@ -8,19 +8,19 @@
 
 namespace touchdown::estimator {
 
-/// Turns single camera frames into poses: the vision part of a loosely coupled strategy. Camera, pad and mounting are
-/// given at construction. It may remember earlier frames.
+/// Estimates poses from single camera frames: the vision part of a loosely coupled strategy. Camera, pad and mounting
+/// are set at construction. An implementation may keep information from earlier frames.
 class VisionEstimator {
  public:
   virtual ~VisionEstimator() = default;
 
-  /// `image` has the camera's size and a stride of at least its width (throws std::invalid_argument otherwise).
-  /// `gravity_B` is the unit vector pointing down, in the body frame at mid-exposure, as the IMU has it; nullopt
-  /// without an IMU. Frames come in the order of their exposure.
+  /// Estimates the body's pose from a frame. Frames must come in order of exposure. `image` must have the camera's size
+  /// and a stride of at least its width; throws std::invalid_argument otherwise. `gravity_B` is the IMU's estimate of
+  /// the unit vector pointing down, in the body frame at mid-exposure; nullopt without an IMU.
   virtual FrameResult Estimate(const models::ImageView& image, models::Tick mid_exposure,
                                const std::optional<Eigen::Vector3d>& gravity_B) = 0;
 
-  /// Forgets earlier frames.
+  /// Discards information from earlier frames.
   virtual void Reset() = 0;
 };
 

@@ -9,10 +9,10 @@ namespace touchdown::estimator::calibration {
 Eigen::Isometry3d CameraInBody(const PatternView& view) { return view.X_WB.inverse() * view.X_WE * view.X_EC; }
 
 PoseMean FindCameraMounting(std::span<const PatternView> views) {
-  if (views.empty()) throw InputError("there is no view of the calibration pattern");
-  std::vector<Eigen::Isometry3d> found;
-  for (const PatternView& view : views) found.push_back(CameraInBody(view));
-  return MeanPose(found);
+  if (views.empty()) throw InputError("calibration needs at least one view of the pattern");
+  std::vector<Eigen::Isometry3d> mountings;
+  for (const PatternView& view : views) mountings.push_back(CameraInBody(view));
+  return MeanPose(mountings);
 }
 
 }  // namespace touchdown::estimator::calibration

@@ -12,10 +12,11 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// Statistics of the samples.
 struct Means {
   Vector3d specific_force = Vector3d::Zero();
   Vector3d scatter = Vector3d::Zero();  ///< 1-sigma of the specific force, per axis.
-  Vector3d turn = Vector3d::Zero();
+  Vector3d rate = Vector3d::Zero();     ///< rad/s.
 };
 
 Means MeansOf(std::span<const models::ImuSample> samples) {
@@ -23,7 +24,7 @@ Means MeansOf(std::span<const models::ImuSample> samples) {
   Means means;
   for (const models::ImuSample& sample : samples) {
     means.specific_force += sample.specific_force_U / count;
-    means.turn += sample.w_WU_U / count;
+    means.rate += sample.w_WU_U / count;
   }
   Vector3d variance = Vector3d::Zero();
   for (const models::ImuSample& sample : samples) {
@@ -33,36 +34,37 @@ Means MeansOf(std::span<const models::ImuSample> samples) {
   return means;
 }
 
-/// Three digits and the unit.
+/// The value with two decimals, truncated, and its unit.
 std::string Format(double value, const char* unit) {
   const std::string digits = std::to_string(value);
   return digits.substr(0, digits.find('.') + 3) + " " + unit;
 }
 
 void RequireRest(const Means& means, const ImuMountingConfig& config) {
-  if (!means.specific_force.allFinite() || !means.turn.allFinite()) {
-    throw InputError("the IMU's samples hold a number that is not finite");
+  if (!means.specific_force.allFinite() || !means.rate.allFinite()) {
+    throw InputError("an IMU sample has a value that is not finite");
   }
-  if (const double scatter = means.scatter.maxCoeff(); !(scatter <= config.most_scatter_m_s2)) {
-    throw InputError("the vehicle is not at rest: its specific force scatters by " + Format(scatter, "m/s^2") +
-                     ", at most " + Format(config.most_scatter_m_s2, "m/s^2") + " are allowed");
+  if (const double scatter = means.scatter.maxCoeff(); !(scatter <= config.max_scatter_m_s2)) {
+    throw InputError("the vehicle is not at rest: the standard deviation of its specific force is " +
+                     Format(scatter, "m/s^2") + "; allowed: at most " + Format(config.max_scatter_m_s2, "m/s^2"));
   }
-  if (const double turn = means.turn.norm(); !(turn <= config.most_turn_rad_s)) {
-    throw InputError("the vehicle is not at rest: it turns by " + Format(turn, "rad/s") + ", at most " +
-                     Format(config.most_turn_rad_s, "rad/s") + " are allowed");
+  if (const double rate = means.rate.norm(); !(rate <= config.max_rate_rad_s)) {
+    throw InputError("the vehicle is not at rest: its mean angular rate is " + Format(rate, "rad/s") +
+                     "; allowed: at most " + Format(config.max_rate_rad_s, "rad/s"));
   }
   const double force = means.specific_force.norm();
-  if (!(std::abs(force - models::kGravity_m_s2) <= config.most_gravity_error_m_s2)) {
-    throw InputError("the mean specific force is " + Format(force, "m/s^2") + ", which is not gravity's 9.81 m/s^2");
+  if (!(std::abs(force - models::kGravity_m_s2) <= config.max_gravity_error_m_s2)) {
+    throw InputError("the mean specific force is " + Format(force, "m/s^2") + "; allowed: within " +
+                     Format(config.max_gravity_error_m_s2, "m/s^2") + " of gravity, 9.81 m/s^2");
   }
 }
 
 }  // namespace
 
 ImuMounting FindImuMounting(std::span<const models::ImuSample> samples, const ImuMountingConfig& config) {
-  if (samples.size() < 2 || samples.size() < config.fewest_samples) {
-    throw InputError("too few samples of the IMU at rest: " + std::to_string(samples.size()) + " of at least " +
-                     std::to_string(config.fewest_samples));
+  if (samples.size() < 2 || samples.size() < config.min_samples) {
+    throw InputError("too few samples of the IMU at rest: " + std::to_string(samples.size()) + "; at least " +
+                     std::to_string(config.min_samples) + " are needed");
   }
   const Means means = MeansOf(samples);
   RequireRest(means, config);

@@ -8,35 +8,37 @@
 
 namespace touchdown::estimator::calibration {
 
-/// What samples must be like for the mounting to be read from them.
+/// Limits that the samples must satisfy.
 struct ImuMountingConfig {
-  std::size_t fewest_samples = 100;
-  /// Most 1-sigma scatter of the specific force along an axis, m/s^2: a vehicle at rest, motors off, has that of its
-  /// accelerometer's noise, some hundredths.
-  double most_scatter_m_s2 = 0.3;
-  double most_turn_rad_s = 0.1;          ///< Most mean rate of turn: a gyro's bias, but no turning.
-  double most_gravity_error_m_s2 = 1.0;  ///< How far from 9.81 m/s^2 the mean specific force may be.
+  std::size_t min_samples = 100;
+  /// Largest standard deviation of the specific force along an axis, m/s^2. At rest, motors off, the scatter is
+  /// accelerometer noise of a few hundredths.
+  double max_scatter_m_s2 = 0.3;
+  double max_rate_rad_s = 0.1;          ///< Largest mean angular rate: allows a gyro bias, but no rotation.
+  double max_gravity_error_m_s2 = 1.0;  ///< Largest deviation of the mean specific force from 9.81 m/s^2.
 };
 
-/// How the IMU sits on the body, as gravity tells.
+/// Orientation of the IMU in the body frame, estimated from gravity.
 struct ImuMounting {
   Eigen::Matrix3d R_BU = Eigen::Matrix3d::Identity();
-  /// 1-sigma of its roll and pitch by the samples' noise alone, rad. The accelerometer's bias, of which samples of one
-  /// pose tell nothing, adds bias / 9.81 m/s^2 along each axis: 1.1 deg for 0.02 g.
+  /// Standard deviation of roll and pitch due to sample noise alone, rad. An accelerometer bias is not observable from
+  /// one pose; it adds bias / 9.81 m/s^2 along each axis, 1.1 deg for 0.02 g.
   double noise_sigma_rad = 0.0;
-  std::size_t samples = 0;
+  std::size_t samples = 0;  ///< Number of samples used.
 };
 
-/// The IMU's mounting from samples taken while the vehicle stands on level ground (Sec. III-D): the shortest rotation
-/// with g_B = R_BU g_U, where g_U is the mean specific force, normalized, and g_B = (0, 0, 1) as the paper has it: what
-/// an accelerometer at rest measures points up. An IMU mounted upside down, for which there is no shortest rotation, is
-/// turned about an axis across, which one is arbitrary.
+/// Estimates the IMU's mounting from samples recorded while the vehicle stands on level ground (Sec. III-D).
 ///
-/// A turn about Z_B leaves gravity where it is, so that the true R_BU may be Rz(any) times the one found; being the
-/// shortest, that has next to none. The IMU's position is not found: the paper takes U's origin to be B's.
+/// R_BU is the shortest rotation with g_B = R_BU g_U, where g_U is the normalized mean specific force and
+/// g_B = (0, 0, 1), as in the paper: an accelerometer at rest measures a vector that points up. For an IMU mounted
+/// upside down the shortest rotation is not unique; the choice of its horizontal axis is arbitrary.
 ///
-/// Throws InputError for too few samples, for samples of a vehicle that is shaken or turned, and where the mean is not
-/// that of gravity or a number is not finite.
+/// Gravity does not determine the rotation about Z_B: the true R_BU may be Rz(angle) times the result for any angle.
+/// The shortest rotation has almost no rotation about Z_B. The IMU's position is not estimated: the paper assumes that
+/// U and B have the same origin.
+///
+/// Throws InputError for too few samples, when the vehicle shakes or rotates, when the mean specific force is not that
+/// of gravity, and when a value is not finite.
 ImuMounting FindImuMounting(std::span<const models::ImuSample> samples, const ImuMountingConfig& config = {});
 
 }  // namespace touchdown::estimator::calibration

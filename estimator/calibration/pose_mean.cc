@@ -26,7 +26,7 @@ Vector3d Median(const std::vector<Vector3d>& points) {
   return median;
 }
 
-/// Which points lie near their median, as most do.
+/// For each point, whether it is within the outlier limit of the median on every axis.
 std::vector<bool> NearMedian(const std::vector<Vector3d>& points) {
   constexpr double kSigmaPerMedianDeviation = 1.4826, kMostSigmas = 6.0, kRounding = 1e-12;
   const Vector3d median = Median(points);
@@ -40,18 +40,18 @@ std::vector<bool> NearMedian(const std::vector<Vector3d>& points) {
 }
 
 std::vector<Isometry3d> WithoutOutliers(std::span<const Isometry3d> measurements) {
-  std::vector<Vector3d> positions, turns;
+  std::vector<Vector3d> positions, rotations;
   const Matrix3d R_first = measurements.front().linear();
   for (const Isometry3d& X : measurements) {
     positions.push_back(X.translation());
-    turns.push_back(models::RotationLog(X.linear() * R_first.transpose()));
+    rotations.push_back(models::RotationLog(X.linear() * R_first.transpose()));
   }
-  const std::vector<bool> position_near = NearMedian(positions), turn_near = NearMedian(turns);
+  const std::vector<bool> position_near = NearMedian(positions), rotation_near = NearMedian(rotations);
   std::vector<Isometry3d> kept;
   for (std::size_t i = 0; i < measurements.size(); ++i) {
-    if (position_near[i] && turn_near[i]) kept.push_back(measurements[i]);
+    if (position_near[i] && rotation_near[i]) kept.push_back(measurements[i]);
   }
-  // Outliers of the one and of the other may be all there are, of very few.
+  // With very few measurements, every one may be an outlier of position or of rotation.
   return kept.empty() ? std::vector<Isometry3d>(measurements.begin(), measurements.end()) : kept;
 }
 
@@ -80,9 +80,9 @@ Vector3d PoseMean::position_sigma_m() const { return position_scatter_m / std::s
 Vector3d PoseMean::rotation_sigma_rad() const { return rotation_scatter_rad / std::sqrt(static_cast<double>(used)); }
 
 PoseMean MeanPose(std::span<const Isometry3d> measurements) {
-  if (measurements.empty()) throw InputError("there is no pose to take the mean of");
+  if (measurements.empty()) throw InputError("the mean of poses needs at least one pose");
   for (const Isometry3d& X : measurements) {
-    if (!X.matrix().allFinite()) throw InputError("a pose to take the mean of holds a number that is not finite");
+    if (!X.matrix().allFinite()) throw InputError("a pose to average has a value that is not finite");
   }
   const std::vector<Isometry3d> kept = WithoutOutliers(measurements);
   PoseMean mean{.X_AB = Mean(kept), .used = kept.size()};
@@ -92,9 +92,9 @@ PoseMean MeanPose(std::span<const Isometry3d> measurements) {
     position_variance += (X.translation() - mean.X_AB.translation()).cwiseAbs2();
     rotation_variance += models::RotationLog(X.linear() * mean.X_AB.linear().transpose()).cwiseAbs2();
   }
-  const auto freedoms = static_cast<double>(kept.size() - 1);
-  mean.position_scatter_m = (position_variance / freedoms).cwiseSqrt();
-  mean.rotation_scatter_rad = (rotation_variance / freedoms).cwiseSqrt();
+  const auto degrees_of_freedom = static_cast<double>(kept.size() - 1);
+  mean.position_scatter_m = (position_variance / degrees_of_freedom).cwiseSqrt();
+  mean.rotation_scatter_rad = (rotation_variance / degrees_of_freedom).cwiseSqrt();
   return mean;
 }
 

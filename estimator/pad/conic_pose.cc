@@ -17,7 +17,7 @@ std::optional<std::array<CirclePose, 2>> PosesOfCircle(const Eigen::Matrix3d& co
     Q = -Q;
     eigen.compute(Q);
   }
-  // Eigen sorts them upwards: lambda_3 < 0 < lambda_1 <= lambda_2.
+  // Eigen sorts eigenvalues in increasing order: lambda_3 < 0 < lambda_1 <= lambda_2.
   const double lambda3 = eigen.eigenvalues()(0), lambda1 = eigen.eigenvalues()(1), lambda2 = eigen.eigenvalues()(2);
   constexpr double kSmallest = 1e-14;
   if (!(lambda3 < -kSmallest && lambda1 > kSmallest)) return std::nullopt;

@@ -13,19 +13,20 @@
 
 namespace touchdown::estimator::pad {
 
-/// Where a frame's edge points are taken: on Canny's pixels, or at their sub-pixel place along the gradient. The paper
-/// leaves it open.
+/// Position of the edge points: the pixels of Canny's edges, or sub-pixel positions along the gradient. The paper does
+/// not specify it.
 enum class ContourPoints { kInteger, kSubpixel };
 
+/// Settings of the edge detection.
 struct EdgeConfig {
   ContourPoints contour_points = ContourPoints::kSubpixel;
-  /// Canny's thresholds on Sobel's gradient (3x3; four times the gray values' difference over two pixels). Lower ones
-  /// follow blurred or faint edges, higher ones keep noise out: sigma 3 of 255 gives some 15. They are lowered
-  /// for a pad of faint contrast.
+  /// Canny's thresholds on the 3x3 Sobel gradient, which is four times the gray value difference over two pixels. Lower
+  /// thresholds detect blurred or faint edges; higher ones reject noise: for noise of sigma 3 of 255 the gradient
+  /// is about 15. For a pad of low contrast both thresholds are reduced.
   double canny_low = 60.0;
   double canny_high = 120.0;
 
-  /// Throws InputError when the thresholds are not finite, positive and in order.
+  /// Throws InputError unless both thresholds are finite and positive and canny_low <= canny_high.
   void Validate() const;
 };
 
@@ -34,19 +35,21 @@ struct PadContours {
   std::vector<Eigen::Vector2d> ring_outer, ring_inner, letter;
 };
 
+/// Contour to which an edge point belongs.
 enum class Contour : std::uint8_t { kNone, kRingOuter, kRingInner, kLetter };
 
-/// The contour to which an edge pixel (raw px) belongs, given the unit vector towards its bright side.
-using ContourOf = std::function<Contour(const Eigen::Vector2d& pixel, const Eigen::Vector2d& to_bright)>;
+/// Returns the contour of an edge pixel (raw px); `to_bright` is the unit vector towards its bright side.
+using ContourClassifier = std::function<Contour(const Eigen::Vector2d& pixel, const Eigen::Vector2d& to_bright)>;
 
-/// Canny's edges in the patch around `ring_box`, which encloses the ring, sorted by `contour_of` (Sec. IV-B). With
-/// ContourPoints::kSubpixel each point is moved along the gradient to its sub-pixel place. Pixels at the image border
-/// are left out.
-PadContours FindContours(const models::ImageView& image, const PixelBox& ring_box, const ContourOf& contour_of,
+/// Canny's edges in the patch around `ring_box`, which encloses the ring, assigned to contours by `classify` (Sec.
+/// IV-B). With ContourPoints::kSubpixel each point is shifted along the gradient to its sub-pixel position. Pixels at
+/// the image border are ignored.
+PadContours FindContours(const models::ImageView& image, const PixelBox& ring_box, const ContourClassifier& classify,
                          const models::LandingPad& pad, const EdgeConfig& config = {});
 
-/// The same; an edge pixel belongs to the contour near which it lies when the print is at `place` of the ring's plane.
+/// Same as above, but assigns each edge pixel to the nearest contour of the template, which lies at `warp` on the
+/// ring's plane.
 PadContours FindContours(const models::ImageView& image, const PixelBox& ring_box, const PadPlane& plane,
-                         const TemplateWarp& place, const models::LandingPad& pad, const EdgeConfig& config = {});
+                         const TemplateWarp& warp, const models::LandingPad& pad, const EdgeConfig& config = {});
 
 }  // namespace touchdown::estimator::pad

@@ -7,24 +7,28 @@
 
 namespace touchdown::estimator::pad {
 
-struct RingSearchConfig {
-  /// Canny's thresholds on Sobel's gradient (3x3) of the smoothed image. Lower ones find fainter rings and cost time.
+/// Settings of DetectEllipses.
+struct EllipseDetectionConfig {
+  /// Canny's thresholds on the 3x3 Sobel gradient of the smoothed image. Lower thresholds find fainter rings and take
+  /// more time.
   double canny_low = 20.0;
   double canny_high = 40.0;
-  /// Least share of the circumference at which an edge is seen. Smaller values find rings of which more is burnt out or
-  /// covered, and more that are none.
-  double least_coverage = 0.66;
-  double smallest_semi_axis_px = 5.0;
-  double least_axis_ratio = 0.3;  ///< Of a circle that is seen under 72 degrees.
-  int most_rings = 16;
+  /// Smallest fraction of the circumference that has an edge. A smaller value finds rings of which more is overexposed
+  /// or covered, and yields more false rings.
+  double min_coverage = 0.66;
+  double min_semi_axis_px = 5.0;
+  double min_axis_ratio = 0.3;  ///< Minor over major axis; 0.3 is a circle viewed at 72 degrees.
+  int max_rings = 16;
 
-  /// Throws InputError when a setting is impossible.
+  /// Throws InputError when a setting is invalid.
   void Validate() const;
 };
 
-/// Ellipses along which the image is dark inside and bright outside, such as the outer boundary of a ring, whole or in
-/// pieces; raw px, those first along which most edges are seen. It needs no component to hang together: each chain of
-/// edge pixels proposes the ellipse through it, and the edges of the whole image vote on it.
-std::vector<Ellipse> DetectEllipses(const models::ImageView& image, const RingSearchConfig& config = {});
+/// Detects ellipses in raw px along which the image is dark inside and bright outside, such as the outer boundary of a
+/// ring, even if it is interrupted. The ellipse with the highest edge coverage comes first.
+///
+/// It does not depend on connected components: each segment of edge pixels proposes the ellipse through it, and the
+/// edges of the whole image are counted as inliers.
+std::vector<Ellipse> DetectEllipses(const models::ImageView& image, const EllipseDetectionConfig& config = {});
 
 }  // namespace touchdown::estimator::pad

@@ -13,10 +13,10 @@
 namespace touchdown::estimator::pad {
 namespace {
 
-constexpr std::size_t kFewestPoints = 6;
+constexpr std::size_t kMinPoints = 6;
 
 /// Coefficients (a, b, c, d, e, f) of a x^2 + b x y + c y^2 + d x + e y + f = 0 with 4ac - b^2 > 0 that minimize the
-/// algebraic distance: the notation of Halir and Flusser.
+/// algebraic distance, in the notation of Halir and Flusser. nullopt when the points do not determine an ellipse.
 std::optional<Eigen::Matrix<double, 6, 1>> DirectFit(const Eigen::Matrix2Xd& points) {
   Eigen::Matrix3d S1 = Eigen::Matrix3d::Zero(), S2 = S1, S3 = S1;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
@@ -49,8 +49,8 @@ std::optional<Eigen::Matrix<double, 6, 1>> DirectFit(const Eigen::Matrix2Xd& poi
   return best;
 }
 
-/// Points further off than this many medians are left out: 2.5 sigma of a normal error.
-constexpr double kFarOff = 3.7;
+/// Distance beyond which a point is an outlier, in medians of the distances: 2.5 sigma of a normal error.
+constexpr double kOutlierMedians = 3.7;
 
 double MedianDistance(const Ellipse& ellipse, std::span<const Eigen::Vector2d> points) {
   std::vector<double> distances;
@@ -58,20 +58,20 @@ double MedianDistance(const Ellipse& ellipse, std::span<const Eigen::Vector2d> p
   return models::UpperMedian(distances);
 }
 
-/// Where along an ellipse, by the angle on the circle that it comes from, there are no points.
+/// Gaps between the points along an ellipse, as intervals of its parameter angle.
 class Gaps {
  public:
   Gaps(const Ellipse& ellipse, std::span<const Eigen::Vector2d> points) : ellipse_(ellipse) {
     std::vector<double> angles;
     for (const Eigen::Vector2d& point : points) angles.push_back(AngleOf(point));
     std::sort(angles.begin(), angles.end());
-    // Pixels of a small ring are far apart.
-    constexpr double kLeastAngle = 0.2, kLeastPixels = 3.0;
-    const double least = std::max(kLeastAngle, kLeastPixels / ellipse.semi_axes.mean());
+    // On a small ring neighboring pixels are far apart in angle.
+    constexpr double kMinGap = 0.2, kMinGap_px = 3.0;
+    const double min_gap = std::max(kMinGap, kMinGap_px / ellipse.semi_axes.mean());
     for (std::size_t i = 0; i < angles.size(); ++i) {
       const bool is_last = i + 1 == angles.size();
       const double next = is_last ? angles.front() + 2.0 * models::kPi : angles[i + 1];
-      if (next - angles[i] > least) gaps_.push_back({angles[i], next});
+      if (next - angles[i] > min_gap) gaps_.push_back({angles[i], next});
     }
   }
 
@@ -98,7 +98,7 @@ class Gaps {
   }
 
   const Ellipse& ellipse_;
-  std::vector<std::pair<double, double>> gaps_;  // Begin and end.
+  std::vector<std::pair<double, double>> gaps_;  // Begin and end, rad.
 };
 
 }  // namespace
@@ -141,7 +141,7 @@ std::optional<Ellipse> Ellipse::FromConic(const Eigen::Matrix3d& conic) {
 }
 
 std::optional<Ellipse> FitEllipse(std::span<const Eigen::Vector2d> points) {
-  if (points.size() < kFewestPoints) return std::nullopt;
+  if (points.size() < kMinPoints) return std::nullopt;
   Eigen::Matrix2Xd moved(2, static_cast<Eigen::Index>(points.size()));
   for (Eigen::Index i = 0; i < moved.cols(); ++i) moved.col(i) = points[static_cast<std::size_t>(i)];
   if (!moved.allFinite()) return std::nullopt;
@@ -181,17 +181,18 @@ double RmsDistance(const Ellipse& ellipse, std::span<const Eigen::Vector2d> poin
 }
 
 void RingFitConfig::Validate() const {
-  for (const double value : {exact_px, largest_rms_share, least_coverage}) {
-    if (!std::isfinite(value) || value <= 0.0) throw InputError("the ring fit's limits must be positive and finite");
+  for (const double value : {tolerance_px, max_relative_rms, min_coverage}) {
+    if (!std::isfinite(value) || value <= 0.0)
+      throw InputError("the limits of the ring fit must be positive and finite");
   }
-  if (least_coverage > 1.0) throw InputError("points cannot cover more than the whole ring");
+  if (min_coverage > 1.0) throw InputError("min_coverage must be at most 1");
 }
 
 std::optional<Ellipse> FitRing(std::vector<Eigen::Vector2d>& points, const RingFitConfig& config) {
   auto ellipse = FitEllipse(points);
   constexpr int kIterations = 5;
   for (int i = 0; i < kIterations && ellipse; ++i) {
-    const double limit = std::max(config.exact_px, kFarOff * MedianDistance(*ellipse, points));
+    const double limit = std::max(config.tolerance_px, kOutlierMedians * MedianDistance(*ellipse, points));
     std::vector<Eigen::Vector2d> near;
     for (const Eigen::Vector2d& point : points) {
       if (std::abs(DistanceFrom(*ellipse, point)) <= limit) near.push_back(point);
@@ -202,13 +203,13 @@ std::optional<Ellipse> FitRing(std::vector<Eigen::Vector2d>& points, const RingF
   }
   if (!ellipse) return std::nullopt;
   const Gaps gaps(*ellipse, points);
-  if (gaps.Coverage() < config.least_coverage) return std::nullopt;
+  if (gaps.Coverage() < config.min_coverage) return std::nullopt;
   if (std::erase_if(points, [&](const Eigen::Vector2d& point) { return gaps.IsBeside(point); }) > 0) {
     ellipse = FitEllipse(points);
     if (!ellipse) return std::nullopt;
   }
-  const double largest_rms = std::max(2.0 * config.exact_px, config.largest_rms_share * ellipse->semi_axes.y());
-  if (RmsDistance(*ellipse, points) > largest_rms) return std::nullopt;
+  const double max_rms = std::max(2.0 * config.tolerance_px, config.max_relative_rms * ellipse->semi_axes.y());
+  if (RmsDistance(*ellipse, points) > max_rms) return std::nullopt;
   return ellipse;
 }
 

@@ -9,37 +9,41 @@
 
 namespace touchdown::estimator::pad {
 
-/// How far a pose may be from the one before. Larger values let wrong poses through (the wrong one of the two solutions
-/// above all), smaller ones reject right ones in fast flight.
+/// Limits of the difference between consecutive poses. Larger values accept more wrong poses, in particular the wrong
+/// one of the two pose hypotheses; smaller values reject correct poses in fast flight.
 struct OutlierGateConfig {
-  double fastest_m_s = 3.0;         ///< The vehicle's speed; the room grows with the time since the reference.
-  double room_m = 0.10;             ///< Room at no time, near the pad ...
-  double room_per_distance = 0.10;  ///< ... and what is added per meter of distance from it: noise grows with it.
-  double fastest_rad_s = 4.0;       ///< The rate at which the tilt changes.
-  double room_rad = 0.20;
-  int agreeing_outliers = 3;  ///< So many rejected poses in a row that agree with each other are the truth.
-  double start_room_m = 0.7;  ///< Room about the initial pose, before the first accepted one.
-  double start_room_rad = 0.5;
+  double max_speed_m_s = 3.0;        ///< Growth of the position gate with the time since the reference pose.
+  double gate_m = 0.10;              ///< Position gate for a time difference of 0 at the pad.
+  double gate_per_distance = 0.10;   ///< Growth of the position gate with the distance from the pad, as noise grows.
+  double max_tilt_rate_rad_s = 4.0;  ///< Growth of the tilt gate with the time since the reference pose.
+  double gate_rad = 0.20;            ///< Tilt gate for a time difference of 0.
+  int agreeing_outliers = 3;         ///< Number of consecutive rejected poses that must agree to be accepted.
+  double start_gate_m = 0.7;         ///< Position gate around the initial pose, before the first accepted pose.
+  double start_gate_rad = 0.5;       ///< Tilt gate around the initial pose, before the first accepted pose.
 
-  /// Throws InputError when a number is not finite and positive.
+  /// Throws InputError when a value is not finite and positive.
   void Validate() const;
 };
 
-/// Rejects jumps of the pose (Sec. IV-C.2).
+/// Rejects poses that jump (Sec. IV-C.2).
 ///
-/// A pose agrees with a reference pose when its position is within room_m + room_per_distance * distance from the pad +
-/// fastest_m_s * dt, and its vertical is within room_rad + fastest_rad_s * dt, dt being the time between them. It is
-/// accepted when it agrees with the last accepted pose. Until there is one, the reference is the pose on the ground
-/// from which the paper starts (Sec. VI-B.1), (0, 0, 0.3 m) and level, with start_room_m to all sides and
-/// start_room_rad; in a film that begins anywhere the first pose is accepted. A rejected pose is kept as a candidate:
-/// when as many in a row as agreeing_outliers each agree with the one before, the last of them is accepted after all,
-/// so that the gate cannot lock itself out. Of pictures that are unrelated every pose is accepted.
+/// A pose agrees with a reference pose when its position differs by at most gate_m + gate_per_distance * distance from
+/// the pad + max_speed_m_s * dt, and its vertical by at most gate_rad + max_tilt_rate_rad_s * dt, where dt is the time
+/// between the poses. A pose is accepted when it agrees with the last accepted pose.
+///
+/// The first pose of a flight must be within start_gate_m and start_gate_rad of the pose on the ground at which the
+/// paper starts (Sec. VI-B.1): (0, 0, 0.3 m) and level. The first pose of FrameOrder::kSequence is always accepted, and
+/// so is every pose of FrameOrder::kUnrelated.
+///
+/// A rejected pose becomes a candidate. When `agreeing_outliers` consecutive rejected poses each agree with the
+/// previous one, the last of them is accepted. Hence the gate recovers from a wrong reference pose.
 class OutlierGate {
  public:
+  /// Throws InputError for an invalid config.
   OutlierGate(const OutlierGateConfig& config, const models::TimeBase& time,
               FrameOrder frame_order = FrameOrder::kFlight);
 
-  /// Whether the pose at `tick` is accepted; remembers it either way. Ticks must not fall.
+  /// Returns whether the pose at `tick` is accepted, and updates the gate in both cases. Ticks must not decrease.
   bool Accepts(models::Tick tick, const Eigen::Isometry3d& X_WB);
 
  private:
@@ -49,7 +53,7 @@ class OutlierGate {
   };
 
   bool Agrees(const Reference& reference, models::Tick tick, const Eigen::Isometry3d& X_WB) const;
-  bool MayBeFirst(const Eigen::Isometry3d& X_WB) const;
+  bool IsPlausibleStart(const Eigen::Isometry3d& X_WB) const;
 
   OutlierGateConfig config_;
   models::TimeBase time_;

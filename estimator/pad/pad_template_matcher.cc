@@ -20,24 +20,24 @@ using Eigen::Vector2d;
 
 constexpr int kCells = RectifiedDisc::kCells;
 constexpr int kTexels = 256;
-constexpr double kBlurred = 0.03;        // Standard deviation, in inner radii.
-constexpr double kFarthestOffset = 0.1;  // In inner radii.
-constexpr double kLargestScale = 1.12;
+constexpr double kBlurSigma = 0.03;  // In inner radii.
+constexpr double kMaxOffset = 0.1;   // In inner radii.
+constexpr double kMaxScale = 1.12;
 
-float Quantile(const std::vector<float>& values, double share) {
-  return models::OrderStatistic(values, static_cast<std::size_t>(share * static_cast<double>(values.size() - 1)));
+float Quantile(const std::vector<float>& values, double fraction) {
+  return models::OrderStatistic(values, static_cast<std::size_t>(fraction * static_cast<double>(values.size() - 1)));
 }
 
-/// Interpolated bilinearly; nullopt outside the image.
+/// Gray value at a pixel, interpolated bilinearly; nullopt outside the image.
 std::optional<float> GrayAt(const models::ImageView& image, const Vector2d& pixel) {
   if (!models::IsBetweenPixels(image, pixel)) return std::nullopt;
   return models::BilinearGray<float>(image, pixel);
 }
 
-/// What is printed within the ring.
-Cells DrawPrint(const models::LandingPad& pad, const models::PadOutline& outline) {
+/// Artwork within the ring: black, 0 to 1.
+Cells RenderTemplate(const models::LandingPad& pad, const models::PadOutline& outline) {
   constexpr int kSamples = 3;
-  Cells print(kTexels, kTexels);
+  Cells texture(kTexels, kTexels);
   const double step = 2.0 * pad.inner_radius_m() / (kTexels * kSamples);
   for (int row = 0; row < kTexels; ++row) {
     for (int column = 0; column < kTexels; ++column) {
@@ -47,23 +47,25 @@ Cells DrawPrint(const models::LandingPad& pad, const models::PadOutline& outline
                            step * (kSamples * row + sample / kSamples + 0.5) - pad.inner_radius_m());
         black += p_W.norm() < pad.inner_radius_m() && outline.IsBlack(p_W);
       }
-      print(row, column) = static_cast<float>(black) / (kSamples * kSamples);
+      texture(row, column) = static_cast<float>(black) / (kSamples * kSamples);
     }
   }
-  return print;
+  return texture;
 }
 
-Cells Smoothed(const Cells& print, double sigma) {
+/// The texture blurred with a standard deviation of `sigma`, in inner radii.
+Cells Smoothed(const Cells& texture, double sigma) {
   Cells smoothed(kTexels, kTexels);
-  const cv::Mat1f source(kTexels, kTexels, const_cast<float*>(print.data()));
+  const cv::Mat1f source(kTexels, kTexels, const_cast<float*>(texture.data()));
   cv::Mat1f target(kTexels, kTexels, smoothed.data());
   cv::GaussianBlur(source, target, {}, sigma * kTexels / 2.0, 0.0, cv::BORDER_CONSTANT);
   return smoothed;
 }
 
-double LetterReach(const models::LandingPad& pad) { return 0.5 * std::hypot(pad.h_height_m, pad.h_width_m); }
+/// Distance of the letter's corners from its center, m.
+double LetterRadius(const models::LandingPad& pad) { return 0.5 * std::hypot(pad.h_height_m, pad.h_width_m); }
 
-/// Whether nothing is printed on a circle around W's origin.
+/// Whether a circle around W's origin has no black.
 bool IsWhite(const models::PadOutline& outline, double radius_m) {
   constexpr int kDirections = 360;
   for (int i = 0; i < kDirections; ++i) {
@@ -73,24 +75,23 @@ bool IsWhite(const models::PadOutline& outline, double radius_m) {
   return true;
 }
 
-/// Standard deviation, in inner radii, of a blur that leaves the middle of a stroke black.
-double Sharpness(const models::LandingPad& pad) {
-  constexpr double kUsual = 0.012, kOfStroke = 0.15;
-  return std::min(kUsual, kOfStroke * pad.h_stroke_m / pad.inner_radius_m());
+/// Standard deviation, in inner radii, of a blur after which the middle of a stroke is still black.
+double SharpSigma(const models::LandingPad& pad) {
+  constexpr double kMaxSigma = 0.012, kPerStroke = 0.15;
+  return std::min(kMaxSigma, kPerStroke * pad.h_stroke_m / pad.inner_radius_m());
 }
 
-/// How far from the edges of an H its parts are looked at, m.
+/// Distance from the letter's edges, m, within which cells are ignored.
 double EdgeMargin(const models::LandingPad& pad, const models::PadOutline& outline, double cell_m) {
   const double narrowest_m = std::min(pad.h_stroke_m, models::NarrowestPart(outline.letter()));
   return std::min(0.25 * narrowest_m, 0.1 * pad.h_stroke_m + 0.5 * cell_m);
 }
 
-/// The parts of an H, each of which another letter may lack; of a rectangle its four corners stand for the strokes'
-/// ends, and the rest for the bar.
+/// Parts of an H, each of which another letter may lack. For a rectangle the four corners take the role of the stroke
+/// ends, and the rest that of the bar.
 enum Part { kBar, kFirstStroke, kFirstBetween = kFirstStroke + 4, kBeside = kFirstBetween + 2, kParts };
 
-/// The part on which a point lies at least `margin_m` away from the edges of the letter; nullopt nearer to them, and
-/// where bar and strokes meet.
+/// The part to which a point belongs; nullopt within `margin_m` of the letter's edges and where bar and strokes meet.
 std::optional<int> PartAt(const models::LandingPad& pad, const models::PadOutline& outline, double margin_m,
                           const Vector2d& p_W) {
   const Vector2d p = p_W.cwiseAbs(), half_size = 0.5 * Vector2d(pad.h_height_m, pad.h_width_m);
@@ -100,7 +101,7 @@ std::optional<int> PartAt(const models::LandingPad& pad, const models::PadOutlin
   if (!outline.IsLetter(p_W)) return kFirstBetween + (p_W.x() > 0.0 ? 1 : 0);
   const int stroke_end = kFirstStroke + (p_W.x() > 0.0 ? 1 : 0) + (p_W.y() > 0.0 ? 2 : 0);
   if (pad.letter() == models::PadLetter::kRectangle) {
-    constexpr double kCorner = 0.7;  // Of the way from the middle. An ellipse of the same area lacks half of it.
+    constexpr double kCorner = 0.7;  // In half sizes from the center. An ellipse of equal area covers half of a corner.
     return (p - kCorner * half_size).minCoeff() > 0.0 ? stroke_end : kBar;
   }
   if (p.y() < half_size.y() - pad.h_stroke_m) return kBar;
@@ -118,9 +119,11 @@ Vector2d TemplateWarp::OnTemplate(const Vector2d& p_plane) const {
 }
 
 void TemplateMatcherConfig::Validate() const {
-  for (const double share : {least_ring, least_between_strokes, least_bar, least_rectangle, least_stroke, least_strokes,
-                             least_beside, least_contrast}) {
-    if (!(share > 0.0 && share <= 1.0)) throw InputError("a print's least shares must be within (0, 1]");
+  for (const double fraction :
+       {min_ring, min_between_strokes, min_bar, min_rectangle, min_stroke, min_strokes, min_beside, min_contrast}) {
+    if (!(fraction > 0.0 && fraction <= 1.0)) {
+      throw InputError("the minimum fractions of the template matcher must be above 0 and at most 1");
+    }
   }
 }
 
@@ -128,59 +131,61 @@ PadTemplateMatcher::PadTemplateMatcher(const models::LandingPad& pad, const Temp
     : pad_(pad),
       outline_(pad),
       config_(config),
-      reach_m_(std::min(0.98 * pad.inner_radius_m(), 1.15 * LetterReach(pad) + kFarthestOffset * pad.inner_radius_m())),
-      white_m_(std::max(0.5 * (LetterReach(pad) + pad.inner_radius_m()), 0.85 * pad.inner_radius_m())),
-      is_white_within_(IsWhite(outline_, white_m_)) {
-  const Cells print = DrawPrint(pad, outline_);
-  print_ = Smoothed(print, Sharpness(pad));
-  blurred_ = Smoothed(print, kBlurred);
+      disc_radius_m_(
+          std::min(0.98 * pad.inner_radius_m(), 1.15 * LetterRadius(pad) + kMaxOffset * pad.inner_radius_m())),
+      white_radius_m_(std::max(0.5 * (LetterRadius(pad) + pad.inner_radius_m()), 0.85 * pad.inner_radius_m())),
+      is_white_circle_(IsWhite(outline_, white_radius_m_)) {
+  const Cells artwork = RenderTemplate(pad, outline_);
+  template_ = Smoothed(artwork, SharpSigma(pad));
+  blurred_template_ = Smoothed(artwork, kBlurSigma);
 }
 
-bool PadTemplateMatcher::IsAt(const models::ImageView& image, const PadPlane& plane,
-                              std::span<const TemplateWarp> places) const {
-  const auto within = Within(image, plane);
-  return within && std::any_of(places.begin(), places.end(), [&](const TemplateWarp& place) {
-           return Passes(At(within->disc, place), within->ring_contrast);
+bool PadTemplateMatcher::MatchesAt(const models::ImageView& image, const PadPlane& plane,
+                                   std::span<const TemplateWarp> warps) const {
+  const auto interior = RectifyInterior(image, plane);
+  return interior && std::any_of(warps.begin(), warps.end(), [&](const TemplateWarp& warp) {
+           return Passes(ScoreParts(interior->disc, warp), interior->ring_contrast);
          });
 }
 
-std::optional<PadTemplateMatcher::Found> PadTemplateMatcher::Find(const models::ImageView& image,
+std::optional<PadTemplateMatcher::Match> PadTemplateMatcher::Find(const models::ImageView& image,
                                                                   const PadPlane& plane) const {
-  const auto within = Within(image, plane);
-  if (!within) return std::nullopt;
-  const auto& [disc, ring_contrast] = *within;
-  constexpr double kNoiseShare = 0.15, kLeastZncc = 0.3;
-  const Cells leveled = disc.ContrastNormalized(kNoiseShare * ring_contrast);
-  const TemplateWarp turned = Turned(leveled, disc);
-  if (Zncc(leveled, disc, turned, 1) < kLeastZncc) return std::nullopt;
-  const Found found = Refined(leveled, disc, turned);
-  constexpr double kLargestSize = 1.1;
-  const double size = std::sqrt(found.place.scale.prod());
-  if (size > kLargestSize || size < 1.0 / kLargestSize) return std::nullopt;
-  if (!Passes(At(disc, found.place), ring_contrast)) return std::nullopt;
-  return found;
+  const auto interior = RectifyInterior(image, plane);
+  if (!interior) return std::nullopt;
+  const auto& [disc, ring_contrast] = *interior;
+  constexpr double kMinRelativeStddev = 0.15, kMinZncc = 0.3;
+  const Cells normalized = disc.ContrastNormalized(kMinRelativeStddev * ring_contrast);
+  const TemplateWarp coarse = CoarseOrientation(normalized, disc);
+  if (Zncc(normalized, disc, coarse, 1) < kMinZncc) return std::nullopt;
+  const Match match = RefineWarp(normalized, disc, coarse);
+  constexpr double kMaxSize = 1.1;
+  const double size = std::sqrt(match.warp.scale.prod());
+  if (size > kMaxSize || size < 1.0 / kMaxSize) return std::nullopt;
+  if (!Passes(ScoreParts(disc, match.warp), ring_contrast)) return std::nullopt;
+  return match;
 }
 
-std::optional<PadTemplateMatcher::WithinRing> PadTemplateMatcher::Within(const models::ImageView& image,
-                                                                         const PadPlane& plane) const {
-  constexpr double kFaintest = 5.0;
-  const SeenRing ring = RingAt(image, plane);
-  if (ring.contrast < kFaintest || ring.share < config_.least_ring) return std::nullopt;
-  const auto disc = RectifiedDisc::Of(image, plane, reach_m_);
+std::optional<PadTemplateMatcher::RingInterior> PadTemplateMatcher::RectifyInterior(const models::ImageView& image,
+                                                                                    const PadPlane& plane) const {
+  constexpr double kMinRingContrast = 5.0;
+  const RingScore ring = ScoreRing(image, plane);
+  if (ring.contrast < kMinRingContrast || ring.fraction < config_.min_ring) return std::nullopt;
+  const auto disc = RectifiedDisc::Of(image, plane, disc_radius_m_);
   if (!disc) return std::nullopt;
-  return WithinRing{*disc, ring.contrast};
+  return RingInterior{*disc, ring.contrast};
 }
 
-PadTemplateMatcher::Seen PadTemplateMatcher::At(const RectifiedDisc& disc, const TemplateWarp& place) const {
+PadTemplateMatcher::PartScores PadTemplateMatcher::ScoreParts(const RectifiedDisc& disc,
+                                                              const TemplateWarp& warp) const {
   const double margin_m = EdgeMargin(pad_, outline_, disc.cell_m());
   constexpr float kSurelyWhite = 0.1F, kSurelyBlack = 0.9F;
   Cells black(kCells, kCells), white(kCells, kCells), expected(kCells, kCells);
   Eigen::ArrayXXi parts = Eigen::ArrayXXi::Constant(kCells, kCells, -1);
   for (int row = 0; row < kCells; ++row) {
     for (int column = 0; column < kCells; ++column) {
-      const Vector2d p_W = place.OnTemplate(disc.PointOf(column, row));
-      expected(row, column) = BlackAt(print_, p_W);
-      const bool inside = disc.Holds(column, row);
+      const Vector2d p_W = warp.OnTemplate(disc.CellCenter(column, row));
+      expected(row, column) = BlackAt(template_, p_W);
+      const bool inside = disc.Contains(column, row);
       black(row, column) = inside && expected(row, column) > kSurelyBlack;
       white(row, column) = inside && expected(row, column) < kSurelyWhite;
       const bool is_sure = black(row, column) + white(row, column) > 0.0F;
@@ -189,128 +194,134 @@ PadTemplateMatcher::Seen PadTemplateMatcher::At(const RectifiedDisc& disc, const
   }
   const Cells paper = RectifiedDisc::LocalMean(disc.gray(), white);
   const Cells ink = RectifiedDisc::LocalMean(disc.gray(), black);
-  Seen seen;
-  seen.contrast = ((paper - ink) * black).sum() / std::max(1.0F, black.sum());
+  PartScores scores;
+  scores.contrast = ((paper - ink) * black).sum() / std::max(1.0F, black.sum());
 
-  constexpr double kDark = 0.45, kFaintest = 0.1;  // Of the way from paper to ink; of the mean contrast.
-  std::array<double, kParts> right{}, all{};
+  constexpr double kDark = 0.45;                // Fraction of the way from paper to ink.
+  constexpr double kMinRelativeContrast = 0.1;  // Fraction of the mean contrast.
+  std::array<double, kParts> correct{}, total{};
   for (int row = 0; row < kCells; ++row) {
     for (int column = 0; column < kCells; ++column) {
       const int part = parts(row, column);
       if (part < 0) continue;
-      const double contrast = std::max<double>(paper(row, column) - ink(row, column), kFaintest * seen.contrast);
+      const double contrast =
+          std::max<double>(paper(row, column) - ink(row, column), kMinRelativeContrast * scores.contrast);
       const bool is_dark = paper(row, column) - disc.gray()(row, column) > kDark * contrast;
       const auto i = static_cast<std::size_t>(part);
-      all[i] += 1.0;
-      right[i] += is_dark == (expected(row, column) > 0.5F);
+      total[i] += 1.0;
+      correct[i] += is_dark == (expected(row, column) > 0.5F);
     }
   }
-  const auto share = [&](int part) {
+  const auto fraction = [&](int part) {
     const auto i = static_cast<std::size_t>(part);
-    return all[i] > 0.0 ? right[i] / all[i] : 1.0;  // What is narrower than a cell tells nothing.
+    return total[i] > 0.0 ? correct[i] / total[i] : 1.0;  // A part narrower than a cell has no information.
   };
-  seen.bar = share(kBar);
-  seen.between_strokes = std::min(share(kFirstBetween), share(kFirstBetween + 1));
-  seen.stroke = 1.0;
+  scores.bar = fraction(kBar);
+  scores.between_strokes = std::min(fraction(kFirstBetween), fraction(kFirstBetween + 1));
+  scores.stroke = 1.0;
   for (int i = 0; i < 4; ++i) {
-    seen.stroke = std::min(seen.stroke, share(kFirstStroke + i));
-    seen.strokes += share(kFirstStroke + i) / 4.0;
+    scores.stroke = std::min(scores.stroke, fraction(kFirstStroke + i));
+    scores.strokes += fraction(kFirstStroke + i) / 4.0;
   }
-  seen.beside = share(kBeside);
-  return seen;
+  scores.beside = fraction(kBeside);
+  return scores;
 }
 
-bool PadTemplateMatcher::Passes(const Seen& seen, double ring_contrast) const {
+bool PadTemplateMatcher::Passes(const PartScores& scores, double ring_contrast) const {
   const bool is_rectangle = pad_.letter() == models::PadLetter::kRectangle;
-  const double least_bar = is_rectangle ? config_.least_rectangle : config_.least_bar;
-  return seen.contrast >= config_.least_contrast * ring_contrast &&
-         seen.between_strokes >= config_.least_between_strokes && seen.bar >= least_bar &&
-         seen.stroke >= config_.least_stroke && seen.strokes >= config_.least_strokes &&
-         seen.beside >= config_.least_beside;
+  const double min_bar = is_rectangle ? config_.min_rectangle : config_.min_bar;
+  return scores.contrast >= config_.min_contrast * ring_contrast &&
+         scores.between_strokes >= config_.min_between_strokes && scores.bar >= min_bar &&
+         scores.stroke >= config_.min_stroke && scores.strokes >= config_.min_strokes &&
+         scores.beside >= config_.min_beside;
 }
 
-/// Correlation, -1 to 1, of every stride-th cell with the print.
-double PadTemplateMatcher::Zncc(const Cells& leveled, const RectifiedDisc& disc, const TemplateWarp& place,
+/// Zero-mean normalized cross-correlation, -1 to 1, of every `stride`-th cell with the blurred template.
+double PadTemplateMatcher::Zncc(const Cells& normalized, const RectifiedDisc& disc, const TemplateWarp& warp,
                                 int stride) const {
-  const Eigen::Matrix2d to_print =
-      place.scale.cwiseInverse().asDiagonal() * Eigen::Rotation2Dd(-place.angle).toRotationMatrix();
+  const Eigen::Matrix2d to_template =
+      warp.scale.cwiseInverse().asDiagonal() * Eigen::Rotation2Dd(-warp.angle).toRotationMatrix();
   double count = 0.0, a = 0.0, aa = 0.0, b = 0.0, bb = 0.0, ab = 0.0;
   for (int row = 0; row < kCells; row += stride) {
     for (int column = 0; column < kCells; column += stride) {
-      if (!disc.Holds(column, row)) continue;
-      const Vector2d p = disc.PointOf(column, row);
-      const double seen = leveled(row, column), print = BlackAt(blurred_, to_print * (p - place.offset_m));
+      if (!disc.Contains(column, row)) continue;
+      const Vector2d p = disc.CellCenter(column, row);
+      const double measured = normalized(row, column);
+      const double expected = BlackAt(blurred_template_, to_template * (p - warp.offset_m));
       count += 1.0;
-      a += seen;
-      aa += seen * seen;
-      b += print;
-      bb += print * print;
-      ab += seen * print;
+      a += measured;
+      aa += measured * measured;
+      b += expected;
+      bb += expected * expected;
+      ab += measured * expected;
     }
   }
   const double variances = (aa - a * a / count) * (bb - b * b / count);
   return variances > 0.0 ? (ab - a * b / count) / std::sqrt(variances) : -1.0;
 }
 
-TemplateWarp PadTemplateMatcher::Turned(const Cells& leveled, const RectifiedDisc& disc) const {
+/// The warp with the greatest ZNCC among rotations without offset.
+TemplateWarp PadTemplateMatcher::CoarseOrientation(const Cells& normalized, const RectifiedDisc& disc) const {
   constexpr int kAngles = 45, kCoarse = 2;
-  const int half_turns = pad_.marks.empty() ? 1 : 2;  // After one the H looks the same, marks may not.
-  Found best{{}, -2.0};
+  const int half_turns = pad_.marks.empty() ? 1 : 2;  // An H is symmetric under a half turn; markings may not be.
+  Match best{{}, -2.0};
   for (int i = 0; i < half_turns * kAngles; ++i) {
-    const TemplateWarp place{.angle = models::kPi * i / kAngles};
-    const double zncc = Zncc(leveled, disc, place, kCoarse);
-    if (zncc > best.zncc) best = {place, zncc};
+    const TemplateWarp warp{.angle = models::kPi * i / kAngles};
+    const double zncc = Zncc(normalized, disc, warp, kCoarse);
+    if (zncc > best.zncc) best = {warp, zncc};
   }
-  return best.place;
+  return best.warp;
 }
 
-/// The place of the greatest zncc near `start`, a coordinate after the other in ever smaller steps.
-PadTemplateMatcher::Found PadTemplateMatcher::Refined(const Cells& leveled, const RectifiedDisc& disc,
-                                                      const TemplateWarp& start) const {
-  const double radius = pad_.inner_radius_m(), farthest = kFarthestOffset * radius;
-  const auto moved = [&](TemplateWarp place, int coordinate, double step) {
-    constexpr double kTurn = 0.05, kShift = 0.03, kStretch = 0.05;
-    if (coordinate == 0) place.angle += kTurn * step;
-    if (coordinate == 1) place.offset_m.x() += kShift * radius * step;
-    if (coordinate == 2) place.offset_m.y() += kShift * radius * step;
-    if (coordinate == 3) place.scale.x() += kStretch * step;
-    if (coordinate == 4) place.scale.y() += kStretch * step;
-    place.offset_m = place.offset_m.cwiseMax(-farthest).cwiseMin(farthest);
-    place.scale = place.scale.cwiseMax(1.0 / kLargestScale).cwiseMin(kLargestScale);
-    return place;
+/// The warp with the greatest ZNCC near `start`, found by coordinate descent with decreasing steps.
+PadTemplateMatcher::Match PadTemplateMatcher::RefineWarp(const Cells& normalized, const RectifiedDisc& disc,
+                                                         const TemplateWarp& start) const {
+  const double radius = pad_.inner_radius_m(), max_offset_m = kMaxOffset * radius;
+  const auto moved = [&](TemplateWarp warp, int coordinate, double step) {
+    constexpr double kRotation = 0.05, kShift = 0.03, kStretch = 0.05;
+    if (coordinate == 0) warp.angle += kRotation * step;
+    if (coordinate == 1) warp.offset_m.x() += kShift * radius * step;
+    if (coordinate == 2) warp.offset_m.y() += kShift * radius * step;
+    if (coordinate == 3) warp.scale.x() += kStretch * step;
+    if (coordinate == 4) warp.scale.y() += kStretch * step;
+    warp.offset_m = warp.offset_m.cwiseMax(-max_offset_m).cwiseMin(max_offset_m);
+    warp.scale = warp.scale.cwiseMax(1.0 / kMaxScale).cwiseMin(kMaxScale);
+    return warp;
   };
-  Found best{start, -1.0};
+  Match best{start, -1.0};
   for (const double step : {1.0, 0.5, 0.25, 0.125}) {
     const int stride = step >= 0.5 ? 2 : 1;
-    best.zncc = Zncc(leveled, disc, best.place, stride);
+    best.zncc = Zncc(normalized, disc, best.warp, stride);
     constexpr int kRounds = 3;
-    constexpr double kLeastGain = 1e-3;
+    constexpr double kMinGain = 1e-3;
     for (int round = 0; round < kRounds; ++round) {
       const double before = best.zncc;
       for (int coordinate = 0; coordinate < 5; ++coordinate) {
         for (const double sign : {-1.0, 1.0}) {
-          const TemplateWarp place = moved(best.place, coordinate, sign * step);
-          const double zncc = Zncc(leveled, disc, place, stride);
-          if (zncc > best.zncc) best = {place, zncc};
+          const TemplateWarp warp = moved(best.warp, coordinate, sign * step);
+          const double zncc = Zncc(normalized, disc, warp, stride);
+          if (zncc > best.zncc) best = {warp, zncc};
         }
       }
-      if (best.zncc < before + kLeastGain) break;
+      if (best.zncc < before + kMinGain) break;
     }
   }
   return best;
 }
 
-PadTemplateMatcher::SeenRing PadTemplateMatcher::RingAt(const models::ImageView& image, const PadPlane& plane) const {
+PadTemplateMatcher::RingScore PadTemplateMatcher::ScoreRing(const models::ImageView& image,
+                                                            const PadPlane& plane) const {
   constexpr int kDirections = 60, kSteps = 5;
-  constexpr double kCurl = 0.03;  // Of the radius.
+  constexpr double kCurl = 0.03;  // Fraction of the outer radius, for paper that is not flat.
   const double from_m = pad_.inner_radius_m() - kCurl * pad_.outer_radius_m;
   const double step_m = (pad_.ring_width_m + 2.0 * kCurl * pad_.outer_radius_m) / (kSteps + 1);
-  // Where the sheet's white goes on outside, it is looked at too.
-  constexpr double kLeastMargin = 0.06, kOutside = 0.1;
+  // Where the sheet has white outside the ring, that white is measured too.
+  constexpr double kMinMargin = 0.06, kOutside = 0.1;
   const double margin_m = 0.5 * std::min(pad_.sheet_length_m, pad_.sheet_width_m) - pad_.outer_radius_m;
-  const bool has_margin = margin_m > kLeastMargin * pad_.outer_radius_m;
+  const bool has_margin = margin_m > kMinMargin * pad_.outer_radius_m;
   const double outside_m = pad_.outer_radius_m + std::min(0.5 * margin_m, kOutside * pad_.outer_radius_m);
-  std::vector<float> contrasts, ratios;  // Of white to black, and over the white: the same in a shadow.
+  std::vector<float> contrasts;  // White minus black.
+  std::vector<float> ratios;     // Contrast divided by white, which does not change in a shadow.
   for (int i = 0; i < kDirections; ++i) {
     const double angle = 2.0 * models::kPi * i / kDirections;
     const auto gray_at = [&](double radius_m) -> std::optional<float> {
@@ -319,25 +330,25 @@ PadTemplateMatcher::SeenRing PadTemplateMatcher::RingAt(const models::ImageView&
     };
     auto darkest = gray_at(from_m + step_m);
     for (int k = 2; k <= kSteps; ++k) darkest = std::min(darkest, gray_at(from_m + k * step_m));
-    const auto within = gray_at(white_m_), outside = has_margin ? gray_at(outside_m) : within;
+    const auto within = gray_at(white_radius_m_), outside = has_margin ? gray_at(outside_m) : within;
     if (!within || !darkest) return {};
     const float around = outside.value_or(*within);
-    const float white = is_white_within_ ? std::min(*within, around) : has_margin ? around : std::max(*within, around);
+    const float white = is_white_circle_ ? std::min(*within, around) : has_margin ? around : std::max(*within, around);
     contrasts.push_back(white - *darkest);
     ratios.push_back((white - *darkest) / std::max(white, 1.0F));
   }
-  const float usual_ratio = Quantile(ratios, 0.8);
+  const float typical_ratio = Quantile(ratios, 0.8);
   constexpr float kDark = 0.45F;
-  const auto dark = std::count_if(ratios.begin(), ratios.end(), [&](float r) { return r > kDark * usual_ratio; });
+  const auto dark = std::count_if(ratios.begin(), ratios.end(), [&](float r) { return r > kDark * typical_ratio; });
   return {Quantile(contrasts, 0.5), static_cast<double>(dark) / kDirections};
 }
 
-float PadTemplateMatcher::BlackAt(const Cells& print, const Vector2d& p_W) const {
+float PadTemplateMatcher::BlackAt(const Cells& texture, const Vector2d& p_W) const {
   const double texels_per_m = kTexels / (2.0 * pad_.inner_radius_m()), middle = 0.5 * kTexels;
   const auto texel = [&](double coordinate_m) {
     return std::clamp(static_cast<int>(middle + texels_per_m * coordinate_m), 0, kTexels - 1);
   };
-  return print(texel(p_W.y()), texel(p_W.x()));
+  return texture(texel(p_W.y()), texel(p_W.x()));
 }
 
 }  // namespace touchdown::estimator::pad

@@ -14,8 +14,8 @@ using Matrix5d = Eigen::Matrix<double, 5, 5>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-/// A sigma point is brought no nearer to the mean than this share of its way.
-constexpr double kSmallestShare = 1.0 / 64.0;
+/// Smallest fraction to which the step to a sigma point is reduced.
+constexpr double kMinFraction = 1.0 / 64.0;
 
 /// Derivative of DistanceFrom(ellipse, point) with respect to the ellipse's parameters. With W = S^-1 and d = point -
 /// center, the distance is (d^T W d - 1) / (2 |W d|), and dW = -W dS W.
@@ -36,10 +36,10 @@ Vector6d Difference(const Eigen::Isometry3d& X_WB, const Eigen::Isometry3d& refe
 }  // namespace
 
 void PoseCovarianceConfig::Validate() const {
-  for (const double value : {smallest_edge_sigma_px, points_per_independent_point, letter_sigma_rad, gravity_sigma_rad,
-                             smallest_position_sigma_m, smallest_angle_sigma_rad}) {
+  for (const double value : {min_edge_sigma_px, points_per_independent_point, letter_sigma_rad, gravity_sigma_rad,
+                             added_position_sigma_m, added_angle_sigma_rad}) {
     if (!std::isfinite(value) || value <= 0.0) {
-      throw InputError("the pose covariance's settings must be positive and finite");
+      throw InputError("the settings of the pose covariance must be positive and finite");
     }
   }
 }
@@ -61,7 +61,7 @@ std::optional<Matrix5d> EllipseCovariance(const Ellipse& ellipse, std::span<cons
                                           const PoseCovarianceConfig& config) {
   constexpr std::size_t kParameters = 5;
   if (points.size() <= kParameters) return std::nullopt;
-  // In units of the ellipse's own size, so that the information matrix is well conditioned.
+  // Lengths are scaled by the size of the ellipse, so that the information matrix is well conditioned.
   const double size = ellipse.semi_axes.x();
   const Eigen::Matrix2d W = (ellipse.Shape() / (size * size)).inverse();
   Matrix5d information = Matrix5d::Zero();
@@ -75,7 +75,7 @@ std::optional<Matrix5d> EllipseCovariance(const Ellipse& ellipse, std::span<cons
     squares += distance * distance;
   }
   const double variance = std::max(squares / static_cast<double>(points.size() - kParameters),
-                                   config.smallest_edge_sigma_px * config.smallest_edge_sigma_px);
+                                   config.min_edge_sigma_px * config.min_edge_sigma_px);
   const Eigen::LDLT<Matrix5d> factors(information);
   if (factors.info() != Eigen::Success || factors.vectorD().minCoeff() <= 1e-12 * factors.vectorD().maxCoeff()) {
     return std::nullopt;
@@ -88,13 +88,13 @@ std::optional<Matrix5d> EllipseCovariance(const Ellipse& ellipse, std::span<cons
 
 double StrokeSigma(const Ellipse& letter, std::size_t point_count, double edge_sigma_px, double not_rectified,
                    const PoseCovarianceConfig& config) {
-  // Points at the ends of a line of half length a turn it by their own error over some a / sqrt(3); across an ellipse
-  // only what exceeds a circle counts.
+  // Errors of points along a line of half length a rotate the line with an effective arm of a / sqrt(3). For an ellipse
+  // the arm shrinks to 0 as the ellipse becomes a circle.
   const double elongation = letter.semi_axes.x() / letter.semi_axes.y();
   const double arm_px = letter.semi_axes.x() / std::sqrt(3.0) * (1.0 - 1.0 / (elongation * elongation));
   const double independent_points = static_cast<double>(point_count) / config.points_per_independent_point;
-  const double of_edges = edge_sigma_px / (std::max(arm_px, 0.1) * std::sqrt(std::max(independent_points, 1.0)));
-  return std::hypot(of_edges, config.letter_sigma_rad, not_rectified);
+  const double edge_part = edge_sigma_px / (std::max(arm_px, 0.1) * std::sqrt(std::max(independent_points, 1.0)));
+  return std::hypot(edge_part, config.letter_sigma_rad, not_rectified);
 }
 
 std::optional<Matrix6d> PoseCovariance(
@@ -107,12 +107,12 @@ std::optional<Matrix6d> PoseCovariance(
   const Eigen::LLT<Matrix5d> root(ring_covariance);
   const Matrix5d L = root.matrixL();
   const EllipseParameters mean = ParametersOf(ring);
-  // What the step to a sigma point does to the pose.
+  // Change of the pose for the step to a sigma point.
   const auto effect_of = [&](const EllipseParameters& ring_step, double stroke_step) -> std::optional<Vector6d> {
-    for (double share = 1.0; share >= kSmallestShare; share /= 2.0) {
-      const auto ellipse = EllipseOf(mean + share * ring_step);
-      const auto pose = ellipse ? pose_of(*ellipse, stroke_angle + share * stroke_step) : std::nullopt;
-      if (pose) return Difference(*pose, X_WB) / share;
+    for (double fraction = 1.0; fraction >= kMinFraction; fraction /= 2.0) {
+      const auto ellipse = EllipseOf(mean + fraction * ring_step);
+      const auto pose = ellipse ? pose_of(*ellipse, stroke_angle + fraction * stroke_step) : std::nullopt;
+      if (pose) return Difference(*pose, X_WB) / fraction;
     }
     return std::nullopt;
   };
@@ -126,7 +126,7 @@ std::optional<Matrix6d> PoseCovariance(
       covariance += *effect * effect->transpose() / (2.0 * kInputs);
     }
   }
-  const double position = config.smallest_position_sigma_m, angle = config.smallest_angle_sigma_rad;
+  const double position = config.added_position_sigma_m, angle = config.added_angle_sigma_rad;
   covariance.diagonal().head<3>().array() += position * position;
   covariance.diagonal().tail<3>().array() += angle * angle;
   return covariance;

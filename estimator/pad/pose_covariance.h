@@ -11,58 +11,71 @@
 
 namespace touchdown::estimator::pad {
 
+/// Settings of the pose covariance.
 struct PoseCovarianceConfig {
-  /// What an edge point is off by at least, 1-sigma, px: what is left of the pixels' grid.
-  double smallest_edge_sigma_px = 0.02;
-  /// Neighboring edge points share pixels, and so errors: this many count as one.
+  /// Smallest standard deviation of an edge point, px, from the residual effect of the pixel grid.
+  double min_edge_sigma_px = 0.02;
+  /// Number of edge points that count as one independent point, because neighboring points share pixels and errors.
   double points_per_independent_point = 3.0;
-  /// 1-sigma of the direction of the ellipse fitted to a letter H against that of the H, rad.
+  /// Standard deviation of the angle between the ellipse fitted to a letter H and the H itself, rad.
   double letter_sigma_rad = 0.01;
-  /// 1-sigma of the IMU's vertical: the further off it may be, the sooner gravity picks the wrong one of two solutions.
+  /// Standard deviation of the IMU's vertical, rad. A larger value increases the probability that gravity selects the
+  /// wrong pose hypothesis.
   double gravity_sigma_rad = 0.02;
-  /// Added to every pose's: whatever the edges do not show.
-  double smallest_position_sigma_m = 0.0005;
-  double smallest_angle_sigma_rad = 0.001;
+  /// Standard deviations added to every pose, for errors that the edge points do not show.
+  double added_position_sigma_m = 0.0005;
+  double added_angle_sigma_rad = 0.001;
 
-  /// Throws InputError when a number is not finite and positive.
+  /// Throws InputError when a value is not finite and positive.
   void Validate() const;
 };
 
-/// An ellipse as the parameters (center u, center v, S_uu, S_uv, S_vv) with S = Ellipse::Shape(), which vary smoothly
-/// even where the ellipse is a circle and has no axes.
+/// Parameters (center u, center v, S_uu, S_uv, S_vv) of an ellipse, with S = Ellipse::Shape(). They vary smoothly even
+/// for a circle, whose axes are undefined.
 using EllipseParameters = Eigen::Matrix<double, 5, 1>;
+
+/// The parameters of an ellipse.
 EllipseParameters ParametersOf(const Ellipse& ellipse);
-/// nullopt when S is not positive definite, or a number not finite.
+
+/// The ellipse with these parameters; nullopt when S is not positive definite or a value is not finite.
 std::optional<Ellipse> EllipseOf(const EllipseParameters& parameters);
 
-/// Covariance of the parameters of an ellipse fitted to `points`, each off by a normal error across the ellipse, whose
-/// size is taken from the points' own distances: the first-order covariance of the geometric fit, which the direct fit
-/// comes close to. nullopt for fewer points than 6 or when they do not fix the parameters.
+/// Covariance of the parameters of an ellipse fitted to `points`.
+///
+/// Each point is assumed to have a normal error perpendicular to the ellipse; its variance is estimated from the
+/// distances of the points. The result is the first-order covariance of the geometric fit, which the direct fit
+/// approximates. nullopt for fewer than 6 points or when they do not determine the parameters.
 std::optional<Eigen::Matrix<double, 5, 5>> EllipseCovariance(const Ellipse& ellipse,
                                                              std::span<const Eigen::Vector2d> points,
                                                              const PoseCovarianceConfig& config = {});
 
-/// 1-sigma error of the direction of the H's strokes in the image, rad, when the ellipse `letter` was fitted to
-/// `point_count` points off by `edge_sigma_px` each, and `not_rectified` is by how much perspective turns the ellipse
-/// away from the strokes at the pose found: Sec. IV-C.3 leaves it in the yaw, so that it counts as an error.
+/// Standard deviation of the direction of the H's strokes in the image, rad.
+///
+/// The ellipse `letter` was fitted to `point_count` points, each with standard deviation `edge_sigma_px`.
+/// `not_rectified` is the angle by which perspective rotates the ellipse relative to the strokes at the estimated pose,
+/// rad. Sec. IV-C.3 does not correct the yaw for it, so that it counts as an error.
 double StrokeSigma(const Ellipse& letter, std::size_t point_count, double edge_sigma_px, double not_rectified,
                    const PoseCovarianceConfig& config = {});
 
-/// 6x6 covariance of (p_WB in m, rotation vector in W in rad) about `X_WB` when the ring's ellipse has the covariance
-/// `ring_covariance` and the strokes' direction in the image the 1-sigma error `stroke_sigma`. Both are carried through
-/// `pose_of`, the map from them to the pose, by 12 sigma points rather than by derivatives: where the ellipse is nearly
-/// a circle the tilt goes with the square root of its flattening and has no derivative. A sigma point without a pose is
-/// brought halfway to the mean until it has one, and what it does to the pose is scaled up by as much: the pose moves
-/// as far as on the way there, and for a map that bends like a square root further, so that the claim does not shrink
-/// where the points that are far off fail. nullopt where there is no pose at 1/64 of the way either.
+/// 6x6 covariance of (p_WB in m, rotation vector in W in rad) about `X_WB`.
+///
+/// `ring_covariance` is the covariance of the ring's ellipse, and `stroke_sigma` the standard deviation of the strokes'
+/// direction in the image, rad. Both are propagated through `pose_of`, the map from them to the pose, with 12 sigma
+/// points. Derivatives are not used: for a nearly circular ellipse the tilt is proportional to the square root of the
+/// flattening, which has no derivative at 0.
+///
+/// The step to a sigma point without a pose is halved until the point has a pose, and the change of the pose is scaled
+/// up by the same factor. For a linear map this has no effect; for a square root it increases the change. The
+/// covariance therefore does not shrink when distant sigma points have no pose. nullopt when a point has no pose at
+/// 1/64 of its step either.
 std::optional<Eigen::Matrix<double, 6, 6>> PoseCovariance(
     const Ellipse& ring, const Eigen::Matrix<double, 5, 5>& ring_covariance, double stroke_angle, double stroke_sigma,
     const Eigen::Isometry3d& X_WB,
     const std::function<std::optional<Eigen::Isometry3d>(const Ellipse& ring, double stroke_angle)>& pose_of,
     const PoseCovarianceConfig& config = {});
 
-/// What the chance of having taken the wrong one of two solutions adds to the covariance about `X_WB`: the square of
-/// their difference, times `probability`.
+/// Term added to the covariance about `X_WB` because `other_X_WB` is the true pose with probability `probability`: the
+/// outer product of the difference of the two poses, times `probability`.
 Eigen::Matrix<double, 6, 6> WrongBranchCovariance(const Eigen::Isometry3d& X_WB, const Eigen::Isometry3d& other_X_WB,
                                                   double probability);
 

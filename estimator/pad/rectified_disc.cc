@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// The window over which light is taken to be even: about as wide as an H in its ring.
+/// Width, in cells, of the window over which the illumination is assumed to be uniform: about the width of the H.
 constexpr int kWindow = RectifiedDisc::kCells * 3 / 8;
 
 cv::Mat1f View(const Cells& cells) {
@@ -27,39 +27,40 @@ Cells WindowMean(const Cells& values) {
   return mean;
 }
 
-/// The part of the image that holds `places`, so smooth that a cell sees all of its own area.
-struct SmoothPart {
+/// The part of an image that a grid of pixels covers, smoothed so that a cell averages its whole area.
+struct SmoothedPart {
   cv::Mat1f gray;
   cv::Point origin;
 };
 
-SmoothPart PartAround(const models::ImageView& image, const cv::Mat2f& places) {
+SmoothedPart PartAround(const models::ImageView& image, const cv::Mat2f& pixels) {
   std::vector<cv::Mat1f> coordinates;
-  cv::split(places, coordinates);
-  double least_u, most_u, least_v, most_v;
-  cv::minMaxLoc(coordinates[0], &least_u, &most_u);
-  cv::minMaxLoc(coordinates[1], &least_v, &most_v);
-  const double px_per_cell = std::max(most_u - least_u, most_v - least_v) / RectifiedDisc::kCells;
+  cv::split(pixels, coordinates);
+  double min_u, max_u, min_v, max_v;
+  cv::minMaxLoc(coordinates[0], &min_u, &max_u);
+  cv::minMaxLoc(coordinates[1], &min_v, &max_v);
+  const double px_per_cell = std::max(max_u - min_u, max_v - min_v) / RectifiedDisc::kCells;
   const double margin = 2.0 + px_per_cell;
   const cv::Rect whole(0, 0, image.width, image.height);
-  const cv::Rect part = whole & cv::Rect(cv::Point(cvFloor(least_u - margin), cvFloor(least_v - margin)),
-                                         cv::Point(cvCeil(most_u + margin), cvCeil(most_v + margin)));
+  const cv::Rect part = whole & cv::Rect(cv::Point(cvFloor(min_u - margin), cvFloor(min_v - margin)),
+                                         cv::Point(cvCeil(max_u + margin), cvCeil(max_v + margin)));
   const cv::Mat gray(part.height, part.width, CV_8UC1, const_cast<std::uint8_t*>(image.Row(part.y) + part.x),
                      static_cast<std::size_t>(image.stride));
-  SmoothPart smooth{{}, part.tl()};
+  SmoothedPart smooth{{}, part.tl()};
   gray.convertTo(smooth.gray, CV_32F);
   if (px_per_cell > 1.2) cv::GaussianBlur(smooth.gray, smooth.gray, {}, 0.4 * px_per_cell);
   return smooth;
 }
 
-/// The pixels that see the points of a square grid over a disc, between whose nodes the lens and the perspective change
-/// little.
+/// Pixels of the cells of a disc, interpolated between the nodes of a square grid. Between neighboring nodes the change
+/// of lens distortion and perspective is small.
 class PixelGrid {
  public:
-  /// `node_at` tells the pixel of a point, given in cells; nodes far from the disc are never asked for.
+  /// `node_at` returns the pixel of a point given in cells. It is not called for nodes far from the disc.
   template <typename NodeAt>
   static std::optional<PixelGrid> Of(const NodeAt& node_at) {
-    constexpr double kReach = 0.5 * RectifiedDisc::kCells * 1.2;  // Of the nodes around cells of the disc.
+    constexpr double kReach =
+        0.5 * RectifiedDisc::kCells * 1.2;  // Largest distance, in cells, of a node from the center.
     PixelGrid grid;
     for (int row = 0; row < kNodes; ++row) {
       for (int column = 0; column < kNodes; ++column) {
@@ -89,40 +90,40 @@ class PixelGrid {
 
 std::optional<RectifiedDisc> RectifiedDisc::Of(const models::ImageView& image, const PadPlane& plane, double radius_m) {
   RectifiedDisc disc(radius_m, Cells(kCells, kCells));
-  const auto grid = PixelGrid::Of([&](const Vector2d& cell) { return plane.PixelAt(disc.PointOf(cell)); });
+  const auto grid = PixelGrid::Of([&](const Vector2d& cell) { return plane.PixelAt(disc.CellCenter(cell)); });
   const auto center = plane.PixelAt(Vector2d::Zero());
   if (!grid || !center) return std::nullopt;
-  cv::Mat2f places(kCells, kCells);
+  cv::Mat2f pixels(kCells, kCells);
   for (int row = 0; row < kCells; ++row) {
     for (int column = 0; column < kCells; ++column) {
-      const bool inside = disc.Holds(column, row);
+      const bool inside = disc.Contains(column, row);
       const Vector2d pixel = inside ? grid->At(column, row) : *center;
       if (!(pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() <= image.width - 1 && pixel.y() <= image.height - 1)) {
         return std::nullopt;
       }
-      places(row, column) = {static_cast<float>(pixel.x()), static_cast<float>(pixel.y())};
+      pixels(row, column) = {static_cast<float>(pixel.x()), static_cast<float>(pixel.y())};
     }
   }
-  const SmoothPart part = PartAround(image, places);
-  places -= cv::Scalar(part.origin.x, part.origin.y);
+  const SmoothedPart part = PartAround(image, pixels);
+  pixels -= cv::Scalar(part.origin.x, part.origin.y);
   cv::Mat1f gray = View(disc.gray_);
-  cv::remap(part.gray, gray, places, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  cv::remap(part.gray, gray, pixels, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
   return disc;
 }
 
 Cells RectifiedDisc::LocalMean(const Cells& values, const Cells& weights) {
-  constexpr float kNothing = 1e-6F;
-  return WindowMean(values * weights) / (WindowMean(weights) + kNothing);
+  constexpr float kTiny = 1e-6F;  // Avoids a division by 0.
+  return WindowMean(values * weights) / (WindowMean(weights) + kTiny);
 }
 
-Cells RectifiedDisc::ContrastNormalized(double noise) const {
+Cells RectifiedDisc::ContrastNormalized(double min_stddev) const {
   Cells inside(kCells, kCells);
   for (int row = 0; row < kCells; ++row) {
-    for (int column = 0; column < kCells; ++column) inside(row, column) = Holds(column, row) ? 1.0F : 0.0F;
+    for (int column = 0; column < kCells; ++column) inside(row, column) = Contains(column, row) ? 1.0F : 0.0F;
   }
   const Cells mean = LocalMean(gray_, inside);
   const Cells variance = LocalMean(gray_.square(), inside) - mean.square();
-  return (mean - gray_) / variance.max(static_cast<float>(noise * noise)).sqrt();
+  return (mean - gray_) / variance.max(static_cast<float>(min_stddev * min_stddev)).sqrt();
 }
 
 }  // namespace touchdown::estimator::pad

@@ -10,24 +10,28 @@
 
 namespace touchdown::estimator::pad {
 
-/// How far what is printed within the ring is from where the pad has it, when the pad is at a pose.
+/// Residual of the artwork within the ring against the pad description, for a pose of the pad.
 struct TemplateResidual {
-  double rms_m = 0.0;
-  std::size_t points = 0;
+  double rms_m = 0.0;      ///< RMS distance of the edge points from the artwork.
+  std::size_t points = 0;  ///< Number of edge points.
 };
 
-/// The ring's inner edge and the H's outline, seen in the normalized image (x / z, y / z), are laid back onto the
-/// pad's plane at `pose`, where the one must be a circle of the inner radius and the other the H, turned as fits best.
-/// A point's distance counts up to half a stroke: a mark that touches the H says nothing of the pose. Of the two poses
-/// of a circle (Sec. IV-C.1) the right one has the smaller residual: the outer circle looks the same from both, what
-/// lies within it does not. Without points the residual is 0 of 0.
+/// Residual of the ring's inner edge and the letter's outline, projected onto the pad's plane at `pose`.
+///
+/// `ring_inner` and `letter` are edge points in the normalized image (x / z, y / z). On the plane the inner edge must
+/// be a circle of the inner radius, and the outline must match the letter at its best rotation. Distances are limited
+/// to half a stroke, because a marking that touches the letter has no information about the pose. The true one of the
+/// two pose hypotheses of a circle (Sec. IV-C.1) has the smaller residual: the outer circle has the same image at both,
+/// the artwork within it does not. Without points the result is zero.
 TemplateResidual ResidualOfTemplate(std::span<const Eigen::Vector2d> ring_inner,
                                     std::span<const Eigen::Vector2d> letter, const models::LandingPad& pad,
                                     const CirclePose& pose);
 
-/// The probability that of two poses the one with the larger residual is right, when a point's distance is normal, its
-/// sigma unknown, and both poses were as likely before. Points share their errors (blur, lens, paper that is not flat),
-/// so that however many they are they count as ten.
+/// Probability that the pose with the larger residual is the true one of two poses.
+///
+/// The distances are assumed to be normal with unknown sigma, and both poses equally likely a priori. Because points
+/// have common errors (blur, lens, paper that is not flat), they count as ten independent points regardless of their
+/// number.
 double WrongBranchProbability(const TemplateResidual& smaller, const TemplateResidual& larger);
 
 }  // namespace touchdown::estimator::pad

@@ -16,73 +16,75 @@
 
 namespace touchdown::estimator::pad {
 
-/// An image, one pixel of which is a square of pixels of the camera's.
+/// Image of which each pixel is the mean of a square of camera pixels.
 struct DownsampledImage {
   models::ImageView image;
   DownsampledCamera view;
 };
 
-/// Means over squares of `n` by `n` px; what is left at the right and the bottom is cut off.
-models::Image Shrunk(const models::ImageView& image, int n);
+/// The image downsampled by `n`: means over squares of `n` x `n` px. Remaining columns and rows at the right and bottom
+/// are dropped.
+models::Image Downsampled(const models::ImageView& image, int n);
 
-/// The box with every length times `n`.
+/// The box with position and size multiplied by `n`.
 PixelBox Scaled(const PixelBox& box, int n);
 
-/// Points evenly spread over the ellipse's parameter.
+/// Points on the ellipse at uniform steps of its parameter angle.
 std::vector<Eigen::Vector2d> PointsOn(const Ellipse& ellipse);
 
-/// From raw pixels of a reduced image to undistorted pixels of the camera.
+/// Converts contours from raw pixels of a downsampled image to undistorted camera pixels.
 void Undistort(const DownsampledCamera& view, PadContours& contours);
 
-/// A pad found in an image: its contours and their ellipses, undistorted px.
+/// A pad detected in an image: its contours and their ellipses, undistorted px.
 struct FoundPad {
   Ellipse ring_outer;
   std::optional<Ellipse> ring_inner;
-  Ellipse letter;       ///< Fitted to the letter's contour, or to its outline as projected where the template lies.
+  Ellipse letter;       ///< Fitted to the letter's contour, or to the outline of the matched template.
   double stroke_angle;  ///< Direction of the H's long strokes in the normalized image, from +u towards +v, rad.
   PadContours contours;
   PixelBox ring_box;                     ///< Raw px of the camera.
   std::array<CirclePose, 2> ring_poses;  ///< The two pose hypotheses of ring_outer.
 };
 
+/// Settings of TemplateSearch.
 struct TemplateSearchConfig {
   EdgeConfig edges;
   RingFitConfig ring_fit;
-  TemplateMatcherConfig print_match;
-  RingSearchConfig ring_search;
+  TemplateMatcherConfig template_matcher;
+  EllipseDetectionConfig ellipse_detection;
 
-  /// Throws InputError when a setting is impossible.
+  /// Throws InputError when a setting is invalid.
   void Validate() const;
 };
 
-/// Finds a pad by its artwork: a ring, on whose plane the template of ring, letter and marks matches. Unlike connected
-/// components it copes with glare, blur and shadows, which break or join what they should separate. No part of the
-/// method of Yang et al.
+/// Finds a pad by its artwork: a ring on whose plane the template of ring, letter and markings matches. Unlike a search
+/// by connected components it is robust to glare, blur and shadows, which split or join components. It is not part of
+/// the method of Yang et al.
 class TemplateSearch {
  public:
   /// `camera`, `pad` and `config` must be valid.
   TemplateSearch(const models::CameraModel& camera, const models::LandingPad& pad, const TemplateSearchConfig& config);
 
-  /// Detects ellipses in `searched`, matches the template on the planes of each, and measures the first match in
-  /// `measured`, which shows the same at the same or a larger size. nullopt without a match.
-  std::optional<FoundPad> ByEdges(const DownsampledImage& searched, const DownsampledImage& measured) const;
+  /// Detects ellipses in `searched`, matches the template on the two planes of each, and measures the first match in
+  /// `measured`, which is the same image at the same or a higher resolution. nullopt without a match.
+  std::optional<FoundPad> FindByEdges(const DownsampledImage& searched, const DownsampledImage& measured) const;
 
-  /// The same for one ring, of which `ring_box` (px of `measured`) and both pose hypotheses are known.
-  std::optional<FoundPad> WithinRing(const DownsampledImage& searched, const DownsampledImage& measured,
-                                     const PixelBox& ring_box, const std::array<CirclePose, 2>& ring_poses) const;
+  /// Same as FindByEdges, but for one ring with known bounding box (px of `measured`) and pose hypotheses.
+  std::optional<FoundPad> FindWithinRing(const DownsampledImage& searched, const DownsampledImage& measured,
+                                         const PixelBox& ring_box, const std::array<CirclePose, 2>& ring_poses) const;
 
-  const PadTemplateMatcher& print_match() const { return print_; }
+  const PadTemplateMatcher& template_matcher() const { return matcher_; }
 
  private:
-  std::optional<FoundPad> Measure(const DownsampledImage& seen, const PixelBox& ring_box, const PadPlane& plane,
-                                  const TemplateWarp& place) const;
+  std::optional<FoundPad> Measure(const DownsampledImage& input, const PixelBox& ring_box, const PadPlane& plane,
+                                  const TemplateWarp& warp) const;
   std::optional<std::array<CirclePose, 2>> PosesOf(const Ellipse& ring) const;
-  double StrokeAngle(const PadPlane& plane, const TemplateWarp& place) const;
+  double StrokeAngle(const PadPlane& plane, const TemplateWarp& warp) const;
 
   models::CameraModel camera_;
   models::LandingPad pad_;
   TemplateSearchConfig config_;
-  PadTemplateMatcher print_;
+  PadTemplateMatcher matcher_;
 };
 
 }  // namespace touchdown::estimator::pad

@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kLargestWindow_px = 255;
 
-/// Sums over the rectangle from the image's origin: entry (u, v) covers [0, u) x [0, v). Sums wrap around modulo 2^32,
-/// which cancels in differences, since a window's own sum is below 2^24.
+/// Integral image: entry (u, v) is the sum over [0, u) x [0, v). Sums wrap around modulo 2^32. The wrap cancels in
+/// differences, because the sum of a window is below 2^24.
 class IntegralImage {
  public:
   explicit IntegralImage(const models::ImageView& image)
@@ -40,7 +40,7 @@ class IntegralImage {
   std::unique_ptr<std::uint32_t[]> sums_;
 };
 
-/// Along one axis, the part of the window around a pixel that lies inside the image: [begin, end).
+/// The part [begin, end) of a window around a pixel that is inside the image, along one axis.
 struct WindowSpan {
   WindowSpan(int center, int radius, int size)
       : begin(std::max(0, center - radius)), end(std::min(size, center + radius + 1)) {}
@@ -52,13 +52,13 @@ struct WindowSpan {
 
 void BinarizeConfig::Validate() const {
   if (window_px <= 0 || window_px % 2 == 0 || window_px > kLargestWindow_px) {
-    throw InputError("the threshold's window must be odd and 1 to 255 px wide");
+    throw InputError("window_px must be odd and 1 to 255");
   }
   if (!std::isfinite(relative_margin) || relative_margin < 0.0 || relative_margin >= 1.0) {
-    throw InputError("the threshold's relative margin must be in [0, 1)");
+    throw InputError("relative_margin must be at least 0 and below 1");
   }
   if (!std::isfinite(absolute_margin) || absolute_margin < 0.0) {
-    throw InputError("the threshold's absolute margin must be finite and not negative");
+    throw InputError("absolute_margin must be finite and not negative");
   }
 }
 

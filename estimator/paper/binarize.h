@@ -4,23 +4,24 @@
 
 namespace touchdown::estimator::paper {
 
-/// Sec. IV-A.1.
+/// Settings of the adaptive threshold (Sec. IV-A.1).
 struct BinarizeConfig {
-  /// Side of the window whose mean a pixel is compared with; odd. It must be some three times as wide as the pad's
-  /// strokes at the lowest height, or they come out hollow; a smaller one follows uneven light more closely.
+  /// Side of the averaging window, px; odd. A window narrower than about three stroke widths at the lowest height makes
+  /// the strokes hollow. A smaller window adapts better to uneven light.
   int window_px = 101;
-  /// A pixel is dark when it is below (1 - relative_margin) * mean - absolute_margin. Larger margins keep noise and
-  /// faint texture out, smaller ones find the pad in weaker contrast.
+  /// A pixel is dark when it is below (1 - relative_margin) * mean - absolute_margin. Larger margins reject noise and
+  /// faint texture; smaller margins detect the pad at lower contrast.
   double relative_margin = 0.15;
-  double absolute_margin = 6.0;  ///< Of 255.
+  double absolute_margin = 6.0;  ///< Gray values, 0 to 255.
 
-  /// Throws InputError when the window is not odd, positive and at most 255 px, or a margin is not finite, negative
-  /// or (the relative one) at least 1.
+  /// Throws InputError unless window_px is odd and 1 to 255, relative_margin is in [0, 1), and absolute_margin is
+  /// finite and not negative.
   void Validate() const;
 };
 
-/// Adaptive threshold against the mean over the window around each pixel, through the integral image (Sec. IV-A.1): 255
-/// where dark, 0 elsewhere. At the borders the mean is over the part of the window inside the image.
+/// Adaptive threshold relative to the mean of the window around each pixel, computed with an integral image
+/// (Sec. IV-A.1). The result is 255 for dark pixels and 0 for others. At the borders only the part of the window inside
+/// the image is averaged.
 models::Image Binarize(const models::ImageView& image, const BinarizeConfig& config = {});
 
 }  // namespace touchdown::estimator::paper

@@ -9,7 +9,7 @@
 namespace touchdown::estimator::paper {
 namespace {
 
-/// Adds `weight` times the share of every cell that [begin, end), in cells, covers.
+/// Adds to every cell `weight` times the fraction of it that [begin, end), in cells, covers.
 void AddSpan(float begin, float end, float weight, float* cells) {
   const int first = static_cast<int>(begin);
   const int last = std::min(static_cast<int>(end), kPatternSide - 1);
@@ -33,7 +33,7 @@ std::string_view Name(ComponentClass label) {
     case ComponentClass::kOther:
       return "other";
   }
-  throw std::logic_error("a component's class without a name");
+  throw std::logic_error("unknown component class");
 }
 
 Pattern PatternOf(const ComponentSet& set, const Component& component) {
@@ -46,8 +46,8 @@ Pattern PatternOf(const ComponentSet& set, const Component& component) {
     const float top = static_cast<float>(run.v - component.v) * cells_per_row;
     const float bottom = static_cast<float>(run.v - component.v + 1) * cells_per_row;
     for (int row = static_cast<int>(top); row < kPatternSide && static_cast<float>(row) < bottom; ++row) {
-      const float share = std::min(bottom, static_cast<float>(row + 1)) - std::max(top, static_cast<float>(row));
-      AddSpan(left, right, share, &pattern[static_cast<std::size_t>(row * kPatternSide)]);
+      const float weight = std::min(bottom, static_cast<float>(row + 1)) - std::max(top, static_cast<float>(row));
+      AddSpan(left, right, weight, &pattern[static_cast<std::size_t>(row * kPatternSide)]);
     }
   }
   return pattern;

@@ -10,8 +10,9 @@
 namespace touchdown::estimator::paper {
 namespace {
 
-/// He et al.'s equivalent label sets: every provisional label knows its set's representative (the smallest label), and
-/// the labels of a set are chained, so that a merge relabels the younger set at once.
+/// Equivalent label sets of He et al. Each provisional label maps to the representative of its set, which is the
+/// smallest label. The labels of a set form a linked list, so that a merge relabels the set with the larger
+/// representative at once.
 class LabelSets {
  public:
   int Add() {
@@ -41,7 +42,7 @@ class LabelSets {
 
 struct LabeledRuns {
   std::vector<Run> runs;
-  std::vector<int> labels;  // Provisional, one a run.
+  std::vector<int> labels;  // Provisional label of each run.
   LabelSets sets;
 };
 
@@ -75,7 +76,7 @@ LabeledRuns FirstScan(const models::ImageView& dark) {
         } else {
           scan.sets.Merge(label, scan.labels[above]);
         }
-        // A run that reaches beyond this one may touch the next one too.
+        // A run that extends beyond this one may also touch the next one.
         if (scan.runs[above].u_end > run.u_end) break;
       }
       scan.labels.push_back(label < 0 ? scan.sets.Add() : label);
@@ -86,6 +87,7 @@ LabeledRuns FirstScan(const models::ImageView& dark) {
   return scan;
 }
 
+/// Bounding box and size of a component.
 struct Extent {
   int u_min = INT_MAX, u_max = 0, v_min = INT_MAX, v_max = 0, area = 0;
   std::size_t run_count = 0;
@@ -101,16 +103,16 @@ struct Extent {
 
   bool IsTooSmall(const ComponentsConfig& config) const {
     const int width = u_max - u_min, height = v_max - v_min;
-    return std::max(width, height) < config.smallest_long_side_px ||
-           std::min(width, height) < config.smallest_short_side_px || area < config.smallest_area_px;
+    return std::max(width, height) < config.min_long_side_px || std::min(width, height) < config.min_short_side_px ||
+           area < config.min_area_px;
   }
 };
 
 }  // namespace
 
 void ComponentsConfig::Validate() const {
-  if (smallest_long_side_px <= 0 || smallest_short_side_px <= 0 || smallest_area_px <= 0) {
-    throw InputError("the smallest component must be at least a pixel wide, high and large");
+  if (min_long_side_px <= 0 || min_short_side_px <= 0 || min_area_px <= 0) {
+    throw InputError("min_long_side_px, min_short_side_px and min_area_px must be at least 1");
   }
 }
 

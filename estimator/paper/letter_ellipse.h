@@ -9,25 +9,24 @@
 
 namespace touchdown::estimator::paper {
 
-/// The ellipse that the direct fit gives for the outline of the pad's letter H, and what its major axis tells of the H
-/// (Sec. IV-C.3).
+/// Ellipse fitted to the outline of the pad's letter, whose major axis gives the direction of the letter (Sec. IV-C.3).
 class LetterEllipse {
  public:
-  /// Throws InputError when the pad is impossible.
+  /// Throws InputError when the pad is invalid.
   explicit LetterEllipse(const models::LandingPad& pad);
 
-  /// Whether the ellipse tells the H's direction: not where the H is nearly as wide as high.
+  /// Whether the ellipse determines the direction of the letter. It does not if the letter is nearly as wide as high.
   bool HasDirection() const;
 
-  /// Direction of the H's long strokes in the image, from the major axis of the ellipse fitted to the H there: the same
-  /// for an H that is higher than wide, across it for a wider one. From the first coordinate's axis towards the
-  /// second's, (-pi/2, pi/2].
-  double StrokeAngle(const pad::Ellipse& seen) const;
+  /// Direction of the H's long strokes in the image, from the ellipse fitted to the letter in the image: that of the
+  /// major axis for an H that is higher than wide, and perpendicular to it for a wider one. The angle is from the first
+  /// coordinate axis towards the second, rad, (-pi/2, pi/2].
+  double StrokeAngle(const pad::Ellipse& image_ellipse) const;
 
-  /// The StrokeAngle of the H in the normalized image of a camera at X_CW: what Sec. IV-C.3 takes for the direction of
-  /// the strokes, perspective and all; where the ellipse has no direction, that of the H's X axis.
-  /// nullopt where the H's ellipse is not seen as an ellipse.
-  std::optional<double> StrokeAngleSeenFrom(const Eigen::Isometry3d& X_CW) const;
+  /// StrokeAngle of the letter projected into the normalized image of a camera at X_CW, rad. It includes the effect of
+  /// perspective, as the direction of the strokes in Sec. IV-C.3 does. If the ellipse has no direction, the result is
+  /// the projected direction of the X axis. nullopt when the projection of the ellipse is not an ellipse.
+  std::optional<double> ProjectedStrokeAngle(const Eigen::Isometry3d& X_CW) const;
 
  private:
   double half_height_m_;

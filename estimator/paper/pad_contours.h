@@ -8,8 +8,8 @@
 
 namespace touchdown::estimator::paper {
 
-/// Edge points of a detected pad (Sec. IV-B): an edge pixel belongs to the component on its dark side; on the ring it
-/// is on the outer boundary where the bright side is outwards.
+/// Finds the edge points of a detected pad (Sec. IV-B). An edge pixel belongs to the component on its dark side. On the
+/// ring it belongs to the outer boundary if its bright side is outside.
 pad::PadContours FindContours(const models::ImageView& image, const ComponentSet& components,
                               const DetectedPad& detected, const models::LandingPad& pad,
                               const pad::EdgeConfig& config = {});

@@ -13,31 +13,33 @@
 
 namespace touchdown::estimator::paper {
 
-/// Labels one component of a set: the network, or in tests the truth.
+/// Function that classifies one component of a set: the network, or the truth in tests.
 using ComponentClassifier = std::function<Classification(const ComponentSet&, const Component&)>;
 
+/// Settings of PadDetector.
 struct PadDetectorConfig {
-  /// How far the H's size over the ring's may leave the range that it has under an affine view, as a factor, for the
-  /// perspective within the pad and for blur.
+  /// Factor by which the ratio of letter size to ring size may leave its range under an affine projection, to allow for
+  /// perspective within the pad and for blur. Larger values accept more pairs.
   double size_tolerance = 1.25;
-  /// How far the centers of both boxes may lie apart, as a share of the ring's box: near and tilted, perspective moves
-  /// them by up to (R / 2d) sin(tilt), 0.15 for R = 90 mm at d = 0.23 m and 50 degrees.
+  /// Largest offset between the centers of both bounding boxes, as a fraction of the ring's box. At close range
+  /// perspective shifts them by up to (R / 2d) sin(tilt): 0.15 for R = 90 mm, d = 0.23 m and 50 degrees.
   double center_tolerance = 0.15;
-  int most_candidates = 6;          ///< So many pairs are handed on.
-  double pixel_tolerance_px = 1.5;  ///< Added to every bound: what a box is off by for being made of pixels.
+  int max_candidates = 6;           ///< Largest number of pairs that Detect returns.
+  double pixel_tolerance_px = 1.5;  ///< Added to every limit, for the discretization of the boxes.
 
-  /// Throws InputError when size_tolerance is not at least 1, or another number is negative or not finite.
+  /// Throws InputError unless size_tolerance is finite and at least 1, max_candidates is at least 1, and the other
+  /// values are finite and not negative.
   void Validate() const;
 };
 
-/// A component's bounding box, and what it was classified as.
+/// Bounding box of a component and its class.
 struct LabeledComponent {
   PixelBox box;
   ComponentClass label = ComponentClass::kOther;
   double probability = 0.0;  ///< Posterior of `label`.
 };
 
-/// The two parts of a landing pad in an image.
+/// Components of a landing pad in an image.
 struct DetectedPad {
   Component ring;
   Component letter;
@@ -49,24 +51,25 @@ class PadDetector {
   PadDetector(const models::LandingPad& pad, ComponentClassifier classify, const PadDetectorConfig& config = {});
 
   struct Result {
-    /// What may be the pad, the likeliest first, or which stage failed: kNoComponent, kNoCircle, kNoH or kNoPair.
+    /// Candidates for the pad, the most probable first, or the step that failed: kNoComponent, kNoCircle, kNoH or
+    /// kNoPair.
     std::variant<std::vector<DetectedPad>, Reason> outcome;
-    std::vector<LabeledComponent> labeled;  ///< Every component, in the set's order.
+    std::vector<LabeledComponent> labeled;  ///< Every component, in the order of the set.
   };
 
-  /// A circle counts when it lies in the image whole: below the blind height "the circle is not fully visible"
-  /// (Sec. VI-B.1). The pairs of a circle and an H that meet the geometric constraint, by the product of their
-  /// posteriors, and of equal ones the one with the nearest centers first.
+  /// Returns the pairs of a circle and an H that satisfy the geometric constraint. Circles cut by the image border are
+  /// ignored: below the blind height "the circle is not fully visible" (Sec. VI-B.1). Pairs are sorted by decreasing
+  /// product of their posteriors, and pairs of equal product by increasing distance between the centers.
   Result Detect(const ComponentSet& components) const;
 
-  /// The geometric constraint on two bounding boxes: the H's lies within the ring's, and its size and center are those
-  /// that the pad's have under some view.
-  bool MayBePad(const Component& ring, const Component& letter) const;
+  /// Whether two bounding boxes satisfy the geometric constraint: the box of the letter is within the box of the ring,
+  /// and its size and center are possible for some view of the pad.
+  bool IsPossiblePad(const Component& ring, const Component& letter) const;
 
  private:
   ComponentClassifier classify_;
   PadDetectorConfig config_;
-  double smallest_size_ratio_, largest_size_ratio_;
+  double min_size_ratio_, max_size_ratio_;
 };
 
 }  // namespace touchdown::estimator::paper

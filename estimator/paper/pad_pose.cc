@@ -7,7 +7,7 @@
 namespace touchdown::estimator::paper {
 namespace {
 
-/// From a leveled camera L, which looks straight down with the image's up towards X_W, to W.
+/// Rotation from frame L to W. L is a camera frame that looks straight down, with the image's up direction along X_W.
 Eigen::Matrix3d R_WL() {
   Eigen::Matrix3d R;
   R << 0, -1, 0, -1, 0, 0, 0, 0, -1;

@@ -19,7 +19,7 @@
 
 namespace touchdown::estimator::paper {
 
-/// The settings of Secs. IV-A and IV-B.
+/// Settings of PadSearch (Secs. IV-A and IV-B).
 struct PadSearchConfig {
   BinarizeConfig binarize;
   ComponentsConfig components;
@@ -27,44 +27,45 @@ struct PadSearchConfig {
   pad::EdgeConfig edges;
   pad::RingFitConfig ring_fit;
   Verify verify = Verify::kTemplate;
-  pad::TemplateMatcherConfig print_match;
-  pad::RingSearchConfig ring_search;
+  pad::TemplateMatcherConfig template_matcher;
+  pad::EllipseDetectionConfig ellipse_detection;
 
-  /// Throws InputError when a setting is impossible.
+  /// Throws InputError when a setting is invalid.
   void Validate() const;
 };
 
-/// Finds the pad in an image as the paper does: binarization, components, classification and geometric constraint (Sec.
-/// IV-A), then edges and ellipses (Sec. IV-B).
+/// Finds the pad in an image with the method of Yang et al.: binarization, components, classification and geometric
+/// constraint (Sec. IV-A), then edges and ellipses (Sec. IV-B).
 ///
-/// With Verify::kTemplate a pair of components is the pad only where its artwork matches the template. Where the ring
-/// matches but the letter's component does not, the template gives the contours; and where components show no pad at
-/// all, the edges of the image are searched for a ring, except in flight.
+/// With Verify::kTemplate a pair of components is accepted only if the template matches. If the letter's component does
+/// not match, the template is searched within the ring and provides the contours. If the components contain no pad, the
+/// edges of the image are searched for a ring, except in flight.
 class PadSearch {
  public:
-  /// `camera`, `pad` and `config` must be valid. `on_stage` is EstimatorSetup's. Throws InputError for Verify::kNone
-  /// with an H as wide as high, whose ellipse has no direction.
+  /// `camera`, `pad` and `config` must be valid. `on_stage` is described at EstimatorSetup. Throws InputError for
+  /// Verify::kNone with a letter about as wide as high, whose ellipse has no direction.
   PadSearch(const models::CameraModel& camera, const models::LandingPad& pad, ComponentClassifier classify,
             FrameOrder frame_order, const PadSearchConfig& config, std::function<void(FrameStage)> on_stage = nullptr);
 
   struct Result {
     std::optional<pad::FoundPad> pad;
-    /// The step at which the search by components failed; without meaning with a pad.
+    /// Step at which the search by components failed; undefined when `pad` is set.
     Reason failed = Reason::kNoComponent;
-    std::vector<LabeledComponent> labeled;  ///< Without those of the pad where its edges showed it.
+    std::vector<LabeledComponent> labeled;  ///< All classified components, even if the pad was found by its edges.
   };
 
+  /// Searches an image of the camera's size.
   Result Find(const models::ImageView& image) const;
 
  private:
   void Enter(FrameStage stage) const {
     if (on_stage_) on_stage_(stage);
   }
-  Result ByComponents(const pad::DownsampledImage& seen) const;
-  std::optional<pad::FoundPad> Fit(const pad::DownsampledImage& seen, const ComponentSet& components,
+  Result FindByComponents(const pad::DownsampledImage& input) const;
+  std::optional<pad::FoundPad> Fit(const pad::DownsampledImage& input, const ComponentSet& components,
                                    const DetectedPad& detected) const;
-  std::optional<pad::FoundPad> ByEdges(const pad::DownsampledImage& usual) const;
-  bool IsTemplateUnder(const pad::Ellipse& normalized_letter, const pad::DownsampledImage& seen,
+  std::optional<pad::FoundPad> FindByEdges(const pad::DownsampledImage& nominal) const;
+  bool TemplateMatches(const pad::Ellipse& normalized_letter, const pad::DownsampledImage& input,
                        const pad::CirclePose& ring_pose) const;
   std::optional<pad::FoundPad> WithLetterDirection(std::optional<pad::FoundPad> pad) const;
 
@@ -74,10 +75,10 @@ class PadSearch {
   pad::UndistortTable undistort_;
   LetterEllipse letter_;
   PadDetector detector_;
-  std::optional<pad::TemplateSearch> template_;  // With Verify::kTemplate.
+  std::optional<pad::TemplateSearch> template_;  // Set for Verify::kTemplate.
   bool searches_edges_;
   std::function<void(FrameStage)> on_stage_;
-  int reduction_;  // Of large images.
+  int reduction_;  // Downsampling factor, above 1 for large images.
 };
 
 }  // namespace touchdown::estimator::paper

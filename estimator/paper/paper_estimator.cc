@@ -33,14 +33,14 @@ std::vector<Vector2d> Normalized(std::span<const Vector2d> pixels, const models:
   return normalized;
 }
 
-Overlay::Box Drawn(const LabeledComponent& component) {
+Overlay::Box OverlayBox(const LabeledComponent& component) {
   const auto role = component.label == ComponentClass::kCircle ? Overlay::Role::kOutline
                     : component.label == ComponentClass::kH    ? Overlay::Role::kMarking
                                                                : Overlay::Role::kOther;
   return {component.box, role, std::string(Name(component.label)), component.probability};
 }
 
-Overlay::Ellipse Drawn(const pad::Ellipse& ellipse, const char* name) {
+Overlay::Ellipse OverlayEllipse(const pad::Ellipse& ellipse, const char* name) {
   return {ellipse.center, ellipse.semi_axes, ellipse.angle, Overlay::Role::kFit, name};
 }
 
@@ -69,25 +69,24 @@ PaperEstimator::PaperEstimator(const EstimatorSetup& setup, const PaperEstimator
 FrameResult PaperEstimator::Estimate(const models::ImageView& image, models::Tick mid_exposure,
                                      const std::optional<Eigen::Vector3d>& gravity_B) {
   if (image.data == nullptr || image.width != setup_.camera.width_px || image.height != setup_.camera.height_px) {
-    throw std::invalid_argument("the image has another size than the camera");
+    throw std::invalid_argument("the image must have the size of the camera");
   }
-  if (image.stride < image.width)
-    throw std::invalid_argument("the image's rows overlap: its stride is below its width");
+  if (image.stride < image.width) throw std::invalid_argument("the stride of the image must be at least its width");
   FrameResult result;
   result.mid_exposure = mid_exposure;
 
   const PadSearch::Result found = search_.Find(image);
-  for (const LabeledComponent& component : found.labeled) result.overlay.boxes.push_back(Drawn(component));
+  for (const LabeledComponent& component : found.labeled) result.overlay.boxes.push_back(OverlayBox(component));
   if (!found.pad) {
     result.reason = Name(found.failed);
     return result;
   }
   const pad::FoundPad& pad = *found.pad;
-  result.overlay.ellipses.push_back(Drawn(pad.ring_outer, "ring_outer"));
-  if (pad.ring_inner) result.overlay.ellipses.push_back(Drawn(*pad.ring_inner, "ring_inner"));
-  result.overlay.ellipses.push_back(Drawn(pad.letter, "letter"));
+  result.overlay.ellipses.push_back(OverlayEllipse(pad.ring_outer, "ring_outer"));
+  if (pad.ring_inner) result.overlay.ellipses.push_back(OverlayEllipse(*pad.ring_inner, "ring_inner"));
+  result.overlay.ellipses.push_back(OverlayEllipse(pad.letter, "letter"));
 
-  const Branch branch = gravity_B ? BranchByGravity(pad.ring_poses, *gravity_B) : BranchByPrint(pad);
+  const Branch branch = gravity_B ? BranchByGravity(pad.ring_poses, *gravity_B) : BranchByTemplate(pad);
   const pad::CirclePose& ring_pose = pad.ring_poses[branch.chosen];
   const Eigen::Isometry3d X_WB = BodyPoseFrom(ring_pose, pad.stroke_angle);
   const auto covariance = Covariance(pad, branch);
@@ -110,7 +109,7 @@ FrameResult PaperEstimator::Estimate(const models::ImageView& image, models::Tic
 
 void PaperEstimator::Reset() { gate_ = pad::OutlierGate(config_.outlier_gate, setup_.time, setup_.frame_order); }
 
-std::optional<std::array<pad::CirclePose, 2>> PaperEstimator::BothPoses(const pad::Ellipse& ring) const {
+std::optional<std::array<pad::CirclePose, 2>> PaperEstimator::PoseHypotheses(const pad::Ellipse& ring) const {
   return pad::PosesOfCircle(pad::NormalizedConic(ring, setup_.camera), setup_.pad.outer_radius_m);
 }
 
@@ -125,9 +124,9 @@ PaperEstimator::Branch PaperEstimator::BranchByGravity(const std::array<pad::Cir
           .vertical_C = z_C};
 }
 
-/// The paper always has an IMU. Without one, what is printed within the ring tells the poses apart, unless it fits both
-/// alike.
-PaperEstimator::Branch PaperEstimator::BranchByPrint(const pad::FoundPad& pad) const {
+/// Chooses the pose hypothesis without an IMU, which the paper always has: the one at which the artwork within the ring
+/// matches better, or the more frontal one if both match equally well.
+PaperEstimator::Branch PaperEstimator::BranchByTemplate(const pad::FoundPad& pad) const {
   constexpr double kUndecided = 0.1;
   const std::array<pad::CirclePose, 2>& ring_poses = pad.ring_poses;
   const std::vector<Vector2d> ring_inner = Normalized(pad.contours.ring_inner, setup_.camera),
@@ -160,13 +159,13 @@ std::optional<Eigen::Matrix<double, 6, 6>> PaperEstimator::Covariance(const pad:
   if (!ring_covariance) return std::nullopt;
 
   const double edge_sigma_px = pad::RmsDistance(pad.ring_outer, pad.contours.ring_outer);
-  const auto seen_at_pose = letter_.StrokeAngleSeenFrom((X_WB * setup_.X_BC).inverse());
-  const double not_rectified = models::WrapToHalfPi(seen_at_pose.value_or(pad.stroke_angle) - pad.stroke_angle);
+  const auto projected_angle = letter_.ProjectedStrokeAngle((X_WB * setup_.X_BC).inverse());
+  const double not_rectified = models::WrapToHalfPi(projected_angle.value_or(pad.stroke_angle) - pad.stroke_angle);
   const double stroke_sigma =
       pad::StrokeSigma(pad.letter, pad.contours.letter.size(), edge_sigma_px, not_rectified, config_.covariance);
 
   const auto pose_of = [&](const pad::Ellipse& ring, double stroke_angle) -> std::optional<Eigen::Isometry3d> {
-    const auto poses = BothPoses(ring);
+    const auto poses = PoseHypotheses(ring);
     if (!poses) return std::nullopt;
     return BodyPoseFrom((*poses)[ResolveByGravity(*poses, branch.vertical_C)], stroke_angle);
   };

@@ -15,24 +15,24 @@
 
 namespace touchdown::estimator::paper {
 
-/// The settings of every step, with the values that the flights are flown with.
+/// Settings of every step. The defaults are the values used in flight.
 struct PaperEstimatorConfig {
   PadSearchConfig search;
   pad::OutlierGateConfig outlier_gate;
   pad::PoseCovarianceConfig covariance;
 
-  /// Throws InputError when a setting is impossible.
+  /// Throws InputError when a setting is invalid.
   void Validate() const;
 };
 
-/// The paper's method (Sec. IV), a step after the other.
+/// Estimates the pose with the method of Yang et al. (Sec. IV).
 class PaperEstimator final : public VisionEstimator {
  public:
-  /// Components are labeled by the compiled-in network of the pad's letter (Sec. IV-A.3). Throws InputError when the
-  /// camera, the pad or a setting is impossible.
+  /// Classifies components with the compiled-in network for the pad's letter (Sec. IV-A.3). Throws InputError when the
+  /// camera, the pad or a setting is invalid.
   explicit PaperEstimator(const EstimatorSetup& setup, const PaperEstimatorConfig& config = {});
 
-  /// The same, but `classify` labels the components, as where a test brings the truth.
+  /// Same as above, but classifies components with `classify`, for tests.
   PaperEstimator(const EstimatorSetup& setup, const PaperEstimatorConfig& config, ComponentClassifier classify);
 
   FrameResult Estimate(const models::ImageView& image, models::Tick mid_exposure,
@@ -40,17 +40,17 @@ class PaperEstimator final : public VisionEstimator {
   void Reset() override;
 
  private:
-  /// Which of the two poses of a circle is taken.
+  /// Choice between the two pose hypotheses of a circle.
   struct Branch {
     std::size_t chosen;
     PoseChoice choice;
     double wrong_probability;
-    Eigen::Vector3d vertical_C;  // Near which the pose's normal lies: the IMU's, or else the chosen pose's own.
+    Eigen::Vector3d vertical_C;  // Vertical from the IMU, or else the normal of the chosen pose.
   };
 
   Branch BranchByGravity(const std::array<pad::CirclePose, 2>& ring_poses, const Eigen::Vector3d& gravity_B) const;
-  Branch BranchByPrint(const pad::FoundPad& pad) const;
-  std::optional<std::array<pad::CirclePose, 2>> BothPoses(const pad::Ellipse& ring) const;
+  Branch BranchByTemplate(const pad::FoundPad& pad) const;
+  std::optional<std::array<pad::CirclePose, 2>> PoseHypotheses(const pad::Ellipse& ring) const;
   Eigen::Isometry3d BodyPoseFrom(const pad::CirclePose& ring_pose, double stroke_angle) const;
   std::optional<Eigen::Matrix<double, 6, 6>> Covariance(const pad::FoundPad& pad, const Branch& branch) const;
 

@@ -5,13 +5,13 @@
 
 namespace touchdown::estimator::paper {
 
-/// How a pair of components that meets the geometric constraint is verified.
+/// Verification of a pair of components that satisfies the geometric constraint.
 enum class Verify {
-  kNone,      ///< Not at all, as published.
-  kTemplate,  ///< By a template match of the pad's artwork on the ring's plane.
+  kNone,      ///< No verification, as published.
+  kTemplate,  ///< Template match of the pad's artwork on the ring's plane.
 };
 
-/// The options of the strategy `paper` that a scenario sets.
+/// Options of the strategy `paper` that a scenario may set.
 struct PaperOptions {
   pad::ContourPoints contour_points = pad::ContourPoints::kSubpixel;
   Verify verify = Verify::kTemplate;

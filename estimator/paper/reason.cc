@@ -19,7 +19,7 @@ std::string_view Name(Reason reason) {
     case Reason::kOutlier:
       return "outlier";
   }
-  throw std::logic_error("a reason without a name");
+  throw std::logic_error("unknown reason");
 }
 
 }  // namespace touchdown::estimator::paper

@@ -1,5 +1,3 @@
-#include "scenarios/cli/calibrate.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,8 +7,9 @@
 #include <vector>
 
 #include "models/error.h"
+#include "scenarios/cli/commands.h"
 #include "scenarios/cli/interrupt.h"
-#include "scenarios/cli/output.h"
+#include "scenarios/cli/output_options.h"
 #include "scenarios/cli/progress.h"
 #include "scenarios/config/camera_info.h"
 #include "scenarios/datasets/imu_file.h"
@@ -36,19 +35,19 @@ struct CalibrateOptions {
   bool Wants(const char* sensor) const { return what == sensor || what == "all"; }
 };
 
-/// The samples of a file at rest, where it tells them from others; else all.
+/// The samples that the file marks as at rest, or all samples of a file without such marks.
 std::vector<models::ImuSample> SamplesAtRest(const std::string& file) {
   constexpr models::TimeBase kMicroseconds{.ticks_per_s = 1'000'000};
   const std::vector<datasets::ImuReading> readings = datasets::ReadImuFile(file, kMicroseconds);
-  const bool tells_rest = std::any_of(readings.begin(), readings.end(), [](const auto& r) { return r.at_rest; });
+  const bool has_rest_marks = std::any_of(readings.begin(), readings.end(), [](const auto& r) { return r.at_rest; });
   std::vector<models::ImuSample> samples;
   for (const datasets::ImuReading& reading : readings) {
-    if (reading.at_rest || !tells_rest) samples.push_back(reading.sample);
+    if (reading.at_rest || !has_rest_marks) samples.push_back(reading.sample);
   }
   return samples;
 }
 
-/// The IMU of a real vehicle that stands on level ground.
+/// Calibrates the IMU of a real vehicle from samples taken at rest on level ground.
 laboratory::ImuCalibration CalibrateRealImu(const std::string& file) {
   try {
     return laboratory::ImuCalibrationFrom(SamplesAtRest(file));
@@ -65,19 +64,19 @@ runner::Scenario ScenarioOf(const CalibrateOptions& options) {
 
 laboratory::CalibrationRun Calibrate(const CalibrateOptions& options) {
   if (options.imu && (options.scenario || options.what != "imu")) {
-    throw InputError("--imu FILE stands for a scenario, and goes with calibrate imu alone");
+    throw InputError("--imu FILE replaces SCENARIO, and works only with calibrate imu");
   }
   if (options.imu) return {.scenario = {}, .imu = CalibrateRealImu(*options.imu), .camera = {}};
-  if (!options.scenario) throw InputError("calibrate: name a scenario, or samples of a real IMU with --imu");
+  if (!options.scenario) throw InputError("calibrate: needs SCENARIO, or the samples of a real IMU with --imu FILE");
   laboratory::CalibrationRun run{.scenario = ScenarioOf(options), .imu = {}, .camera = {}};
   if (options.Wants("imu")) run.imu = laboratory::CalibrateImu(*run.scenario);
   if (!options.Wants("camera")) return run;
   Progress progress(!options.output.ForPeople());
   laboratory::CameraCalibrationConfig config;
   if (options.all_terms) config.terms = laboratory::LensTerms::kAll;
-  run.camera = laboratory::CalibrateCamera(*run.scenario, config, [&](double share) {
+  run.camera = laboratory::CalibrateCamera(*run.scenario, config, [&](double fraction) {
     if (InterruptRequested()) throw util::Interrupted();
-    if (progress.IsDue()) progress.Tell(share, "views of the chessboard");
+    if (progress.IsDue()) progress.Update(fraction, "views of the chessboard");
   });
   return run;
 }
@@ -96,7 +95,7 @@ int CalibrateWith(const CalibrateOptions& options) {
   folder.Commit();
   if (options.output.json) fmt::print("{}", json);
   if (options.output.ForPeople()) {
-    fmt::print("{}{}/calibration.yaml: a scenario takes it as its calibration\n", laboratory::CalibrationText(run),
+    fmt::print("{}{}/calibration.yaml: use it in a scenario as its calibration\n", laboratory::CalibrationText(run),
                options.out);
   }
   return kPassed;
@@ -106,22 +105,25 @@ int CalibrateWith(const CalibrateOptions& options) {
 
 void AddCalibrate(CLI::App& app, Run& run) {
   const auto options = std::make_shared<CalibrateOptions>();
-  CLI::App& command = *app.add_subcommand("calibrate", "Find how camera and IMU are mounted, and the camera's lens");
-  command.add_option("WHAT", options->what, "imu, camera or all")
+  CLI::App& command =
+      *app.add_subcommand("calibrate", "Calibrate the intrinsics of the camera and the mounting of camera and IMU");
+  command.add_option("WHAT", options->what, "What to calibrate: imu, camera or all")
       ->required()
       ->check(CLI::IsMember({"imu", "camera", "all"}));
-  command.add_option("SCENARIO", options->scenario, "The scenario's YAML file, whose vehicle is calibrated");
-  command.add_option("--out", options->out, "Folder for the files")->required()->type_name("DIR");
+  command.add_option("SCENARIO", options->scenario, "YAML file of the scenario whose vehicle is calibrated");
+  command.add_option("--out", options->out, "Output directory")->required()->type_name("DIR");
   command
       .add_option("--imu", options->imu,
-                  "Instead of a scenario: samples of a real IMU in EuRoC's layout, at rest on level ground")
+                  "Samples of a real IMU at rest on level ground, in EuRoC format; replaces SCENARIO")
       ->type_name("FILE");
-  command.add_option("--set", options->overrides, "Change a key of the scenario, as in --set camera.noise_sigma=5")
+  command
+      .add_option("--set", options->overrides,
+                  "Override a key of the scenario, for example --set camera.noise_sigma=5; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  command.add_option("--seed", options->seed, "Seed of every random source (default: the scenario's)")->type_name("N");
+  command.add_option("--seed", options->seed, "Seed of all random sources (default: the scenario's)")->type_name("N");
   command.add_flag("--all-terms", options->all_terms,
-                   "Find p1, p2 and k3 of the lens too, not just k1 and k2 as the paper");
+                   "Also estimate the distortion terms p1, p2 and k3; the paper estimates k1 and k2 only");
   AddOutputOptions(command, options->output);
   command.callback([options, &run] { run = [options] { return CalibrateWith(*options); }; });
 }

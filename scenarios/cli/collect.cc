@@ -1,9 +1,8 @@
-#include "scenarios/cli/collect.h"
-
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "scenarios/cli/commands.h"
 #include "scenarios/cli/sweep_outcome.h"
 #include "scenarios/sweeper/run/collect.h"
 
@@ -27,11 +26,14 @@ int CollectRows(const CollectOptions& options) {
 
 void AddCollect(CLI::App& app, Run& run) {
   const auto options = std::make_shared<CollectOptions>();
-  CLI::App& command = *app.add_subcommand("collect", "Bring the rows of a sweep together that flew elsewhere");
-  command.add_option("DIR", options->files.folder, "The sweep's folder; with FROM it is made when it is not there")
+  CLI::App& command =
+      *app.add_subcommand("collect", "Merge the rows of a sweep that was flown in parts or on a cluster");
+  command
+      .add_option("DIR", options->files.folder,
+                  "Output directory of the sweep; with FROM it is created if it does not exist")
       ->required();
-  command.add_option("FROM", options->from, "Folders of parts of the sweep (sweep --shard)");
-  command.add_option("--csv", options->files.csv, "File for the rows as CSV, sorted by id")->type_name("FILE");
+  command.add_option("FROM", options->from, "Output directories of parts of the sweep (sweep --shard)");
+  command.add_option("--csv", options->files.csv, "Write the rows, sorted by id, to this CSV file")->type_name("FILE");
   AddOutputOptions(command, options->output);
   command.callback([options, &run] { run = [options] { return CollectRows(*options); }; });
 }

@@ -1,5 +1,3 @@
-#include "scenarios/cli/compare.h"
-
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -11,7 +9,8 @@
 #include <vector>
 
 #include "models/error.h"
-#include "scenarios/cli/output.h"
+#include "scenarios/cli/commands.h"
+#include "scenarios/cli/output_options.h"
 #include "scenarios/sweeper/analysis/compare.h"
 #include "scenarios/util/number.h"
 
@@ -26,18 +25,18 @@ struct CompareOptions {
   OutputOptions output;
 };
 
-/// "pass_rate=0.02".
+/// Parses NAME=NUMBER, for example "pass_rate=0.02". Throws InputError.
 sweeper::Margin MarginFrom(const std::string& text) {
   const std::size_t sign = text.find('=');
   const std::string number = sign == std::string::npos ? "" : text.substr(sign + 1);
   const std::optional<double> value = util::FiniteNumber(number);
   if (!value || *value < 0.0) {
-    throw InputError(fmt::format("--margin {}: must be NAME=NUMBER, the number at least 0", text));
+    throw InputError(fmt::format("--margin {}: must be NAME=NUMBER with a number of at least 0", text));
   }
   return {.name = text.substr(0, sign), .margin = *value};
 }
 
-/// What is compared, and what it is called.
+/// The two sets of results to compare, and their names for the output.
 struct Sides {
   sweeper::StoredResults a, b;
   std::string name_a, name_b;
@@ -45,10 +44,10 @@ struct Sides {
 
 Sides Load(const CompareOptions& options) {
   if (options.variants.empty()) {
-    if (!options.b) throw InputError("name two sweeps, or one and --variants");
+    if (!options.b) throw InputError("give two sweeps, or one sweep and --variants");
     return {sweeper::LoadResults(options.a), sweeper::LoadResults(*options.b), options.a, *options.b};
   }
-  if (options.b) throw InputError("--variants: are of one sweep, and two are named");
+  if (options.b) throw InputError("--variants: compares two variants of one sweep, but two sweeps are given");
   const sweeper::StoredResults stored = sweeper::LoadResults(options.a);
   const std::string &a = options.variants.front(), &b = options.variants.back();
   return {sweeper::OfVariant(stored, a), sweeper::OfVariant(stored, b), a, b};
@@ -59,7 +58,7 @@ void Print(const sweeper::Comparison& comparison, const Sides& sides) {
   fmt::print("{} pairs of {} seeds; {} flights only in {}, {} only in {}\n", all.pairs, all.seeds, comparison.only_a,
              sides.name_a, comparison.only_b, sides.name_b);
   fmt::print("  {:<34} {:>6} {:>10} {:>10} {:>11}  {:<24} {:>10}\n", "", "pairs", "A", "B", "B - A", "95 %",
-             "min_detectable_difference");
+             "detectable");
   for (const sweeper::PairedDifference& d : comparison.differences) {
     fmt::print("{} {:<34} {:>6} {:>10.4g} {:>10.4g} {:>+11.4g}  {:<24} {:>10.3g} {}\n", d.is_worse ? "!" : " ", d.name,
                d.pairs, d.a, d.b, d.difference.value,
@@ -68,11 +67,11 @@ void Print(const sweeper::Comparison& comparison, const Sides& sides) {
   }
   for (const sweeper::PairedDifference& d : comparison.differences) {
     if (d.is_worse) {
-      fmt::print("worse: {}, surely, and by {:.4g}{}{}, beyond the margin of {:g}\n", d.name,
+      fmt::print("worse: {}, significantly, by {:.4g}{}{}, which exceeds the margin of {:g}\n", d.name,
                  std::abs(d.difference.value), d.unit.empty() ? "" : " ", d.unit, d.margin);
     }
     if (d.margin > 0.0 && d.min_detectable_difference > d.margin) {
-      fmt::print("{}: so many seeds resolve {:.3g}, not the margin of {:g}; fly more seeds\n", d.name,
+      fmt::print("{}: these seeds can detect a difference of {:.3g}, not the margin of {:g}; fly more seeds\n", d.name,
                  d.min_detectable_difference, d.margin);
     }
   }
@@ -106,7 +105,7 @@ int CompareBoth(const CompareOptions& options) {
   const Sides sides = Load(options);
   const sweeper::Comparison comparison = sweeper::Compare(sides.a, sides.b, margins);
   if (comparison.only_a > 0) {
-    spdlog::warn("{} lacks flights of {}: {} not compared", sides.name_b, sides.name_a, comparison.only_a);
+    spdlog::warn("{} lacks {} flights of {}, which are not compared", sides.name_b, comparison.only_a, sides.name_a);
   }
   if (options.output.json) fmt::print("{}", ComparisonJson(comparison));
   if (options.output.ForPeople()) Print(comparison, sides);
@@ -117,16 +116,16 @@ int CompareBoth(const CompareOptions& options) {
 
 void AddCompare(CLI::App& app, Run& run) {
   const auto options = std::make_shared<CompareOptions>();
-  CLI::App& command = *app.add_subcommand("compare", "Hold a sweep against an earlier one, flight by flight");
-  command.add_option("A", options->a, "The earlier one: a sweep's folder, or its rows as CSV")->required();
-  command.add_option("B", options->b, "The later one");
-  command
-      .add_option("--variants", options->variants, "In place of B: the two variants of A to hold against one another")
+  CLI::App& command = *app.add_subcommand("compare", "Compare a sweep with an earlier one, flight by flight");
+  command.add_option("A", options->a, "Earlier sweep: its output directory, or its rows as CSV")->required();
+  command.add_option("B", options->b, "Later sweep, in the same form");
+  command.add_option("--variants", options->variants, "Compare these two variants of A; replaces B")
       ->type_name("A B")
       ->expected(2);
   command
       .add_option("--margin", options->margins,
-                  "How much worse B may be, as in pass_rate=0.02 or flight.touchdown_xy_error_m=0.005; may be repeated")
+                  "How much worse B may be, for example pass_rate=0.02 or flight.touchdown_xy_error_m=0.005; may be "
+                  "repeated")
       ->type_name("NAME=NUMBER")
       ->allow_extra_args(false);
   AddOutputOptions(command, options->output);

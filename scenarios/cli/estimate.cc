@@ -1,5 +1,3 @@
-#include "scenarios/cli/estimate.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,8 +10,9 @@
 #include <vector>
 
 #include "models/error.h"
+#include "scenarios/cli/commands.h"
 #include "scenarios/cli/interrupt.h"
-#include "scenarios/cli/output.h"
+#include "scenarios/cli/output_options.h"
 #include "scenarios/cli/progress.h"
 #include "scenarios/datasets/estimate_footage.h"
 #include "scenarios/datasets/footage.h"
@@ -41,24 +40,25 @@ struct EstimateOptions {
 };
 
 models::CameraModel CameraOf(const EstimateOptions& options, const runner::Calibration& calibration,
-                             const datasets::FootageFacts& facts) {
+                             const datasets::FootageMetadata& metadata) {
   if (options.camera) return runner::LoadCameraModel(*options.camera);
   if (calibration.camera_model) return *calibration.camera_model;
-  if (facts.camera) return *facts.camera;
-  throw InputError(fmt::format("{}: tells no calibration; name one with --camera or --calibration", options.input));
+  if (metadata.camera) return *metadata.camera;
+  throw InputError(
+      fmt::format("{}: contains no camera calibration; give one with --camera or --calibration", options.input));
 }
 
-datasets::SensorMounting MountingOn(const models::Vehicle& vehicle) {
+datasets::SensorMounting VehicleMounting(const models::Vehicle& vehicle) {
   return {.X_BC = vehicle.X_BC(), .X_BU = vehicle.X_BU()};
 }
 
 std::optional<datasets::SensorMounting> MountingOf(const EstimateOptions& options,
                                                    const runner::Calibration& calibration,
-                                                   const datasets::FootageFacts& facts) {
-  if (options.vehicle) return MountingOn(runner::LoadVehicle(*options.vehicle));
-  if (!calibration.camera && !calibration.imu) return facts.mounting;
+                                                   const datasets::FootageMetadata& metadata) {
+  if (options.vehicle) return VehicleMounting(runner::LoadVehicle(*options.vehicle));
+  if (!calibration.camera && !calibration.imu) return metadata.mounting;
   models::Vehicle vehicle;
-  datasets::SensorMounting mounting = facts.mounting.value_or(MountingOn(vehicle));
+  datasets::SensorMounting mounting = metadata.mounting.value_or(VehicleMounting(vehicle));
   vehicle.camera = calibration.camera.value_or(vehicle.camera);
   vehicle.imu = calibration.imu.value_or(vehicle.imu);
   if (calibration.camera) mounting.X_BC = vehicle.X_BC();
@@ -66,24 +66,24 @@ std::optional<datasets::SensorMounting> MountingOf(const EstimateOptions& option
   return mounting;
 }
 
-datasets::FootageSetup SetupOf(const EstimateOptions& options, const datasets::FootageFacts& facts) {
+datasets::FootageSetup SetupOf(const EstimateOptions& options, const datasets::FootageMetadata& metadata) {
   const runner::Calibration calibration =
       options.calibration ? runner::LoadCalibration(*options.calibration) : runner::Calibration();
   datasets::FootageSetup setup;
-  setup.camera = CameraOf(options, calibration, facts);
-  setup.pad = options.pad ? runner::LoadPad(*options.pad) : facts.pad.value_or(models::LandingPad());
-  setup.mounting = MountingOf(options, calibration, facts);
-  setup.imu = options.imu ? datasets::ReadImuFile(*options.imu, facts.time) : facts.imu;
-  setup.estimator = facts.estimator.value_or(estimator::EstimatorConfig());
+  setup.camera = CameraOf(options, calibration, metadata);
+  setup.pad = options.pad ? runner::LoadPad(*options.pad) : metadata.pad.value_or(models::LandingPad());
+  setup.mounting = MountingOf(options, calibration, metadata);
+  setup.imu = options.imu ? datasets::ReadImuFile(*options.imu, metadata.time) : metadata.imu;
+  setup.estimator = metadata.estimator.value_or(estimator::EstimatorConfig());
   if (options.estimator) setup.estimator.name = *options.estimator;
   return setup;
 }
 
-/// How often each value occurs, in the order of the values.
+/// Number of occurrences of each value, in the order of the values.
 template <typename Value>
 using Counts = std::map<Value, std::size_t>;
 
-/// A frame's status and the strategy's reason for it.
+/// Status of a frame and the strategy's reason for it.
 using StatusAndReason = std::pair<FrameStatus, std::string>;
 
 std::string Name(const StatusAndReason& outcome) {
@@ -93,7 +93,7 @@ std::string Name(const StatusAndReason& outcome) {
 Counts<StatusAndReason> CountStatuses(const std::vector<datasets::FootageEstimate>& estimates) {
   Counts<StatusAndReason> counts;
   for (const datasets::FootageEstimate& estimate : estimates) {
-    ++counts[{estimate.seen.status, estimate.seen.reason}];
+    ++counts[{estimate.result.status, estimate.result.reason}];
   }
   return counts;
 }
@@ -101,7 +101,7 @@ Counts<StatusAndReason> CountStatuses(const std::vector<datasets::FootageEstimat
 Counts<PoseChoice::Reason> CountReasons(const std::vector<datasets::FootageEstimate>& estimates) {
   Counts<PoseChoice::Reason> counts;
   for (const datasets::FootageEstimate& estimate : estimates) {
-    if (estimate.seen.choice) ++counts[estimate.seen.choice->reason];
+    if (estimate.result.choice) ++counts[estimate.result.choice->reason];
   }
   return counts;
 }
@@ -116,17 +116,16 @@ void PrintStatuses(const std::vector<datasets::FootageEstimate>& estimates) {
 
 void PrintChoices(const std::vector<datasets::FootageEstimate>& estimates) {
   Counts<PoseChoice::Reason> counts = CountReasons(estimates);
-  const std::size_t by_print = counts[PoseChoice::Reason::kPrint], frontal = counts[PoseChoice::Reason::kFrontal];
-  if (by_print + frontal == 0) return;
+  const std::size_t by_residual = counts[PoseChoice::Reason::kPrint], frontal = counts[PoseChoice::Reason::kFrontal];
+  if (by_residual + frontal == 0) return;
   fmt::print(
-      "without an IMU, of the two poses from which a circle looks the same, choices.csv tells of each frame which was\n"
-      "taken: in {} the one from which the H and the ring's inner edge fit the pad better, in {} the one that sees "
-      "the\n"
-      "pad more squarely from the front, since both fit alike\n",
-      by_print, frontal);
+      "without an IMU, each frame has two pose hypotheses; choices.csv lists which one was chosen:\n"
+      "  {} frames by the smaller residual of the H and the ring's inner edge\n"
+      "  {} frames by the more frontal view, because both residuals are alike\n",
+      by_residual, frontal);
 }
 
-/// The text of summary.json.
+/// Content of summary.json.
 std::string SummaryJson(const std::vector<datasets::FootageEstimate>& estimates, const datasets::FootageSetup& setup) {
   nlohmann::ordered_json json;
   json["schema"] = 1;
@@ -143,7 +142,7 @@ std::string SummaryJson(const std::vector<datasets::FootageEstimate>& estimates,
 }
 
 constexpr const char* kVideoName = "estimate.mp4";
-/// What poses.csv is known by when it is to be replaced.
+/// Start of poses.csv, by which an earlier output directory is recognized.
 constexpr const char* kPosesSignature = "frame,source,t_s,status,x_m";
 
 int EstimateWith(const EstimateOptions& options) {
@@ -151,11 +150,11 @@ int EstimateWith(const EstimateOptions& options) {
       options.out,
       {.files = {"poses.csv", "poses.tum", "choices.csv", "summary.json", kVideoName}, .mark = kPosesSignature});
   const std::unique_ptr<datasets::Footage> footage = datasets::OpenFootage(options.input, options.topics);
-  const datasets::FootageFacts& facts = footage->facts();
-  const datasets::FootageSetup setup = SetupOf(options, facts);
+  const datasets::FootageMetadata& metadata = footage->metadata();
+  const datasets::FootageSetup setup = SetupOf(options, metadata);
 
   std::optional<report::FootageVideo> video;
-  if (options.video) video.emplace(folder.PathOf(kVideoName), setup, facts);
+  if (options.video) video.emplace(folder.PathOf(kVideoName), setup, metadata);
   const std::vector<datasets::FootageEstimate> estimates = [&] {
     Progress progress(!options.output.ForPeople());
     std::size_t done = 0;
@@ -164,9 +163,9 @@ int EstimateWith(const EstimateOptions& options) {
           if (InterruptRequested()) throw util::Interrupted();
           if (video) video->Add(frame, estimate);
           ++done;
-          const std::size_t count = std::max(done, facts.frame_count);
+          const std::size_t count = std::max(done, metadata.frame_count);
           if (progress.IsDue()) {
-            progress.Tell(static_cast<double>(done) / static_cast<double>(count), fmt::format("{} frames", done));
+            progress.Update(static_cast<double>(done) / static_cast<double>(count), fmt::format("{} frames", done));
           }
         });
   }();
@@ -174,15 +173,15 @@ int EstimateWith(const EstimateOptions& options) {
   if (video) video->Finish();
   const std::string summary = SummaryJson(estimates, setup);
   folder.Write("summary.json", summary);
-  folder.Write("poses.tum", runner::TumText(datasets::PosesTrajectory(estimates, facts.time), facts.time));
+  folder.Write("poses.tum", runner::TumText(datasets::PosesTrajectory(estimates, metadata.time), metadata.time));
   folder.Write("choices.csv", datasets::ChoicesCsv(estimates));
-  folder.Write("poses.csv", datasets::PosesCsv(estimates, facts.time));
+  folder.Write("poses.csv", datasets::PosesCsv(estimates, metadata.time));
   folder.Commit();
   if (options.output.json) fmt::print("{}", summary);
   if (!options.output.ForPeople()) return kPassed;
   PrintStatuses(estimates);
   PrintChoices(estimates);
-  fmt::print("poses are of the {} in W, X_W{}; files in {}\n", setup.mounting ? "body" : "camera",
+  fmt::print("poses of the {} in W, X_W{}; files in {}\n", setup.mounting ? "body" : "camera",
              setup.mounting ? 'B' : 'C', options.out);
   return kPassed;
 }
@@ -191,34 +190,34 @@ int EstimateWith(const EstimateOptions& options) {
 
 void AddEstimate(CLI::App& app, Run& run) {
   const auto options = std::make_shared<EstimateOptions>();
-  CLI::App& command = *app.add_subcommand("estimate", "Run the estimator alone, on footage");
-  command
-      .add_option("INPUT", options->input, "A folder of images, a video, a recording in EuRoC's layout, or a ROS 1 bag")
+  CLI::App& command = *app.add_subcommand("estimate", "Run the estimator alone, on recorded footage");
+  command.add_option("INPUT", options->input, "Directory of images, video, recording in EuRoC format, or ROS 1 bag")
       ->required();
-  command.add_option("--out", options->out, "Folder for the poses")->required()->type_name("DIR");
+  command.add_option("--out", options->out, "Output directory")->required()->type_name("DIR");
   command
-      .add_option("--camera", options->camera,
-                  "The camera's calibration as ROS camera_info YAML (default: the recording's)")
+      .add_option("--camera", options->camera, "Camera calibration as ROS camera_info YAML (default: the recording's)")
       ->type_name("CAMERA.yaml");
-  command.add_option("--pad", options->pad, "The pad's description (default: the recording's, or the built-in pad)")
+  command.add_option("--pad", options->pad, "Pad description (default: the recording's, else the built-in pad)")
       ->type_name("PAD.yaml");
-  command.add_option("--imu", options->imu, "The IMU's samples in EuRoC's layout (default: the recording's)")
+  command.add_option("--imu", options->imu, "IMU samples in EuRoC format (default: the recording's)")
       ->type_name("FILE");
   command
       .add_option("--vehicle", options->vehicle,
-                  "How camera and IMU are mounted: a vehicle's description (default: the recording's)")
+                  "Vehicle description with the mounting of camera and IMU (default: the recording's)")
       ->type_name("VEHICLE.yaml");
   command
       .add_option("--calibration", options->calibration,
-                  "Both at once, as touchdown calibrate leaves them; what it lacks is the recording's")
+                  "Camera calibration and mountings as written by touchdown calibrate; entries that it lacks are the "
+                  "recording's")
       ->type_name("CALIBRATION.yaml")
       ->excludes("--camera", "--vehicle");
   command
-      .add_option("--topic", options->topics, "Of a bag with several cameras or IMUs, a topic to take; may be repeated")
+      .add_option("--topic", options->topics, "Topic to use from a bag with several cameras or IMUs; may be repeated")
       ->type_name("TOPIC")
       ->allow_extra_args(false);
   command.add_option("--estimator", options->estimator, "Name of the estimator (default: paper)")->type_name("NAME");
-  command.add_flag("--video", options->video, "Leave a film with what the estimator saw drawn into it, estimate.mp4");
+  command.add_flag("--video", options->video,
+                   "Write a video with the estimator's results drawn into the frames, estimate.mp4");
   AddOutputOptions(command, options->output);
   command.callback([options, &run] { run = [options] { return EstimateWith(*options); }; });
 }

@@ -27,7 +27,7 @@ runner::FlightResult FlyIntoFolder(const runner::Scenario& scenario, const std::
                         "estimate.tum", "tracking.tum", "frame_timing.csv", "timing.json", "frames.png", "flight.mp4",
                         "flight.bag", "report.html"},
               .mark = report::kFlightSignature,
-              .subfolders = {{kRecordingFolder, datasets::IsOfFlightRecording}}});
+              .subfolders = {{kRecordingFolder, datasets::IsFlightRecordingFile}}});
   report::ContactSheet sheet(scenario.assumed_camera(), scenario.time);
   std::vector<runner::FlightObserver*> all(observers.begin(), observers.end());
   all.push_back(&sheet);

@@ -6,18 +6,18 @@
 
 namespace touchdown::cli {
 
-/// What to leave of a flight beside its logs.
+/// Optional files of a flight directory.
 struct FlightExtras {
-  bool video = true;       ///< flight.mp4.
-  bool recording = false;  ///< Frames, IMU and truth in the folder `recording`, see FlightRecording.
-  bool bag = false;        ///< The flight as a ROS bag, flight.bag, see FlightBag.
+  bool video = true;       ///< Writes the video flight.mp4.
+  bool recording = false;  ///< Writes frames, IMU and truth to the subfolder `recording`, see FlightRecording.
+  bool bag = false;        ///< Writes the ROS bag flight.bag, see FlightBag.
 };
 
-/// Flies a scenario and leaves its folder at `place`: scenario.yaml, result.json, the tables, timing.json and
-/// frames.png, report.html (docs/scenarios.md says what each holds; a flight without frames has no pictures), and
-/// `extras`. The
-/// folder appears when everything is written, see OutputFolder. Throws InputError for a place that cannot be used,
-/// before the flight, and as Fly does.
+/// Flies a scenario and writes its flight directory to `place`: scenario.yaml, result.json, the tables, timing.json,
+/// frames.png, report.html and `extras`. docs/scenarios.md describes the files. frames.png is missing when the flight
+/// has no frames. The directory appears once all files are written, see OutputFolder.
+///
+/// Throws InputError before the flight when `place` cannot be used, and otherwise as runner::FlyClosedLoop() does.
 runner::FlightResult FlyIntoFolder(const runner::Scenario& scenario, const std::filesystem::path& place,
                                    const FlightExtras& extras = {}, runner::FlightObservers observers = {},
                                    const util::StopRequested& stop_requested = nullptr);

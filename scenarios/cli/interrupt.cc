@@ -14,7 +14,7 @@ extern "C" void Request(int) { requested = 1; }
 
 void CatchInterrupts() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    // What started the program may have it ignore one, as nohup does with SIGHUP.
+    // Keep a signal ignored when the parent process ignores it, as nohup does with SIGHUP.
     if (std::signal(signal, Request) == SIG_IGN) std::signal(signal, SIG_IGN);
   }
 }

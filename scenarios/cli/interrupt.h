@@ -2,11 +2,11 @@
 
 namespace touchdown::cli {
 
-/// Makes Ctrl-C (SIGINT), SIGTERM and a terminal that closes (SIGHUP) ask the program to stop instead of ending it at
-/// once.
+/// Installs handlers for Ctrl-C (SIGINT), SIGTERM and a closed terminal (SIGHUP) that record a stop request instead of
+/// ending the program. A signal that the parent process ignores stays ignored.
 void CatchInterrupts();
 
-/// Whether the user has asked the program to stop.
+/// Whether a stop was requested since CatchInterrupts().
 bool InterruptRequested();
 
 }  // namespace touchdown::cli

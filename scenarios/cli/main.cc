@@ -11,22 +11,8 @@
 #include <string>
 
 #include "models/error.h"
-#include "scenarios/cli/calibrate.h"
-#include "scenarios/cli/collect.h"
-#include "scenarios/cli/command.h"
-#include "scenarios/cli/compare.h"
-#include "scenarios/cli/estimate.h"
-#include "scenarios/cli/fly.h"
+#include "scenarios/cli/commands.h"
 #include "scenarios/cli/interrupt.h"
-#include "scenarios/cli/pad.h"
-#include "scenarios/cli/paper.h"
-#include "scenarios/cli/report.h"
-#include "scenarios/cli/score.h"
-#include "scenarios/cli/status.h"
-#include "scenarios/cli/sweep.h"
-#include "scenarios/cli/sweep_task.h"
-#include "scenarios/cli/test.h"
-#include "scenarios/cli/train.h"
 #include "scenarios/util/interrupted.h"
 #include "scenarios/util/version.h"
 
@@ -46,7 +32,7 @@ int RunAndExplain(const Run& run) {
   try {
     const int status = run();
     if (std::fflush(stdout) != 0 || std::ferror(stdout))
-      throw std::runtime_error("the standard output cannot be written");
+      throw std::runtime_error("cannot write to the standard output");
     return status;
   } catch (const touchdown::InputError& error) {
     spdlog::error("{}", error.what());
@@ -66,17 +52,17 @@ int main(int argc, char** argv) {
   spdlog::set_default_logger(spdlog::stderr_color_mt("touchdown"));
   spdlog::set_pattern("%^%l%$: %v");
   touchdown::cli::CatchInterrupts();
-  // OpenCV and the libraries under it would tell of files that cannot be read in words of their own, beside ours.
+  // Silence OpenCV and FFmpeg, which print their own messages about unreadable files in addition to ours.
   setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
   setenv("OPENCV_LOG_LEVEL", "OFF", 0);
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-  cv::setNumThreads(1);  // A flight keeps to one core: many fly side by side.
+  cv::setNumThreads(1);  // A flight uses one core, so that several can run in parallel.
 
   CLI::App app("A closed-loop testbed for vision-based quadrotor landing", "touchdown");
   app.set_version_flag("--version", std::string(touchdown::util::Version()));
   app.require_subcommand(1);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
-    return std::string("error: ") + error.what() + " (touchdown --help tells more)\n";
+    return std::string("error: ") + error.what() + " (see touchdown --help)\n";
   });
   Run run;
   for (AddCommand* const add : kCommands) add(app, run);

@@ -4,17 +4,17 @@
 
 namespace touchdown::cli {
 
-/// What a command that works for long says, beside its errors.
+/// What a long-running command prints, apart from errors.
 struct OutputOptions {
-  bool quiet = false;  ///< Neither progress nor a result for people.
-  bool json = false;   ///< The result as JSON on stdout, in place of the one for people.
+  bool quiet = false;  ///< Prints neither progress nor a readable result.
+  bool json = false;   ///< Prints the result as JSON on stdout, instead of as readable text.
 
   bool ForPeople() const { return !quiet && !json; }
 };
 
 /// Adds --quiet and --json.
 inline void AddOutputOptions(CLI::App& command, OutputOptions& output) {
-  command.add_flag("--quiet", output.quiet, "Say nothing but errors");
+  command.add_flag("--quiet", output.quiet, "Print nothing but errors");
   command.add_flag("--json", output.json, "Print the result as JSON");
 }
 

@@ -1,5 +1,3 @@
-#include "scenarios/cli/pad.h"
-
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -8,6 +6,7 @@
 #include <string>
 
 #include "models/error.h"
+#include "scenarios/cli/commands.h"
 #include "scenarios/report/pad_sheet.h"
 #include "scenarios/runner/scenario.h"
 #include "scenarios/util/output_file.h"
@@ -22,26 +21,27 @@ struct PadOptions {
   std::optional<std::string> pad;
 };
 
-report::SheetFormat FormatOf(const fs::path& out) {
+report::SheetFormat SheetFormatOf(const fs::path& out) {
   if (out.extension() == ".pdf") return report::SheetFormat::kPdf;
   if (out.extension() == ".svg") return report::SheetFormat::kSvg;
   throw InputError(fmt::format("--out {}: must end in .pdf or .svg", out.string()));
 }
 
-int MakePad(const PadOptions& options) {
+int WritePad(const PadOptions& options) {
   const fs::path sheet = options.out;
   const fs::path description = fs::path(sheet).replace_extension(".yaml");
-  const report::SheetFormat format = FormatOf(sheet);
+  const report::SheetFormat format = SheetFormatOf(sheet);
   const models::LandingPad pad = options.pad ? runner::LoadPad(*options.pad) : models::LandingPad();
-  const bool is_described =
+  const bool is_own_description =
       options.pad && fs::weakly_canonical(*options.pad) == fs::weakly_canonical(fs::absolute(description));
   const std::string content = report::PadSheet(pad, format);
-  // A description may have been edited since: only one that says the same is an earlier one.
+  // The user may have edited the description: replace it only if its content is the same.
   const std::string yaml = runner::PadYaml(pad);
-  if (!is_described) util::CheckOutputFile(description, yaml);
+  if (!is_own_description) util::CheckOutputFile(description, yaml);
   util::WriteOutputFile(sheet, content, report::kPadSheetSignature);
-  if (!is_described) util::WriteOutputFile(description, yaml, yaml);
-  fmt::print("{}: print it at 100 %, and check its ruler; {} describes it\n", sheet.string(), description.string());
+  if (!is_own_description) util::WriteOutputFile(description, yaml, yaml);
+  fmt::print("{}: print it at 100 % scale and check the ruler; {} is its description\n", sheet.string(),
+             description.string());
   return kPassed;
 }
 
@@ -49,13 +49,16 @@ int MakePad(const PadOptions& options) {
 
 void AddPad(CLI::App& app, Run& run) {
   const auto options = std::make_shared<PadOptions>();
-  CLI::App& command = *app.add_subcommand("pad", "Draw the landing pad to print, to scale, and describe it in YAML");
-  command.add_option("--out", options->out, "File for the pad, .pdf or .svg; its description goes beside it, as .yaml")
+  CLI::App& command =
+      *app.add_subcommand("pad", "Write a sheet of the landing pad to print to scale, and its description in YAML");
+  command
+      .add_option("--out", options->out, "Output file, .pdf or .svg; the description is written next to it as .yaml")
       ->required()
       ->type_name("FILE");
-  command.add_option("--pad", options->pad, "The pad's description (default: the built-in pad, 90 mm on A4)")
+  command
+      .add_option("--pad", options->pad, "Pad description (default: the built-in pad with a radius of 90 mm, on A4)")
       ->type_name("PAD.yaml");
-  command.callback([options, &run] { run = [options] { return MakePad(*options); }; });
+  command.callback([options, &run] { run = [options] { return WritePad(*options); }; });
 }
 
 }  // namespace touchdown::cli

@@ -1,5 +1,3 @@
-#include "scenarios/cli/paper.h"
-
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -9,8 +7,9 @@
 #include <thread>
 #include <vector>
 
+#include "scenarios/cli/commands.h"
 #include "scenarios/cli/interrupt.h"
-#include "scenarios/cli/output.h"
+#include "scenarios/cli/output_options.h"
 #include "scenarios/cli/progress.h"
 #include "scenarios/experiments/reproduce_paper.h"
 
@@ -26,14 +25,14 @@ struct PaperOptions {
 
 void PrintSummary(const std::vector<experiments::ComparedQuantity>& compared, const std::string& out) {
   fmt::print("{:<58} {:>10} {:>10}\n", "", "published", "ours");
-  const auto figure = [](const std::optional<double>& value) { return value ? fmt::format("{:.3g}", *value) : "-"; };
+  const auto text = [](const std::optional<double>& value) { return value ? fmt::format("{:.3g}", *value) : "-"; };
   for (const experiments::ComparedQuantity& row : compared) {
-    fmt::print("{} {:<56} {:>10} {:>10} {:<4} {}\n", row.IsKept() ? " " : "!", row.quantity, figure(row.published),
-               figure(row.ours), row.unit, row.spread);
+    fmt::print("{} {:<56} {:>10} {:>10} {:<4} {}\n", row.MeetsPublished() ? " " : "!", row.quantity,
+               text(row.published), text(row.ours), row.unit, row.spread);
   }
-  fmt::print("{} of {} above the published; report in {}/report.html\n",
+  fmt::print("{} of {} exceed the published value; report in {}/report.html\n",
              std::count_if(compared.begin(), compared.end(),
-                           [](const experiments::ComparedQuantity& row) { return !row.IsKept(); }),
+                           [](const experiments::ComparedQuantity& row) { return !row.MeetsPublished(); }),
              std::count_if(compared.begin(), compared.end(),
                            [](const experiments::ComparedQuantity& row) { return row.published.has_value(); }),
              out);
@@ -51,7 +50,7 @@ experiments::Json SummaryJson(const std::vector<experiments::ComparedQuantity>& 
     if (row.ours) rows.back()["ours"] = *row.ours;
     if (!row.published) continue;
     rows.back()["published"] = *row.published;
-    rows.back()["kept"] = row.IsKept();
+    rows.back()["kept"] = row.MeetsPublished();
   }
   return rows;
 }
@@ -59,8 +58,8 @@ experiments::Json SummaryJson(const std::vector<experiments::ComparedQuantity>& 
 std::vector<experiments::ComparedQuantity> ReproduceWithProgress(const PaperOptions& options) {
   Progress progress(!options.output.ForPeople());
   return experiments::ReproducePaper(options.out, {.quick = options.quick, .jobs = options.jobs}, InterruptRequested,
-                                     [&](double share, const std::string& text) {
-                                       if (progress.IsDue()) progress.Tell(share, text);
+                                     [&](double fraction, const std::string& text) {
+                                       if (progress.IsDue()) progress.Update(fraction, text);
                                      });
 }
 
@@ -71,8 +70,9 @@ int Reproduce(const PaperOptions& options) {
     if (options.output.ForPeople()) PrintSummary(compared, options.out);
     return kPassed;
   } catch (const util::Interrupted&) {
-    spdlog::warn("interrupted: what is measured is kept in {}/measurements, and the same command goes on from there",
-                 options.out);
+    spdlog::warn(
+        "interrupted: the measurements so far are kept in {}/measurements; the same command resumes from there",
+        options.out);
     return kInterrupted;
   }
 }
@@ -82,12 +82,13 @@ int Reproduce(const PaperOptions& options) {
 void AddPaper(CLI::App& app, Run& run) {
   const auto options = std::make_shared<PaperOptions>();
   CLI::App& command = *app.add_subcommand(
-      "paper", "Measure everything that the paper reports, and put it beside the published figures");
-  command.add_option("--out", options->out, "Folder for the report; a run that was stopped goes on there")
+      "paper", "Measure all quantities that the paper reports, and compare them with the published values");
+  command.add_option("--out", options->out, "Output directory; an interrupted run resumes there")
       ->required()
       ->type_name("DIR");
-  command.add_flag("--quick", options->quick, "Every section on few samples: minutes, not an hour");
-  command.add_option("--jobs", options->jobs, "Measurements at a time (default: all cores)")
+  command.add_flag("--quick", options->quick, "Measure every section on few samples, in minutes instead of an hour");
+  command
+      .add_option("--jobs", options->jobs, "Maximum number of concurrent measurements (default: the number of cores)")
       ->type_name("N")
       ->check(CLI::Range(1, 256));
   AddOutputOptions(command, options->output);

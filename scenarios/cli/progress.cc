@@ -13,14 +13,15 @@ constexpr double kIntervalOnTerminal_s = 0.2;
 constexpr double kInterval_s = 5.0;
 constexpr const char* kClearLine = "\r\033[K";
 
-/// "1 min 20 s to go", by the share of the work that was done in that time; empty as long as that says little.
-std::string TimeToGo(double done, double left, double elapsed_s) {
-  constexpr double kLeastShare = 0.01, kLeastElapsed_s = 1.0;
-  if (done < kLeastShare || elapsed_s < kLeastElapsed_s) return "";
+/// Remaining time as text, such as ", 3 min 20 s left", extrapolated from the fraction of the work that was done in
+/// `elapsed_s`. Empty while that fraction or time is too small.
+std::string RemainingTime(double done, double left, double elapsed_s) {
+  constexpr double kMinFraction = 0.01, kMinElapsed_s = 1.0;
+  if (done < kMinFraction || elapsed_s < kMinElapsed_s) return "";
   const int left_s = static_cast<int>(elapsed_s * left / done + 0.5);
   constexpr int kMinute_s = 60;
-  if (left_s < 2 * kMinute_s) return fmt::format(", {} s to go", left_s);
-  return fmt::format(", {} min {} s to go", left_s / kMinute_s, left_s % kMinute_s);
+  if (left_s < 2 * kMinute_s) return fmt::format(", {} s left", left_s);
+  return fmt::format(", {} min {} s left", left_s / kMinute_s, left_s % kMinute_s);
 }
 
 }  // namespace
@@ -37,11 +38,12 @@ bool Progress::IsDue() const {
   return !shown_ || since_shown_.seconds() > kIntervalOnTerminal_s;
 }
 
-void Progress::Tell(double share, const std::string& text) {
+void Progress::Update(double fraction, const std::string& text) {
   if (quiet_) return;
   constexpr double kPercent = 100.0;
-  const std::string line = fmt::format("{:3.0f} %  {}{}", kPercent * share, text,
-                                       TimeToGo(share - before_, 1.0 - share, since_start_.seconds()));
+  const std::string line =
+      fmt::format("{:3.0f} %  {}{}", kPercent * fraction, text,
+                  RemainingTime(fraction - initial_fraction_, 1.0 - fraction, since_start_.seconds()));
   if (on_terminal_) {
     std::fprintf(stderr, "%s%s", kClearLine, line.c_str());
     std::fflush(stderr);

@@ -6,32 +6,32 @@
 
 namespace touchdown::cli {
 
-/// Tells on stderr how far long work is and when it will be done: on a terminal a line that changes in place, elsewhere
-/// a plain line now and then.
+/// Prints the progress of a long task and the remaining time on stderr: one line that is updated in place on a
+/// terminal, otherwise a log line every few seconds.
 class Progress {
  public:
-  /// `quiet`: it tells nothing.
+  /// `quiet` suppresses all output.
   explicit Progress(bool quiet);
   /// Clears the line on a terminal.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Whether it is time for another Tell: from the start and a few times a second on a terminal, elsewhere every few
-  /// seconds. Telling sooner does no harm.
+  /// Whether the next Update() is due: at the start and five times a second on a terminal, otherwise every 5 s. Earlier
+  /// calls of Update() are allowed.
   bool IsDue() const;
 
-  /// `share` of the work was done before: it does not tell how fast the rest goes.
-  void GoOnFrom(double share) { before_ = share; }
+  /// Excludes the fraction of the work that an earlier run did, in [0, 1], from the estimate of the remaining time.
+  void StartFrom(double fraction) { initial_fraction_ = fraction; }
 
-  /// `share` of the work is done, in [0, 1].
-  void Tell(double share, const std::string& text);
+  /// Prints the completed fraction of the work, in [0, 1], with `text`.
+  void Update(double fraction, const std::string& text);
 
  private:
   bool quiet_;
   bool on_terminal_;
   bool shown_ = false;
-  double before_ = 0.0;
+  double initial_fraction_ = 0.0;
   util::Stopwatch since_start_;
   util::Stopwatch since_shown_;
 };

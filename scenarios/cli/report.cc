@@ -1,11 +1,10 @@
-#include "scenarios/cli/report.h"
-
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <memory>
 #include <string>
 
+#include "scenarios/cli/commands.h"
 #include "scenarios/report/flight_files.h"
 #include "scenarios/report/flight_page.h"
 #include "scenarios/sweeper/page/sweep_report.h"
@@ -16,22 +15,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void MakeFlightReport(const fs::path& folder, const fs::path& page) {
+void WriteFlightReport(const fs::path& folder, const fs::path& page) {
   const report::FlightFiles files = report::ReadFlightFiles(folder);
   util::CheckOutputFile(page, report::kFlightPageSignature);
   util::WriteOutputFile(page, report::FlightPage(files), report::kFlightPageSignature);
 }
 
-void MakeSweepReport(const fs::path& folder, const fs::path& page) {
+void WriteSweepReport(const fs::path& folder, const fs::path& page) {
   const sweeper::SweepOutcome sweep = sweeper::ReadOutcome({folder, sweeper::SweepStore::Access::kRead});
   util::CheckOutputFile(page, sweeper::kSweepPageSignature);
   util::WriteOutputFile(page, sweeper::SweepPage(sweep, sweeper::Summarize(sweep), folder),
                         sweeper::kSweepPageSignature);
 }
 
-int MakeReport(const fs::path& folder) {
+int WriteReport(const fs::path& folder) {
   const fs::path page = folder / "report.html";
-  fs::exists(folder / "sweep.db") ? MakeSweepReport(folder, page) : MakeFlightReport(folder, page);
+  fs::exists(folder / "sweep.db") ? WriteSweepReport(folder, page) : WriteFlightReport(folder, page);
   fmt::print("{}\n", page.string());
   return kPassed;
 }
@@ -41,9 +40,9 @@ int MakeReport(const fs::path& folder) {
 void AddReport(CLI::App& app, Run& run) {
   const auto folder = std::make_shared<std::string>();
   CLI::App& command =
-      *app.add_subcommand("report", "Rebuild the report.html of a flight or a sweep from the files beside it");
-  command.add_option("DIR", *folder, "The folder of the flight or the sweep")->required();
-  command.callback([folder, &run] { run = [folder] { return MakeReport(*folder); }; });
+      *app.add_subcommand("report", "Rebuild report.html of a flight or a sweep from the other files in its directory");
+  command.add_option("DIR", *folder, "Output directory of the flight or the sweep")->required();
+  command.callback([folder, &run] { run = [folder] { return WriteReport(*folder); }; });
 }
 
 }  // namespace touchdown::cli

@@ -1,12 +1,11 @@
-#include "scenarios/cli/score.h"
-
 #include <fmt/format.h>
 
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "scenarios/cli/output.h"
+#include "scenarios/cli/commands.h"
+#include "scenarios/cli/output_options.h"
 #include "scenarios/datasets/pose_score.h"
 #include "scenarios/util/version.h"
 
@@ -20,7 +19,7 @@ struct ScoreOptions {
 
 void PrintScore(const datasets::PoseScore& score) {
   fmt::print("{} poses", score.poses);
-  if (score.outside > 0) fmt::print(", and {} at times that the truth does not cover", score.outside);
+  if (score.outside > 0) fmt::print(", and {} outside the time range of the truth", score.outside);
   fmt::print("\n");
   for (const runner::MetricInfo& info : runner::AllMetrics()) {
     const auto found = score.metrics.find(info.name);
@@ -53,11 +52,9 @@ int ScoreWith(const ScoreOptions& options) {
 
 void AddScore(CLI::App& app, Run& run) {
   const auto options = std::make_shared<ScoreOptions>();
-  CLI::App& command = *app.add_subcommand("score", "Hold anyone's poses of a flight against its truth, unaligned");
-  command.add_option("--poses", options->poses, "The poses of the body in W, in TUM format")
-      ->required()
-      ->type_name("FILE");
-  command.add_option("--truth", options->truth, "A flight's folder, or a recording of one")
+  CLI::App& command = *app.add_subcommand("score", "Compare any poses of a flight with its truth, without alignment");
+  command.add_option("--poses", options->poses, "Poses of the body in W, in TUM format")->required()->type_name("FILE");
+  command.add_option("--truth", options->truth, "Flight directory, or a recording of a flight")
       ->required()
       ->type_name("DIR");
   AddOutputOptions(command, options->output);

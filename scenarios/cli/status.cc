@@ -1,11 +1,10 @@
-#include "scenarios/cli/status.h"
-
 #include <fmt/format.h>
 
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "scenarios/cli/commands.h"
 #include "scenarios/sweeper/run/sweep_status.h"
 
 namespace touchdown::cli {
@@ -26,26 +25,26 @@ nlohmann::ordered_json StatusJson(const sweeper::SweepStatus& status) {
   return json;
 }
 
-/// "2 PENDING, 1 RUNNING"
+/// Counts by name as text, for example "2 PENDING, 1 RUNNING".
 template <typename Counts>
-std::string CountWords(const Counts& counts) {
-  std::string words;
-  for (const auto& [name, count] : counts) words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, name);
-  return words;
+std::string CountsText(const Counts& counts) {
+  std::string text;
+  for (const auto& [name, count] : counts) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);
+  return text;
 }
 
-std::string SlurmWords(const sweeper::SweepStatus& status) {
-  if (!status.slurm_tasks) return "squeue does not tell";
-  return status.slurm_tasks->empty() ? "is over" : "tasks: " + CountWords(*status.slurm_tasks);
+std::string SlurmText(const sweeper::SweepStatus& status) {
+  if (!status.slurm_tasks) return "state unknown, squeue is not available";
+  return status.slurm_tasks->empty() ? "finished" : "tasks: " + CountsText(*status.slurm_tasks);
 }
 
 void PrintStatus(const sweeper::SweepStatus& status) {
   fmt::print("{}: {} of {} flights{}\n", status.name, status.flown, status.planned,
-             status.whole == status.planned ? "" : fmt::format(", of {} in the whole sweep", status.whole));
+             status.whole == status.planned ? "" : fmt::format(" of this part, {} in the whole sweep", status.whole));
   fmt::print("  passed {}\n  failed {}{}\n", status.passed, status.flown - status.passed,
-             status.processes.empty() ? "" : fmt::format(" ({})", CountWords(status.processes)));
+             status.processes.empty() ? "" : fmt::format(" ({})", CountsText(status.processes)));
   if (status.stale > 0) fmt::print("  stale  {} (flown by another build)\n", status.stale);
-  if (status.slurm_job) fmt::print("Slurm job {}: {}\n", *status.slurm_job, SlurmWords(status));
+  if (status.slurm_job) fmt::print("Slurm job {}: {}\n", *status.slurm_job, SlurmText(status));
 }
 
 int Status(const StatusOptions& options) {
@@ -62,9 +61,9 @@ int Status(const StatusOptions& options) {
 
 void AddStatus(CLI::App& app, Run& run) {
   const auto options = std::make_shared<StatusOptions>();
-  CLI::App& command = *app.add_subcommand("status", "Tell how far a sweep is, wherever it flies");
-  command.add_option("DIR", options->folder, "The sweep's folder")->required();
-  command.add_flag("--json", options->json, "Print it as JSON");
+  CLI::App& command = *app.add_subcommand("status", "Print the progress of a sweep, also on a cluster");
+  command.add_option("DIR", options->folder, "Output directory of the sweep")->required();
+  command.add_flag("--json", options->json, "Print the status as JSON");
   command.callback([options, &run] { run = [options] { return Status(*options); }; });
 }
 

@@ -23,7 +23,7 @@ void WritePage(const sweeper::SweepOutcome& sweep, const sweeper::SweepSummary& 
   try {
     page = sweeper::SweepPage(sweep, summary, folder);
   } catch (const std::exception& error) {
-    spdlog::warn("no report: {}", error.what());
+    spdlog::warn("report.html was not written: {}", error.what());
     return;
   }
   util::WriteOutputFile(PageIn(folder), page, sweeper::kSweepPageSignature);

@@ -24,30 +24,34 @@ std::string Percent(const sweeper::PassCount& count) {
                      kPercent * rate.high);
 }
 
-/// " (95 %: 0.97 to 0.99)", an end that so few flights do not tell as a question mark.
+/// The interval as " (95 %: 0.97 to 0.99)". A bound that the flights do not determine is printed as "?".
 std::string IntervalText(const std::optional<util::Interval>& interval) {
   if (!interval) return "";
-  const auto end = [](double value) { return std::isfinite(value) ? fmt::format("{:.4g}", value) : std::string("?"); };
-  return fmt::format(" (95 %: {} to {})", end(interval->low), end(interval->high));
+  const auto bound = [](double value) {
+    return std::isfinite(value) ? fmt::format("{:.4g}", value) : std::string("?");
+  };
+  return fmt::format(" (95 %: {} to {})", bound(interval->low), bound(interval->high));
 }
 
-/// "world.wind_m_s.0 in integer": the key, and the variant when there is one.
+/// The key, with its variant if any, such as "world.wind_m_s.0 in integer".
 std::string Subject(const sweeper::PassBoundaryOf& each) {
   return each.variant.empty() ? each.key : fmt::format("{} in {}", each.key, each.variant);
 }
 
-std::string BoundaryText(const sweeper::PassBoundaryOf& each, const std::optional<sweeper::SearchedBoundary>& sought) {
+std::string BoundaryText(const sweeper::PassBoundaryOf& each,
+                         const std::optional<sweeper::SearchedBoundary>& searched) {
   const double percent = kPercent * each.pass_rate;
   if (!each.edge) {
-    return fmt::format("  no value of {} from {:.4g} to {:.4g} found at which {:.4g} % pass: all are alike\n", each.key,
-                       sought->min, sought->max, percent);
+    return fmt::format(
+        "  no value of {} from {:.4g} to {:.4g} found at which {:.4g} % pass: the results do not change\n", each.key,
+        searched->min, searched->max, percent);
   }
   return fmt::format("  {:.4g} % pass at {} = {:.4g} (95 %: {:.4g} to {:.4g}{})\n", percent, Subject(each),
                      each.edge->value, each.edge->low, each.edge->high,
-                     each.may_lie_beyond ? ", or beyond what was flown" : "");
+                     each.may_lie_beyond ? ", or outside the flown range" : "");
 }
 
-/// An end that so few flights do not tell is null.
+/// A bound that is not finite becomes null in JSON.
 void Put(const util::Interval& interval, Json& json) {
   json["value"] = interval.value;
   json["low"] = interval.low;
@@ -95,11 +99,11 @@ std::string DryRunText(const DryRun& dry_run) {
   text += fmt::format("{} flights", dry_run.plan.flights.size());
   if (dry_run.flown > 0) text += fmt::format(", {} of them flown", dry_run.flown);
   const double expected_s = dry_run.left_s * dry_run.pace / dry_run.jobs;
-  text +=
-      fmt::format("; {:.0f} s in the air to go, about {} on {} core{} {}\n", dry_run.left_s,
-                  expected_s < kMinute_s ? fmt::format("{:.0f} s", std::ceil(expected_s))
-                                         : fmt::format("{:.1f} min", expected_s / kMinute_s),
-                  dry_run.jobs, dry_run.jobs == 1 ? "" : "s", dry_run.flown > 0 ? "as fast as these" : "at real time");
+  text += fmt::format("; {:.0f} s of simulated time remain, about {} on {} core{} {}\n", dry_run.left_s,
+                      expected_s < kMinute_s ? fmt::format("{:.0f} s", std::ceil(expected_s))
+                                             : fmt::format("{:.1f} min", expected_s / kMinute_s),
+                      dry_run.jobs, dry_run.jobs == 1 ? "" : "s",
+                      dry_run.flown > 0 ? "at the speed of the flown ones" : "at real time");
   return text;
 }
 
@@ -138,14 +142,16 @@ std::string SummaryText(const sweeper::SweepOutcome& sweep, const sweeper::Sweep
                         check.limit, IntervalText(interval));
   }
   if (const std::string lost = sweeper::LostProcesses(sweep.results); !lost.empty()) {
-    text += fmt::format("  {}{}\n", lost, sweep.terms.sought ? "" : ": --retry flies them again");
+    text += fmt::format("  {}{}\n", lost, sweep.terms.sought ? "" : "; --retry flies them again");
   }
   if (sweep.whole > sweep.planned) {
-    text += fmt::format("  {} more flights are in parts of the sweep that are not here\n", sweep.whole - sweep.planned);
+    text += fmt::format("  {} more flights belong to parts of the sweep that are not collected here\n",
+                        sweep.whole - sweep.planned);
   }
-  if (sweep.stale > 0) text += fmt::format("  {} rows of another build are kept, and do not count\n", sweep.stale);
+  if (sweep.stale > 0) text += fmt::format("  {} rows of another build are kept, but not counted\n", sweep.stale);
   if (sweep.unplanned > 0) {
-    text += fmt::format("  {} rows from before the sweep's file changed are kept, and do not count\n", sweep.unplanned);
+    text +=
+        fmt::format("  {} rows from before a change of the sweep file are kept, but not counted\n", sweep.unplanned);
   }
   return text + fmt::format("rows in {0}/sweep.db, report in {0}/report.html\n", out);
 }
@@ -159,7 +165,7 @@ std::string SummaryJson(const sweeper::SweepOutcome& sweep, const sweeper::Sweep
   json["crashed"] = sweeper::CountEnds(sweep.results, sweeper::ProcessEnd::kCrashed);
   json["hung"] = sweeper::CountEnds(sweep.results, sweeper::ProcessEnd::kHung);
   json["out_of_memory"] = sweeper::CountEnds(sweep.results, sweeper::ProcessEnd::kOutOfMemory);
-  // A part, or what is flown so far, is not judged.
+  // An incomplete sweep has no verdict.
   const bool passes = sweep.terms.sought ? summary.finds_edge() : summary.keeps_criteria();
   json["pass"] = summary.is_whole ? Json(passes) : Json();
   json["parameters"] = Json::array();

@@ -6,25 +6,23 @@
 
 namespace touchdown::cli {
 
-/// What is planned, and how much of it is flown already.
+/// A planned sweep, and how much of it is flown.
 struct DryRun {
   sweeper::SweepPlan plan = {};
   int jobs = 1;
   int flown = 0;
-  double left_s = 0.0;  ///< Expected time in the air of what is yet to be flown.
-  /// By the clock, of a second in the air on one core: as the flown ones took, or real time without any.
-  double pace = 1.0;
+  double left_s = 0.0;  ///< Expected simulated time of the flights that are not flown yet, s.
+  double pace = 1.0;    ///< Wall-clock time per simulated time on one core, from the flown rows; 1 without any.
 };
 
-/// `rows`: what is in the sweep's folder already; nullptr without one.
+/// `rows` are the rows in the sweep's output directory, or nullptr if there is no such directory.
 DryRun MakeDryRun(const sweeper::SweepPlan& plan, int jobs, const sweeper::SweepStore* rows);
 
-// For people, and as JSON.
-
+/// The dry run as readable text, and as JSON.
 std::string DryRunText(const DryRun& dry_run);
 std::string DryRunJson(const DryRun& dry_run);
 
-/// `out`: the sweep's folder.
+/// The results of a sweep as readable text, and as JSON. `out` is the sweep's output directory.
 std::string SummaryText(const sweeper::SweepOutcome& sweep, const sweeper::SweepSummary& summary,
                         const std::string& out);
 std::string SummaryJson(const sweeper::SweepOutcome& sweep, const sweeper::SweepSummary& summary,

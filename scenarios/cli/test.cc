@@ -1,5 +1,3 @@
-#include "scenarios/cli/test.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "scenarios/cli/commands.h"
 #include "scenarios/cli/interrupt.h"
 #include "scenarios/report/junit.h"
 #include "scenarios/sweeper/run/flight_suite.h"
@@ -24,7 +23,7 @@ struct TestOptions {
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };
 
-void PrintTest(const sweeper::TestedFlight& test) {
+void PrintTestedFlight(const sweeper::TestedFlight& test) {
   fmt::print("{:<5} {:<32} {:6.1f} s  {} ({})\n", test.row.passed() ? "pass" : "FAIL", test.file.stem().string(),
              test.row.wall_s, Name(test.row.outcome), test.row.reason);
   for (const runner::Check& check : test.checks) {
@@ -49,7 +48,7 @@ std::string Junit(const std::vector<sweeper::TestedFlight>& tests) {
 int Test(const TestOptions& options) {
   if (options.junit) util::CheckOutputFile(*options.junit, report::kJunitSignature);
   const std::vector<sweeper::TestedFlight> tests =
-      sweeper::TestFlights(options.folder, options.jobs, InterruptRequested, PrintTest);
+      sweeper::TestFlights(options.folder, options.jobs, InterruptRequested, PrintTestedFlight);
   if (options.junit) util::WriteOutputFile(*options.junit, Junit(tests), report::kJunitSignature);
   const auto passed =
       std::count_if(tests.begin(), tests.end(), [](const sweeper::TestedFlight& t) { return t.row.passed(); });
@@ -65,12 +64,12 @@ int Test(const TestOptions& options) {
 
 void AddTest(CLI::App& app, Run& run) {
   const auto options = std::make_shared<TestOptions>();
-  CLI::App& command = *app.add_subcommand("test", "Fly every scenario of a folder as a test");
-  command.add_option("FOLDER", options->folder, "The scenarios' folder")->required();
-  command.add_option("--jobs", options->jobs, "How many fly at a time (default: a job for each core)")
+  CLI::App& command = *app.add_subcommand("test", "Fly every scenario of a directory as a test");
+  command.add_option("FOLDER", options->folder, "Directory of the scenarios")->required();
+  command.add_option("--jobs", options->jobs, "Maximum number of concurrent flights (default: the number of cores)")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
-  command.add_option("--junit", options->junit, "File for all criteria as JUnit XML")->type_name("FILE");
+  command.add_option("--junit", options->junit, "Write all criteria to this JUnit XML file")->type_name("FILE");
   command.callback([options, &run] { run = [options] { return Test(*options); }; });
 }
 

@@ -1,13 +1,12 @@
-#include "scenarios/cli/train.h"
-
 #include <fmt/format.h>
 
 #include <cstdint>
 #include <memory>
 #include <string>
 
+#include "scenarios/cli/commands.h"
 #include "scenarios/cli/interrupt.h"
-#include "scenarios/cli/output.h"
+#include "scenarios/cli/output_options.h"
 #include "scenarios/cli/progress.h"
 #include "scenarios/training/classifier_study.h"
 #include "scenarios/util/interrupted.h"
@@ -31,9 +30,9 @@ int TrainWith(const TrainOptions& options) {
   training::ClassifierStudy study = [&] {
     Progress progress(!options.output.ForPeople());
     return training::StudyClassifier(training::ClassifierStudyConfig::For(letter), options.seed,
-                                     [&](const std::string& text, double share) {
+                                     [&](const std::string& text, double fraction) {
                                        if (InterruptRequested()) throw util::Interrupted();
-                                       if (progress.IsDue()) progress.Tell(share, text);
+                                       if (progress.IsDue()) progress.Update(fraction, text);
                                      });
   }();
   for (const training::StudyFile& file : training::ClassifierFiles(study)) folder.Write(file.name, file.content);
@@ -48,12 +47,13 @@ int TrainWith(const TrainOptions& options) {
 
 void AddTrain(CLI::App& app, Run& run) {
   const auto options = std::make_shared<TrainOptions>();
-  CLI::App& command = *app.add_subcommand("train", "Train the classifier on rendered scenes and write it as C code");
-  command.add_option("--out", options->out, "Folder for the code, the confusion matrix and the pictures")->required();
-  command.add_option("--letter", options->letter, "What stands within the ring of its pads")
+  CLI::App& command = *app.add_subcommand("train", "Train the classifier on rendered scenes, and write it as C code");
+  command.add_option("--out", options->out, "Output directory for the C code, the confusion matrix and the images")
+      ->required();
+  command.add_option("--letter", options->letter, "Letter inside the ring of the pad")
       ->check(CLI::IsMember({"h", "rectangle"}))
       ->capture_default_str();
-  command.add_option("--seed", options->seed, "Seed of scenes, views and training")->capture_default_str();
+  command.add_option("--seed", options->seed, "Seed of the scenes, the views and the training")->capture_default_str();
   AddOutputOptions(command, options->output);
   command.callback([options, &run] { run = [options] { return TrainWith(*options); }; });
 }

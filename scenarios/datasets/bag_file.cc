@@ -17,7 +17,7 @@
 #include "models/error.h"
 #include "scenarios/datasets/bag_messages.h"
 #include "scenarios/datasets/flight_bag.h"
-#include "scenarios/datasets/flight_facts.h"
+#include "scenarios/datasets/flight_metadata.h"
 #include "scenarios/datasets/gray_image.h"
 
 namespace touchdown::datasets {
@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kCompressedImage = "sensor_msgs/CompressedImage";
 
-/// How ROS calls the layout of a picture's pixels, and how OpenCV does.
+/// Pixel layout of an image: its name in ROS and its OpenCV type.
 struct Encoding {
   std::string_view name;
   int type;
@@ -50,7 +50,7 @@ const Encoding& FindEncoding(const std::string& name) {
   if (found != kEncodings.end()) return *found;
   std::vector<std::string_view> names;
   for (const Encoding& encoding : kEncodings) names.push_back(encoding.name);
-  throw InputError(fmt::format("has the encoding {}, which is none of {}", name, fmt::join(names, ", ")));
+  throw InputError(fmt::format("unsupported image encoding {}; allowed: {}", name, fmt::join(names, ", ")));
 }
 
 models::Image GrayImage(const ros1::Image& message) {
@@ -60,14 +60,15 @@ models::Image GrayImage(const ros1::Image& message) {
   if (message.width == 0 || message.height == 0 || std::max(message.width, message.height) > kLargestSide_px ||
       message.step < row || message.step % CV_ELEM_SIZE1(encoding.type) != 0 ||
       message.data.size() < std::uint64_t{message.step} * message.height) {
-    throw InputError(fmt::format("is no picture of {} x {} px", message.width, message.height));
+    throw InputError(fmt::format("malformed image message of {} x {} px", message.width, message.height));
   }
-  if (message.is_bigendian && CV_MAT_DEPTH(encoding.type) == CV_16U) throw InputError("is of big-endian numbers");
-  cv::Mat picture(static_cast<int>(message.height), static_cast<int>(message.width), encoding.type,
-                  const_cast<std::uint8_t*>(message.data.data()), message.step);
-  if (!encoding.is_red_first) return ToGrayImage(picture);
+  if (message.is_bigendian && CV_MAT_DEPTH(encoding.type) == CV_16U)
+    throw InputError("16-bit image is big-endian; allowed: little-endian");
+  cv::Mat image(static_cast<int>(message.height), static_cast<int>(message.width), encoding.type,
+                const_cast<std::uint8_t*>(message.data.data()), message.step);
+  if (!encoding.is_red_first) return ToGrayImage(image);
   cv::Mat blue_first;
-  cv::cvtColor(picture, blue_first, picture.channels() == 4 ? cv::COLOR_RGBA2BGR : cv::COLOR_RGB2BGR);
+  cv::cvtColor(image, blue_first, image.channels() == 4 ? cv::COLOR_RGBA2BGR : cv::COLOR_RGB2BGR);
   return ToGrayImage(blue_first);
 }
 
@@ -79,11 +80,11 @@ models::Image GrayImage(const ros1::CompressedImage& message) {
   } catch (const cv::Exception&) {
     gray.release();
   }
-  if (gray.empty()) throw InputError(fmt::format("is no picture ({}) that can be read", message.format));
+  if (gray.empty()) throw InputError(fmt::format("cannot decode compressed image (format {})", message.format));
   return ToGrayImage(gray);
 }
 
-/// Of pictures that were rectified.
+/// Camera model of rectified images, from the projection matrix P; nullopt when P is not set.
 std::optional<models::CameraModel> RectifiedCameraOf(const ros1::CameraInfo& info) {
   if (info.P[0] == 0.0) return std::nullopt;
   return models::CameraModel{.width_px = static_cast<int>(info.width),
@@ -99,7 +100,7 @@ std::optional<models::CameraModel> RectifiedCameraOf(const ros1::CameraInfo& inf
                              .k3 = 0.0};
 }
 
-/// nullopt where it is not calibrated, or of another model than CameraModel's.
+/// Camera model of raw images, from K and D; nullopt when K is not set or the distortion model is not supported.
 std::optional<models::CameraModel> CameraOf(const ros1::CameraInfo& info) {
   constexpr std::size_t kTerms = 5;
   if (info.K[0] == 0.0 || info.D.size() > kTerms) return std::nullopt;
@@ -119,17 +120,17 @@ std::optional<models::CameraModel> CameraOf(const ros1::CameraInfo& info) {
                              .k3 = d[4]};
 }
 
-/// The topic of a picture's calibration: its sibling, also of what image_transport has compressed.
+/// Topic of the CameraInfo of an image topic: camera_info in the same namespace, also for topics of image_transport.
 std::string CameraInfoTopic(std::string image_topic) {
   constexpr std::string_view kCompressed = "/compressed";
   if (image_topic.ends_with(kCompressed)) image_topic.resize(image_topic.size() - kCompressed.size());
   return image_topic.substr(0, image_topic.rfind('/') + 1) + "camera_info";
 }
 
-/// Whether image_proc has rectified the pictures of a topic.
+/// Returns whether a topic has images rectified by image_proc, according to its name.
 bool IsRectified(const std::string& image_topic) { return image_topic.find("/image_rect") != std::string::npos; }
 
-/// Frames and where they sit on others, from /tf_static.
+/// Tree of the static transforms between frames, from /tf_static.
 class FrameTree {
  public:
   void Add(const ros1::TFMessage& message) {
@@ -139,25 +140,25 @@ class FrameTree {
       Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
       X.translation() = Eigen::Vector3d(p.x, p.y, p.z);
       X.linear() = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
-      parents_[Plain(transform.child_frame_id)] = {Plain(transform.header.frame_id), X};
+      parents_[WithoutSlash(transform.child_frame_id)] = {WithoutSlash(transform.header.frame_id), X};
     }
   }
 
-  bool IsOnAnother(const std::string& frame) const { return parents_.contains(Plain(frame)); }
+  bool HasParent(const std::string& frame) const { return parents_.contains(WithoutSlash(frame)); }
 
-  /// A frame's pose on its body: base_link where it is above it, else the topmost.
-  struct Place {
+  /// Pose of a frame on its body: the ancestor base_link, or the root of the tree when there is no such ancestor.
+  struct PoseOnBody {
     std::string body;
     Eigen::Isometry3d X_BF = Eigen::Isometry3d::Identity();
   };
-  Place PlaceOf(const std::string& frame) const {
-    Place place{.body = Plain(frame)};
-    for (std::size_t steps = 0; steps < parents_.size() && place.body != "base_link"; ++steps) {
-      const auto parent = parents_.find(place.body);
+  PoseOnBody FindPoseOnBody(const std::string& frame) const {
+    PoseOnBody pose{.body = WithoutSlash(frame)};
+    for (std::size_t steps = 0; steps < parents_.size() && pose.body != "base_link"; ++steps) {
+      const auto parent = parents_.find(pose.body);
       if (parent == parents_.end()) break;
-      place = {parent->second.frame, parent->second.X * place.X_BF};
+      pose = {parent->second.frame, parent->second.X * pose.X_BF};
     }
-    return place;
+    return pose;
   }
 
  private:
@@ -165,8 +166,8 @@ class FrameTree {
     std::string frame;
     Eigen::Isometry3d X;
   };
-  /// ROS's earlier transforms begin names with a slash.
-  static std::string Plain(const std::string& frame) { return frame.starts_with('/') ? frame.substr(1) : frame; }
+  /// Frame name without the leading slash of tf1.
+  static std::string WithoutSlash(const std::string& frame) { return frame.starts_with('/') ? frame.substr(1) : frame; }
 
   std::map<std::string, Parent> parents_;
 };
@@ -174,20 +175,20 @@ class FrameTree {
 }  // namespace
 
 struct BagFile::Impl {
-  /// Throws InputError, naming the bag, for what the library throws, and what `action` says of a message.
+  /// Calls `action`. Rethrows its InputError with the name of the bag, and any exception of the library as InputError.
   template <typename Action>
-  auto Try(const Action& action) const {
+  auto WithFileInErrors(const Action& action) const {
     try {
       return action();
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: {}", file.string(), error.what()));
-    } catch (const std::exception&) {  // The library's words quote a damaged bag's bytes.
-      throw InputError(fmt::format("{}: no ROS bag that can be read, or one that is cut", file.string()));
+    } catch (const std::exception&) {  // Its message may contain bytes of the bag.
+      throw InputError(fmt::format("{}: not a readable ROS bag, or truncated", file.string()));
     }
   }
 
   void Open(const std::vector<std::string>& wanted) {
-    console_bridge::noOutputHandler();  // What goes wrong is thrown.
+    console_bridge::noOutputHandler();  // Errors are reported by exceptions.
     bag.open(file.string(), rosbag::bagmode::Read);
     rosbag::View all(bag);
     for (const rosbag::ConnectionInfo* connection : all.getConnections()) {
@@ -198,49 +199,51 @@ struct BagFile::Impl {
     }
     for (const std::string& topic : wanted) {
       if (!image_topics.contains(topic) && !imu_topics.contains(topic)) {
-        throw InputError(fmt::format("has no pictures or IMU's samples under the topic {}", topic));
+        throw InputError(fmt::format("no images or IMU samples on topic {}", topic));
       }
     }
-    if (image_topics.empty()) throw InputError("has no topic of pictures (sensor_msgs/Image or CompressedImage)");
-    image_topic = Choose(image_topics, wanted, "pictures");
-    facts.frame_order = estimator::FrameOrder::kSequence;
+    if (image_topics.empty()) throw InputError("no image topic (sensor_msgs/Image or CompressedImage)");
+    image_topic = SelectTopic(image_topics, wanted, "images");
+    metadata.frame_order = estimator::FrameOrder::kSequence;
     ReadFlight();
-    if (!imu_topics.empty()) ReadImu(Choose(imu_topics, wanted, "an IMU's samples"));
+    if (!imu_topics.empty()) ReadImu(SelectTopic(imu_topics, wanted, "IMU samples"));
     OpenImages();
-    if (!facts.camera) ReadCamera();
-    if (!facts.mounting) ReadMounting();
+    if (!metadata.camera) ReadCamera();
+    if (!metadata.mounting) ReadMounting();
   }
 
-  /// The one of `topics` that is wanted, or the only one.
-  static std::string Choose(const std::set<std::string>& topics, const std::vector<std::string>& wanted,
-                            std::string_view what) {
-    std::set<std::string> left;
-    std::copy_if(topics.begin(), topics.end(), std::inserter(left, left.end()), [&wanted](const std::string& topic) {
-      return std::find(wanted.begin(), wanted.end(), topic) != wanted.end();
-    });
-    if (left.empty()) left = topics;
-    if (left.size() == 1) return *left.begin();
-    throw InputError(fmt::format("has several topics of {}; choose one with --topic: {}", what, fmt::join(left, ", ")));
+  /// Returns the topic that is in `topics` and `wanted`, or the only one of `topics`. Throws InputError when ambiguous.
+  static std::string SelectTopic(const std::set<std::string>& topics, const std::vector<std::string>& wanted,
+                                 std::string_view what) {
+    std::set<std::string> selected;
+    std::copy_if(
+        topics.begin(), topics.end(), std::inserter(selected, selected.end()),
+        [&wanted](const std::string& topic) { return std::find(wanted.begin(), wanted.end(), topic) != wanted.end(); });
+    if (selected.empty()) selected = topics;
+    if (selected.size() == 1) return *selected.begin();
+    throw InputError(
+        fmt::format("several topics with {}; select one with --topic: {}", what, fmt::join(selected, ", ")));
   }
 
   template <typename Message>
   static boost::shared_ptr<Message> Read(const rosbag::MessageInstance& instance) {
     const auto message = instance.instantiate<Message>();
     if (!message) {
-      throw InputError(fmt::format("topic {}: is no {} as ROS has it", instance.getTopic(), instance.getDataType()));
+      throw InputError(fmt::format("topic {}: message does not match the ROS 1 definition of {}", instance.getTopic(),
+                                   instance.getDataType()));
     }
     return message;
   }
 
-  /// Calls `take` with every message of a topic, and the time when it was recorded.
-  template <typename Message, typename Take>
-  void ForEach(const std::string& topic, const Take& take) const {
+  /// Calls `action` with each message of a topic and its recording time.
+  template <typename Message, typename Action>
+  void ForEach(const std::string& topic, const Action& action) const {
     rosbag::View view(bag, rosbag::TopicQuery(topic));
-    for (const rosbag::MessageInstance& instance : view) take(*Read<Message>(instance), instance.getTime());
+    for (const rosbag::MessageInstance& instance : view) action(*Read<Message>(instance), instance.getTime());
   }
 
   models::Tick TickOf(const ros::Time& time) const {
-    return facts.time.FromNanoseconds(static_cast<std::int64_t>(time.toNSec()) - epoch_ns);
+    return metadata.time.FromNanoseconds(static_cast<std::int64_t>(time.toNSec()) - epoch_ns);
   }
   models::Tick TickOf(const ros1::Header& header, const ros::Time& recorded) const {
     return TickOf(header.stamp.isZero() ? recorded : header.stamp);
@@ -248,7 +251,7 @@ struct BagFile::Impl {
 
   void ReadFlight() {
     ForEach<ros1::String>(kScenarioTopic, [this](const ros1::String& text, const ros::Time&) {
-      DescribeFlight(runner::ParseScenario(text.data, kScenarioTopic, {}), facts);
+      SetFlightMetadata(runner::ParseScenario(text.data, kScenarioTopic, {}), metadata);
       epoch_ns = kBagEpoch_ns;
     });
   }
@@ -260,34 +263,36 @@ struct BagFile::Impl {
     });
     ForEach<ros1::Imu>(topic, [&](const ros1::Imu& imu, const ros::Time& recorded) {
       const models::Tick tick = TickOf(imu.header, recorded);
-      if (!facts.imu.empty() && tick <= facts.imu.back().sample.tick) RefuseOrder(topic, facts.imu.size());
+      if (!metadata.imu.empty() && tick <= metadata.imu.back().sample.tick)
+        ThrowTimeOrderError(topic, metadata.imu.size());
       const auto change = at_rest.upper_bound(tick);
       const ros1::Vector3 &f = imu.linear_acceleration, &w = imu.angular_velocity;
-      facts.imu.push_back({.sample = {.tick = tick, .specific_force_U = {f.x, f.y, f.z}, .w_WU_U = {w.x, w.y, w.z}},
-                           .at_rest = change != at_rest.begin() && std::prev(change)->second});
+      metadata.imu.push_back({.sample = {.tick = tick, .specific_force_U = {f.x, f.y, f.z}, .w_WU_U = {w.x, w.y, w.z}},
+                              .at_rest = change != at_rest.begin() && std::prev(change)->second});
       imu_frame = imu.header.frame_id;
     });
   }
 
-  [[noreturn]] static void RefuseOrder(const std::string& topic, std::size_t index) {
-    throw InputError(fmt::format("topic {}: the time of message {} is not after the one before", topic, index));
+  [[noreturn]] static void ThrowTimeOrderError(const std::string& topic, std::size_t index) {
+    throw InputError(
+        fmt::format("topic {}: the time of message {} is not after that of the message before", topic, index));
   }
 
   void OpenImages() {
     images.addQuery(bag, rosbag::TopicQuery(image_topic));
     next_image = images.begin();
-    if (images.size() == 0) throw InputError(fmt::format("topic {}: has no messages", image_topic));
-    facts.frame_count = images.size();
+    if (images.size() == 0) throw InputError(fmt::format("topic {}: no messages", image_topic));
+    metadata.frame_count = images.size();
     const double span_s = (images.getEndTime() - images.getBeginTime()).toSec();
-    if (span_s > 0.0) facts.frames_per_s = static_cast<double>(images.size() - 1) / span_s;
+    if (span_s > 0.0) metadata.frames_per_s = static_cast<double>(images.size() - 1) / span_s;
   }
 
   void ReadCamera() {
     rosbag::View view(bag, rosbag::TopicQuery(CameraInfoTopic(image_topic)));
     if (view.size() == 0) return;
     const auto info = Read<ros1::CameraInfo>(*view.begin());
-    facts.camera = IsRectified(image_topic) ? RectifiedCameraOf(*info) : CameraOf(*info);
-    if (facts.camera) facts.camera->Validate();
+    metadata.camera = IsRectified(image_topic) ? RectifiedCameraOf(*info) : CameraOf(*info);
+    if (metadata.camera) metadata.camera->Validate();
   }
 
   void ReadMounting() {
@@ -295,15 +300,15 @@ struct BagFile::Impl {
     ForEach<ros1::TFMessage>("/tf_static",
                              [&tree](const ros1::TFMessage& message, const ros::Time&) { tree.Add(message); });
     const std::string camera_frame = HeaderOf(*next_image).frame_id;
-    if (!tree.IsOnAnother(camera_frame)) return;
-    const FrameTree::Place camera = tree.PlaceOf(camera_frame);
-    facts.mounting = SensorMounting{.X_BC = camera.X_BF};
-    if (facts.imu.empty()) return;
-    const FrameTree::Place imu = tree.PlaceOf(imu_frame);
+    if (!tree.HasParent(camera_frame)) return;
+    const FrameTree::PoseOnBody camera = tree.FindPoseOnBody(camera_frame);
+    metadata.mounting = SensorMounting{.X_BC = camera.X_BF};
+    if (metadata.imu.empty()) return;
+    const FrameTree::PoseOnBody imu = tree.FindPoseOnBody(imu_frame);
     if (imu.body == camera.body) {
-      facts.mounting->X_BU = imu.X_BF;
+      metadata.mounting->X_BU = imu.X_BF;
     } else {
-      facts.mounting.reset();
+      metadata.mounting.reset();
     }
   }
 
@@ -324,36 +329,36 @@ struct BagFile::Impl {
     if (next_image == images.end()) return std::nullopt;
     FootageFrame frame =
         IsCompressed(*next_image) ? FrameOf<ros1::CompressedImage>(*next_image) : FrameOf<ros1::Image>(*next_image);
-    if (newest && *frame.mid_exposure <= *newest) RefuseOrder(image_topic, read);
-    newest = frame.mid_exposure;
+    if (previous_time && *frame.mid_exposure <= *previous_time) ThrowTimeOrderError(image_topic, read);
+    previous_time = frame.mid_exposure;
     ++next_image;
     ++read;
     return frame;
   }
 
   fs::path file;
-  FootageFacts facts;
+  FootageMetadata metadata;
   rosbag::Bag bag;
   std::set<std::string> image_topics, imu_topics;
   std::string image_topic, imu_frame;
   std::int64_t epoch_ns = 0;
   rosbag::View images;
   rosbag::View::iterator next_image;
-  std::optional<models::Tick> newest;
+  std::optional<models::Tick> previous_time;
   std::size_t read = 0;
 };
 
 BagFile::BagFile(const fs::path& file, const std::vector<std::string>& topics) : impl_(std::make_unique<Impl>()) {
   impl_->file = file;
-  impl_->Try([&] { impl_->Open(topics); });
+  impl_->WithFileInErrors([&] { impl_->Open(topics); });
 }
 
 BagFile::~BagFile() = default;
 
-const FootageFacts& BagFile::facts() const { return impl_->facts; }
+const FootageMetadata& BagFile::metadata() const { return impl_->metadata; }
 
 std::optional<FootageFrame> BagFile::Next() {
-  return impl_->Try([this] { return impl_->Next(); });
+  return impl_->WithFileInErrors([this] { return impl_->Next(); });
 }
 
 }  // namespace touchdown::datasets

@@ -9,24 +9,26 @@
 
 namespace touchdown::datasets {
 
-/// A ROS 1 bag: its pictures (sensor_msgs/Image or CompressedImage) and, where they are there, the CameraInfo beside
-/// them, the samples of an IMU, and from /tf_static how both are mounted on the body: base_link, or without such a
-/// frame the one on which everything else is. The time of a message is its stamp, or when it has none, when it was
-/// recorded. A camera that is not plumb_bob, or not calibrated, counts as none.
+/// Reads images from a ROS 1 bag (sensor_msgs/Image or CompressedImage) and, when the bag contains them, the CameraInfo
+/// of the image topic, the samples of an IMU, and the mounting of camera and IMU from /tf_static. The body frame is
+/// base_link, or the root of the frame tree when there is no base_link. The time of a message is its stamp, or its
+/// recording time when the stamp is zero. A CameraInfo without a calibration, or with another distortion model than
+/// plumb_bob, is ignored.
 ///
-/// A bag that FlightBag wrote holds the flight's scenario: all that the flight's estimator was told is then as in the
-/// flight, to the last bit, and so are its times.
+/// A bag written by FlightBag contains the scenario of the flight. Then times and estimator inputs are bit-identical to
+/// those of the flight.
 class BagFile final : public Footage {
  public:
-  /// `topics` are chosen from where a bag has several of pictures, or of IMUs. Throws InputError, naming the file, when
-  /// it is no bag or is cut, has no pictures, has several topics of them or of IMUs of which none was chosen, or none
-  /// that was; when times do not rise; and when this build knows no bags.
+  /// `topics` selects the image topic and the IMU topic; it may be empty when the bag has at most one of each. Throws
+  /// InputError, naming the file, when it is not a bag or is truncated, when it has no images, when a selected topic
+  /// does not exist, when several topics are left to choose from, when times do not increase, and when this build has
+  /// no bag support.
   BagFile(const std::filesystem::path& file, const std::vector<std::string>& topics);
   ~BagFile() override;
 
-  const FootageFacts& facts() const override;
+  const FootageMetadata& metadata() const override;
 
-  /// Throws InputError for a picture that cannot be read, as one with the colors of a Bayer pattern.
+  /// Throws InputError for an image that cannot be read or has an unsupported encoding, for example a Bayer pattern.
   std::optional<FootageFrame> Next() override;
 
  private:

@@ -13,14 +13,14 @@
 #include <memory>
 #include <type_traits>
 
-/// ROS's messages, for the files that write and read bags and no others. ROS asks an allocator for its `rebind`, which
-/// C++20 has removed from the standard's; this one has it, and leaves strings as they are.
+/// ROS message types. Only the files that read and write bags include this header. ROS requires an allocator with a
+/// member `rebind`, which C++20 removed from std::allocator; the allocator below adds it. Strings keep std::allocator.
 namespace touchdown::datasets::ros1 {
 
 template <typename T>
 struct Rebindable : std::allocator<T> {
   template <typename U>
-  struct rebind {  // NOLINT: the standard's name.
+  struct rebind {  // NOLINT: name required by the allocator interface.
     using other = std::conditional_t<std::is_same_v<U, char>, std::allocator<char>, Rebindable<U>>;
   };
 };

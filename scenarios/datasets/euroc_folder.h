@@ -8,28 +8,28 @@
 
 namespace touchdown::datasets {
 
-/// The folder mav0 of a recording in EuRoC's layout: `input` itself, or within `input` or its folder `recording`;
-/// nullopt when there is none.
+/// Finds the directory mav0 of a recording in the EuRoC layout: `input`, `input`/mav0 or `input`/recording/mav0.
+/// Returns nullopt when there is none.
 std::optional<std::filesystem::path> FindEurocFolder(const std::filesystem::path& input);
 
-/// A recording in the layout of the EuRoC data sets (Burri et al.: The EuRoC micro aerial vehicle datasets, IJRR
-/// 35(10), 2016): cam0 with its pictures and, where they are there, its sensor.yaml and imu0.
+/// Reads a recording in the layout of the EuRoC data sets (Burri et al.: The EuRoC micro aerial vehicle datasets, IJRR
+/// 35(10), 2016): the images of cam0 and, when present, its sensor.yaml and imu0.
 ///
-/// Beside mav0, a recording of a flight holds its scenario.yaml: all that the flight's estimator was told is then as in
-/// the flight, to the last bit.
+/// The recording of a flight has a scenario.yaml next to mav0. Then all estimator inputs are bit-identical to those of
+/// the flight.
 class EurocFolder final : public Footage {
  public:
-  /// Throws InputError, naming file and line, for files that are not of the layout.
+  /// Throws InputError, naming file and line, for files that do not follow the layout.
   explicit EurocFolder(const std::filesystem::path& mav0);
 
-  const FootageFacts& facts() const override { return facts_; }
+  const FootageMetadata& metadata() const override { return metadata_; }
   std::optional<FootageFrame> Next() override;
 
  private:
   void ReadSensors();
 
   std::filesystem::path mav0_;
-  FootageFacts facts_;
+  FootageMetadata metadata_;
   std::vector<util::StampedRow> frames_;
   std::size_t next_ = 0;
 };

@@ -12,20 +12,20 @@ namespace touchdown::datasets {
 namespace {
 
 constexpr std::array<std::string_view, 1> kDistortionModels = {"radial-tangential"};
-constexpr models::Range kFour = models::Between(4, 4);
+constexpr models::Range kExactlyFour = models::Between(4, 4);
 
-/// Throws InputError unless it is a rotation and a translation above 0 0 0 1.
+/// Throws InputError unless the 4x4 matrix is a rigid transform.
 void RequirePose(const config::ConfigMatrix& matrix) {
   const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> T(matrix.data.data());
   constexpr double kRoundOff = 1e-4;
   const bool is_rotation = T.topLeftCorner<3, 3>().isUnitary(kRoundOff) && T.topLeftCorner<3, 3>().determinant() > 0.0;
   if (!is_rotation || T.row(3) != Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0)) {
-    throw InputError("must be a rotation and a translation above 0 0 0 1");
+    throw InputError("must be a rigid transform: a rotation and a translation, with last row 0 0 0 1");
   }
 }
 
 void DescribeMounting(models::ConfigVisitor& v, config::ConfigMatrix& T_BS) {
-  config::DescribeMatrix(v, {"T_BS", "", true}, T_BS, kFour, kFour);
+  config::DescribeMatrix(v, {"T_BS", "", true}, T_BS, kExactlyFour, kExactlyFour);
   v.Check("T_BS.data", [&T_BS] { RequirePose(T_BS); });
 }
 
@@ -51,8 +51,8 @@ void DescribeCamera(models::ConfigVisitor& v, CameraKeys& c) {
   });
 }
 
-/// Reads the keys that `describe` names, and lets others be.
-void ReadLoosely(const std::filesystem::path& file, const std::function<void(models::ConfigVisitor&)>& describe) {
+/// Reads the keys that `describe` names, and ignores others.
+void ReadKnownKeys(const std::filesystem::path& file, const std::function<void(models::ConfigVisitor&)>& describe) {
   const config::ConfigNode root = config::ReadConfigFile(file);
   config::OriginByPath origins;
   config::ConfigReader reader(root, origins);
@@ -81,13 +81,13 @@ std::string MountingYaml(const Eigen::Isometry3d& X_BS) {
 
 EurocCamera ReadEurocCamera(const std::filesystem::path& file) {
   CameraKeys keys;
-  ReadLoosely(file, [&keys](models::ConfigVisitor& v) { DescribeCamera(v, keys); });
+  ReadKnownKeys(file, [&keys](models::ConfigVisitor& v) { DescribeCamera(v, keys); });
   return {keys.model, PoseOf(keys.T_BS)};
 }
 
 Eigen::Isometry3d ReadEurocMounting(const std::filesystem::path& file) {
   config::ConfigMatrix T_BS;
-  ReadLoosely(file, [&T_BS](models::ConfigVisitor& v) { DescribeMounting(v, T_BS); });
+  ReadKnownKeys(file, [&T_BS](models::ConfigVisitor& v) { DescribeMounting(v, T_BS); });
   return PoseOf(T_BS);
 }
 

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr const char *kWorldFrame = "world", *kBodyFrame = "base_link", *kCameraFrame = "camera", *kImuFrame = "imu";
 
-/// A Point or a Vector3.
+/// Converts a vector to a ROS Point or Vector3.
 template <typename Message>
 Message XyzOf(const Eigen::Vector3d& v) {
   Message message;
@@ -61,7 +61,7 @@ ros1::PoseStamped BodyPose(const ros::Time& stamp, const Eigen::Isometry3d& X_WB
   return message;
 }
 
-/// The covariance needs no change: both are of position and rotation about the world's fixed axes, in this order.
+/// The covariance is copied as is: ROS and VisionPose both use position and rotation about fixed axes, in this order.
 ros1::PoseWithCovarianceStamped EstimatedPose(const ros::Time& stamp, const estimator::VisionPose& pose) {
   ros1::PoseWithCovarianceStamped message;
   message.header = HeaderOf(stamp, kWorldFrame);
@@ -93,8 +93,8 @@ ros1::CameraInfo CameraInfoOf(const models::CameraModel& c) {
   return info;
 }
 
-/// What every sample has in common: no orientation, and of each axis the noise's variance, which is 0 ("unknown" to
-/// ROS) where there is none.
+/// Fields common to all IMU messages: no orientation, and the noise variance per axis. The variance is 0, which means
+/// "unknown" in ROS, when the scenario has no noise.
 ros1::Imu ImuOf(const sim::ImuConfig& config) {
   const auto variance = [&config](double density) { return density * density * config.rate_hz; };
   ros1::Imu imu;
@@ -119,7 +119,7 @@ ros1::Image ImageOf(const ros::Time& stamp, const models::Image& image) {
   return message;
 }
 
-/// The fields of a topic whose newest message every later listener is to get.
+/// Connection header of a latched topic, whose last message is sent to each new subscriber.
 template <typename Message>
 boost::shared_ptr<ros::M_string> LatchedFields() {
   auto fields = boost::make_shared<ros::M_string>();
@@ -133,37 +133,37 @@ boost::shared_ptr<ros::M_string> LatchedFields() {
 }  // namespace
 
 struct FlightBag::Impl {
-  Impl(const runner::Scenario& scenario, const fs::path& place)
-      : file(place),
+  Impl(const runner::Scenario& scenario, const fs::path& path)
+      : file(path),
         time(scenario.time),
         camera_info(CameraInfoOf(scenario.assumed_camera())),
         imu(ImuOf(scenario.imu)) {
-    console_bridge::noOutputHandler();  // What goes wrong is thrown.
+    console_bridge::noOutputHandler();  // Errors are reported by exceptions.
   }
 
   ~Impl() {
     if (finished) return;
     try {
       Close();
-    } catch (const InputError&) {  // There is nothing to be kept.
+    } catch (const InputError&) {  // The file is removed below.
     }
     std::error_code ignored;
     if (is_made) fs::remove(file, ignored);
   }
 
   void Open() {
-    Try([this] { bag->open(file.string(), rosbag::bagmode::Write); });
+    Guarded([this] { bag->open(file.string(), rosbag::bagmode::Write); });
     is_made = true;
   }
 
   void Close() {
-    if (bag) Try([this] { bag->close(); });
+    if (bag) Guarded([this] { bag->close(); });
   }
 
-  /// Throws InputError for what the library throws in `action`. A bag that could not be written is let go of, never
-  /// destroyed: its destructor would write again, and end the program when it could not.
+  /// Calls `action`, and rethrows exceptions of the library as InputError. After an error, an open bag is leaked on
+  /// purpose: its destructor would write again, and terminate the program when that fails.
   template <typename Action>
-  void Try(const Action& action) {
+  void Guarded(const Action& action) {
     try {
       action();
     } catch (const rosbag::BagException& error) {
@@ -174,36 +174,36 @@ struct FlightBag::Impl {
   }
 
   template <typename Message>
-  void Put(const char* topic, const ros::Time& recorded, const Message& message) {
-    Try([&] { bag->write(topic, recorded, message); });
+  void WriteMessage(const char* topic, const ros::Time& recorded, const Message& message) {
+    Guarded([&] { bag->write(topic, recorded, message); });
   }
   template <typename Message>
-  void PutLatched(const char* topic, const ros::Time& recorded, const Message& message) {
-    Try([&] { bag->write(topic, recorded, message, LatchedFields<Message>()); });
+  void WriteLatched(const char* topic, const ros::Time& recorded, const Message& message) {
+    Guarded([&] { bag->write(topic, recorded, message, LatchedFields<Message>()); });
   }
 
-  ros::Time At(models::Tick tick) const {
+  ros::Time StampOf(models::Tick tick) const {
     ros::Time stamp;
     stamp.fromNSec(static_cast<std::uint64_t>(kBagEpoch_ns + time.ToNanoseconds(tick)));
     return stamp;
   }
 
-  /// What holds for the whole flight, with its first sample: before that its beginning is not known.
-  void PutFacts(const ros::Time& begin) {
+  /// Writes the scenario and the mounting. Called with the first IMU sample, whose time is the beginning of the bag.
+  void WriteStaticMessages(const ros::Time& begin) {
     ros1::String text;
     text.data = scenario_yaml;
-    PutLatched(kScenarioTopic, begin, text);
+    WriteLatched(kScenarioTopic, begin, text);
     ros1::TFMessage mounting;
     mounting.transforms = {Transform(begin, kBodyFrame, kCameraFrame, X_BC),
                            Transform(begin, kBodyFrame, kImuFrame, X_BU)};
-    PutLatched("/tf_static", begin, mounting);
+    WriteLatched("/tf_static", begin, mounting);
   }
 
-  void PutTruth(models::Tick tick, const Eigen::Isometry3d& X_WB) {
-    Put("/truth", At(tick), BodyPose(At(tick), X_WB));
+  void WriteTruth(models::Tick tick, const Eigen::Isometry3d& X_WB) {
+    WriteMessage("/truth", StampOf(tick), BodyPose(StampOf(tick), X_WB));
     ros1::TFMessage transforms;
-    transforms.transforms = {Transform(At(tick), kWorldFrame, kBodyFrame, X_WB)};
-    Put("/tf", At(tick), transforms);
+    transforms.transforms = {Transform(StampOf(tick), kWorldFrame, kBodyFrame, X_WB)};
+    WriteMessage("/tf", StampOf(tick), transforms);
   }
 
   fs::path file;
@@ -230,38 +230,38 @@ FlightBag::FlightBag(const runner::Scenario& scenario, const fs::path& file)
 FlightBag::~FlightBag() = default;
 
 void FlightBag::OnImu(const models::ImuSample& sample, bool at_rest) {
-  const ros::Time stamp = impl_->At(sample.tick);
-  if (!impl_->was_at_rest) impl_->PutFacts(stamp);
+  const ros::Time stamp = impl_->StampOf(sample.tick);
+  if (!impl_->was_at_rest) impl_->WriteStaticMessages(stamp);
   if (impl_->was_at_rest != at_rest) {
     ros1::Bool flag;
     flag.data = at_rest;
-    impl_->PutLatched(kAtRestTopic, stamp, flag);
+    impl_->WriteLatched(kAtRestTopic, stamp, flag);
     impl_->was_at_rest = at_rest;
   }
   impl_->imu.header.stamp = stamp;
   impl_->imu.angular_velocity = XyzOf<ros1::Vector3>(sample.w_WU_U);
   impl_->imu.linear_acceleration = XyzOf<ros1::Vector3>(sample.specific_force_U);
-  impl_->Put("/imu/data_raw", stamp, impl_->imu);
+  impl_->WriteMessage("/imu/data_raw", stamp, impl_->imu);
 }
 
 void FlightBag::OnFrame(const models::CameraFrame& frame, const estimator::FrameResult& /*estimate*/,
                         const runner::FrameRecord& record) {
-  const ros::Time stamp = impl_->At(frame.mid_exposure), delivered = impl_->At(record.delivered);
+  const ros::Time stamp = impl_->StampOf(frame.mid_exposure), delivered = impl_->StampOf(record.delivered);
   impl_->camera_info.header.stamp = stamp;
-  impl_->Put("/camera/camera_info", delivered, impl_->camera_info);
-  impl_->Put("/camera/image_raw", delivered, ImageOf(stamp, frame.image));
+  impl_->WriteMessage("/camera/camera_info", delivered, impl_->camera_info);
+  impl_->WriteMessage("/camera/image_raw", delivered, ImageOf(stamp, frame.image));
   if (record.status == estimator::FrameStatus::kOk) {
-    impl_->Put("/estimate", delivered, EstimatedPose(stamp, record.pose.value()));
+    impl_->WriteMessage("/estimate", delivered, EstimatedPose(stamp, record.pose.value()));
   }
 }
 
 void FlightBag::Finish(const runner::FlightLog& log) {
-  // Who plays the bag goes back and forth between these chunks and those with the frames, and reads each as a whole.
+  // Small chunks: playback alternates between these and the chunks with frames, and reads each chunk as a whole.
   constexpr std::uint32_t kSmallChunk_bytes = 64 * 1024;
-  impl_->Try([this] { impl_->bag->setChunkThreshold(kSmallChunk_bytes); });
-  for (const auto& [tick, X_WB] : runner::TrueTrajectory(log)) impl_->PutTruth(tick, X_WB);
+  impl_->Guarded([this] { impl_->bag->setChunkThreshold(kSmallChunk_bytes); });
+  for (const auto& [tick, X_WB] : runner::TrueTrajectory(log)) impl_->WriteTruth(tick, X_WB);
   for (const auto& [tick, X_WB] : runner::TrackedTrajectory(log)) {
-    impl_->Put("/tracking", impl_->At(tick), BodyPose(impl_->At(tick), X_WB));
+    impl_->WriteMessage("/tracking", impl_->StampOf(tick), BodyPose(impl_->StampOf(tick), X_WB));
   }
   impl_->Close();
   impl_->finished = true;

@@ -10,26 +10,26 @@
 
 namespace touchdown::datasets {
 
-/// A flight's time 0 in its bag: ROS knows no time before 0, and means "unknown" by 0.
+/// Time of a flight's start in its bag, ns. ROS has no negative times, and 0 means "unknown".
 inline constexpr std::int64_t kBagEpoch_ns = 1'000'000'000'000;
 
-/// Topics that tell of a flight what the estimator was told, for BagFile: std_msgs/String with the resolved scenario,
-/// and std_msgs/Bool whenever it changes whether the vehicle knew that it stood on the ground, motors off.
+/// Topics with the estimator inputs of a flight, which BagFile reads: std_msgs/String with the resolved scenario, and
+/// std_msgs/Bool at each change of the signal "at rest on the ground, motors off".
 inline constexpr const char* kScenarioTopic = "/touchdown/scenario";
 inline constexpr const char* kAtRestTopic = "/touchdown/at_rest";
 
-/// Writes a flight into a ROS 1 bag while it is flown; docs/scenarios.md lists its topics. A message's stamp is the
-/// time of what it tells, to the nanosecond, kBagEpoch_ns later than in the flight; it is recorded when the vehicle had
-/// it (frames and what was seen in them: when they were delivered), the truth at its own time. The same flight gives
-/// the same bytes.
+/// Writes a flight into a ROS 1 bag during the flight; docs/scenarios.md lists the topics. The stamp of a message is
+/// the time of measurement in the flight plus kBagEpoch_ns, exact to the nanosecond. Its recording time is the time at
+/// which the vehicle received it: the delivery time for frames and estimates, the stamp for the truth. The same flight
+/// gives the same bytes.
 ///
-/// Chunks are not compressed: LZ4 takes half a percent off frames with the default noise.
+/// Chunks are not compressed: LZ4 saves half a percent for frames with the default noise.
 class FlightBag final : public runner::FlightObserver {
  public:
-  /// The file is made. Throws InputError, as every other member does, when it cannot be written, or when this build
-  /// knows no bags: one line that names it.
+  /// Creates the file. All members throw InputError, naming the file, when it cannot be written. The constructor also
+  /// throws it when this build has no bag support.
   FlightBag(const runner::Scenario& scenario, const std::filesystem::path& file);
-  /// Removes the file unless it is finished.
+  /// Removes the file unless Finish has completed it.
   ~FlightBag() override;
   FlightBag(const FlightBag&) = delete;
   FlightBag& operator=(const FlightBag&) = delete;
@@ -38,7 +38,7 @@ class FlightBag final : public runner::FlightObserver {
   void OnFrame(const models::CameraFrame& frame, const estimator::FrameResult& estimate,
                const runner::FrameRecord& record) override;
 
-  /// Writes the truth and the tracking system's poses, and completes the file.
+  /// Writes the truth and the poses of the tracking system, and completes the file.
   void Finish(const runner::FlightLog& log);
 
  private:

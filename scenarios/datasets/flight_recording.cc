@@ -17,24 +17,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-InputError Unwritable(const fs::path& file) {
+InputError WriteError(const fs::path& file) {
   return InputError(fmt::format("recording: {} cannot be written", file.filename().string()));
 }
 
-/// Compressed a little: noise does not get much smaller, and a frame must not cost more than its rendering.
+/// Uses the fastest compression: image noise compresses poorly, and writing must not take longer than rendering.
 void WritePng(const fs::path& file, const models::Image& image) {
-  const cv::Mat picture(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data()));
+  const cv::Mat mat(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data()));
   std::vector<unsigned char> png;
-  if (!cv::imencode(".png", picture, png, {cv::IMWRITE_PNG_COMPRESSION, 1})) throw Unwritable(file);
+  if (!cv::imencode(".png", mat, png, {cv::IMWRITE_PNG_COMPRESSION, 1})) throw WriteError(file);
   std::ofstream stream(file, std::ios::binary);
   stream.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
   stream.close();
-  if (!stream) throw Unwritable(file);
+  if (!stream) throw WriteError(file);
 }
 
 }  // namespace
 
-bool IsOfFlightRecording(const fs::path& file) {
+bool IsFlightRecordingFile(const fs::path& file) {
   static const std::regex names(
       "scenario\\.yaml|camera\\.yaml|pad\\.yaml|mav0/cam0/(sensor\\.yaml|data\\.csv|data/[0-9]+\\.png)|"
       "mav0/imu0/(sensor\\.yaml|data\\.csv|at_rest\\.csv)|mav0/state_groundtruth_estimate0/data\\.csv");
@@ -101,7 +101,7 @@ void FlightRecording::Write(const fs::path& name, const std::string& content) co
   std::ofstream stream(folder_ / name, std::ios::binary);
   stream.write(content.data(), static_cast<std::streamsize>(content.size()));
   stream.close();
-  if (!stream) throw Unwritable(name);
+  if (!stream) throw WriteError(name);
 }
 
 }  // namespace touchdown::datasets

@@ -11,23 +11,23 @@
 
 namespace touchdown::datasets {
 
-/// Whether `file`, relative to a recording, is one of those that FlightRecording writes.
-bool IsOfFlightRecording(const std::filesystem::path& file);
+/// Returns whether FlightRecording writes a file with this path, relative to the directory of the recording.
+bool IsFlightRecordingFile(const std::filesystem::path& file);
 
-/// Records a flight while it is flown, in the layout that EurocFolder reads: mav0 with the camera's frames as PNG
-/// (cam0), the IMU's samples and the times at which the vehicle knew that it was at rest (imu0), and the truth
-/// (state_groundtruth_estimate0: position and rotation of the body in W); beside it scenario.yaml as resolved,
-/// camera.yaml as ROS has it, and pad.yaml. A frame's time is its mid-exposure.
+/// Records a flight in the EuRoC layout, which EurocFolder reads. The directory mav0 contains the frames as PNG files
+/// (cam0), the IMU samples and the changes of the at-rest signal (imu0), and the true pose X_WB
+/// (state_groundtruth_estimate0). Next to mav0 are scenario.yaml with the resolved scenario, camera.yaml with the
+/// assumed camera model in ROS format, and pad.yaml. The time of a frame is its mid-exposure.
 class FlightRecording final : public runner::FlightObserver {
  public:
-  /// `folder` is made. Throws InputError when it cannot be written, as every other member does.
+  /// Creates the directory `folder`. All members throw InputError when a file cannot be written.
   FlightRecording(const runner::Scenario& scenario, const std::filesystem::path& folder);
 
   void OnImu(const models::ImuSample& sample, bool at_rest) override;
   void OnFrame(const models::CameraFrame& frame, const estimator::FrameResult& estimate,
                const runner::FrameRecord& record) override;
 
-  /// Writes all but the frames, which are written as they come.
+  /// Writes all other files; OnFrame has already written the frames.
   void Finish(const runner::FlightLog& log);
 
  private:

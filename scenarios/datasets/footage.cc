@@ -14,9 +14,10 @@ std::unique_ptr<Footage> OpenFootage(const std::filesystem::path& input, const s
   namespace fs = std::filesystem;
   std::error_code error;
   const fs::file_status status = fs::status(input, error);
-  if (!fs::exists(status)) throw InputError(fmt::format("{}: no such file or folder", input.string()));
+  if (!fs::exists(status)) throw InputError(fmt::format("{}: no such file or directory", input.string()));
   if (!fs::is_directory(status) && input.extension() == ".bag") return std::make_unique<BagFile>(input, topics);
-  if (!topics.empty()) throw InputError(fmt::format("{}: is no ROS bag, and has no topics", input.string()));
+  if (!topics.empty())
+    throw InputError(fmt::format("{}: not a ROS bag; --topic is allowed only for ROS bags", input.string()));
   if (!fs::is_directory(status)) return std::make_unique<VideoFile>(input);
   if (const auto recording = FindEurocFolder(input)) return std::make_unique<EurocFolder>(*recording);
   return std::make_unique<ImageFolder>(input);

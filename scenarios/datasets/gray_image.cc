@@ -5,10 +5,10 @@
 
 namespace touchdown::datasets {
 
-models::Image ToGrayImage(const cv::Mat& picture) {
-  cv::Mat gray = picture;
-  if (picture.channels() > 1) {
-    cv::cvtColor(picture, gray, picture.channels() == 4 ? cv::COLOR_BGRA2GRAY : cv::COLOR_BGR2GRAY);
+models::Image ToGrayImage(const cv::Mat& mat) {
+  cv::Mat gray = mat;
+  if (mat.channels() > 1) {
+    cv::cvtColor(mat, gray, mat.channels() == 4 ? cv::COLOR_BGRA2GRAY : cv::COLOR_BGR2GRAY);
   }
   constexpr double kFrom16Bit = 1.0 / 257.0;
   if (gray.depth() != CV_8U) gray.convertTo(gray, CV_8U, gray.depth() == CV_16U ? kFrom16Bit : 1.0);

@@ -6,7 +6,7 @@
 
 namespace touchdown::datasets {
 
-/// A picture of 1, 3 or 4 channels of 8 or 16 bit, as OpenCV orders them, in gray of 8 bit.
-models::Image ToGrayImage(const cv::Mat& picture);
+/// Converts an image with 1, 3 or 4 channels (gray, BGR or BGRA) of 8 or 16 bits to 8-bit gray.
+models::Image ToGrayImage(const cv::Mat& mat);
 
 }  // namespace touchdown::datasets

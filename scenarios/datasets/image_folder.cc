@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool IsPicture(const fs::path& file) {
+bool IsImageFile(const fs::path& file) {
   constexpr std::array<std::string_view, 10> kEndings = {".png", ".jpg",  ".jpeg", ".bmp",  ".pgm",
                                                          ".ppm", ".tiff", ".tif",  ".webp", ".jp2"};
   std::string ending = file.extension().string();
@@ -35,21 +35,21 @@ models::Image ReadGrayImage(const fs::path& file) {
   } catch (const cv::Exception&) {
     gray.release();
   }
-  if (gray.empty()) throw InputError(fmt::format("{}: no picture that can be read", file.string()));
+  if (gray.empty()) throw InputError(fmt::format("{}: not a readable image", file.string()));
   return ToGrayImage(gray);
 }
 
 ImageFolder::ImageFolder(const fs::path& folder) {
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    if (entry->is_regular_file() && IsPicture(entry->path())) files_.push_back(entry->path());
+    if (entry->is_regular_file() && IsImageFile(entry->path())) files_.push_back(entry->path());
   }
   if (error) throw InputError(fmt::format("{}: {}", folder.string(), error.message()));
-  if (files_.empty()) throw InputError(fmt::format("{}: no pictures in this folder", folder.string()));
+  if (files_.empty()) throw InputError(fmt::format("{}: no images in this directory", folder.string()));
   std::sort(files_.begin(), files_.end(), [](const fs::path& a, const fs::path& b) {
-    return strverscmp(a.filename().c_str(), b.filename().c_str()) < 0;  // GNU: numbers in names count as numbers.
+    return strverscmp(a.filename().c_str(), b.filename().c_str()) < 0;  // GNU extension: compares digits as numbers.
   });
-  facts_.frame_count = files_.size();
+  metadata_.frame_count = files_.size();
 }
 
 std::optional<FootageFrame> ImageFolder::Next() {

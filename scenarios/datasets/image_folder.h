@@ -7,22 +7,22 @@
 
 namespace touchdown::datasets {
 
-/// The file's picture in gray, as stored: a camera's note of how it was held (EXIF) turns nothing, since a calibration
-/// is of the sensor. Throws InputError, naming the file, when it cannot be read.
+/// Reads an image file and converts it to gray. EXIF orientation is ignored, because a camera calibration refers to the
+/// sensor. Throws InputError, naming the file, when it cannot be read.
 models::Image ReadGrayImage(const std::filesystem::path& file);
 
-/// A folder of pictures that have nothing to do with each other: every file that OpenCV reads by its name's ending, in
-/// the order of the names, numbers in them by their value. Folders within it are not looked into.
+/// Reads a directory of unrelated images: all files with the extension of a supported image format, in natural order of
+/// their names (shot9 before shot10). Subdirectories are ignored.
 class ImageFolder final : public Footage {
  public:
-  /// Throws InputError for a folder without a picture.
+  /// Throws InputError for a directory without images.
   explicit ImageFolder(const std::filesystem::path& folder);
 
-  const FootageFacts& facts() const override { return facts_; }
+  const FootageMetadata& metadata() const override { return metadata_; }
   std::optional<FootageFrame> Next() override;
 
  private:
-  FootageFacts facts_;
+  FootageMetadata metadata_;
   std::vector<std::filesystem::path> files_;
   std::size_t next_ = 0;
 };

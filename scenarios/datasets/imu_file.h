@@ -8,9 +8,9 @@
 
 namespace touchdown::datasets {
 
-/// The samples of an IMU from a file of EuRoC's layout: time in ns, then the angular rate about x, y, z in rad/s and
-/// the specific force along x, y, z in m/s^2, in the IMU's frame. A file at_rest.csv beside it, where there is one,
-/// tells from which times on the vehicle knew that it stood on the ground (1) or not (0). Throws InputError as
+/// Reads IMU samples from a CSV file in the EuRoC layout: time in ns, angular rate about x, y, z in rad/s, and specific
+/// force along x, y, z in m/s^2, both in the IMU frame U. An optional file at_rest.csv in the same directory contains
+/// the times in ns at which the at-rest signal changes to 1 (on the ground, motors off) or 0. Throws InputError as
 /// ReadStampedCsv does.
 std::vector<ImuReading> ReadImuFile(const std::filesystem::path& file, const models::TimeBase& time);
 

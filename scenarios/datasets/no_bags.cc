@@ -1,4 +1,4 @@
-// In place of bag_file.cc and flight_bag.cc where the libraries of ROS bags are not there.
+// Replaces bag_file.cc and flight_bag.cc in builds without the ROS bag libraries.
 #include <fmt/format.h>
 
 #include "models/error.h"
@@ -8,15 +8,17 @@
 namespace touchdown::datasets {
 namespace {
 
-[[noreturn]] void Refuse(const std::filesystem::path& file) {
-  throw InputError(fmt::format("bag {}: built without the ROS packages for bags; packages/test.txt lists them",
+[[noreturn]] void ThrowNoBagSupport(const std::filesystem::path& file) {
+  throw InputError(fmt::format("bag {}: built without ROS bag support; packages/test.txt lists the required packages",
                                file.filename().string()));
 }
 
 }  // namespace
 
 struct FlightBag::Impl {};
-FlightBag::FlightBag(const runner::Scenario& /*scenario*/, const std::filesystem::path& file) { Refuse(file); }
+FlightBag::FlightBag(const runner::Scenario& /*scenario*/, const std::filesystem::path& file) {
+  ThrowNoBagSupport(file);
+}
 FlightBag::~FlightBag() = default;
 void FlightBag::OnImu(const models::ImuSample& /*sample*/, bool /*at_rest*/) {}
 void FlightBag::OnFrame(const models::CameraFrame& /*frame*/, const estimator::FrameResult& /*estimate*/,
@@ -24,11 +26,13 @@ void FlightBag::OnFrame(const models::CameraFrame& /*frame*/, const estimator::F
 void FlightBag::Finish(const runner::FlightLog& /*log*/) {}
 
 struct BagFile::Impl {
-  FootageFacts facts;
+  FootageMetadata metadata;
 };
-BagFile::BagFile(const std::filesystem::path& file, const std::vector<std::string>& /*topics*/) { Refuse(file); }
+BagFile::BagFile(const std::filesystem::path& file, const std::vector<std::string>& /*topics*/) {
+  ThrowNoBagSupport(file);
+}
 BagFile::~BagFile() = default;
-const FootageFacts& BagFile::facts() const { return impl_->facts; }
+const FootageMetadata& BagFile::metadata() const { return impl_->metadata; }
 std::optional<FootageFrame> BagFile::Next() { return std::nullopt; }
 
 }  // namespace touchdown::datasets

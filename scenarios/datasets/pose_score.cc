@@ -22,19 +22,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Poses further apart than this in time say nothing of what was between them.
+/// Largest time between two true poses over which the truth is interpolated.
 constexpr double kLongestGap_s = 0.05;
 
-/// The truth at a time, between the poses around it; nullopt where it is not known.
-std::optional<Eigen::Isometry3d> At(const std::vector<TimedPose>& truth, double t_s) {
+/// True pose at a time, interpolated between the neighboring poses; nullopt outside the truth and in gaps.
+std::optional<Eigen::Isometry3d> TruthAt(const std::vector<TimedPose>& truth, double t_s) {
   const auto after =
       std::lower_bound(truth.begin(), truth.end(), t_s, [](const TimedPose& pose, double t) { return pose.t_s < t; });
   if (after == truth.end()) return std::nullopt;
   if (after->t_s == t_s) return after->X_WB;
   if (after == truth.begin() || after->t_s - (after - 1)->t_s > kLongestGap_s) return std::nullopt;
   const TimedPose& before = *(after - 1);
-  const double share = (t_s - before.t_s) / (after->t_s - before.t_s);
-  return models::InterpolatePose(before.X_WB, after->X_WB, share);
+  const double fraction = (t_s - before.t_s) / (after->t_s - before.t_s);
+  return models::InterpolatePose(before.X_WB, after->X_WB, fraction);
 }
 
 std::vector<TimedPose> ReadEurocTruth(const fs::path& file) {
@@ -50,11 +50,12 @@ std::vector<TimedPose> ReadEurocTruth(const fs::path& file) {
   return truth;
 }
 
-/// The poses as records of frames with status ok, beside the truth at their times.
-std::vector<runner::FrameRecord> Pair(const std::vector<TimedPose>& poses, const std::vector<TimedPose>& truth) {
+/// Frame records with status ok, one for each pose inside the truth: the pose and the true pose at its time.
+std::vector<runner::FrameRecord> PairWithTruth(const std::vector<TimedPose>& poses,
+                                               const std::vector<TimedPose>& truth) {
   std::vector<runner::FrameRecord> records;
   for (const TimedPose& pose : poses) {
-    const auto true_pose = At(truth, pose.t_s);
+    const auto true_pose = TruthAt(truth, pose.t_s);
     if (!true_pose) continue;
     runner::FrameRecord& record = records.emplace_back();
     record.status = estimator::FrameStatus::kOk;
@@ -72,7 +73,7 @@ const TimedPose& Nearest(const std::vector<TimedPose>& poses, double t_s) {
   return *(after - 1);
 }
 
-/// A flight's frames as it logged them, with the pose nearest to each.
+/// Frames from the log of a flight, each with the nearest pose within half a frame period.
 std::vector<runner::FrameRecord> ReadFrames(const fs::path& flight, const std::vector<TimedPose>& poses) {
   const runner::Scenario scenario = runner::LoadScenario(flight / "scenario.yaml");
   const models::CameraModel camera = scenario.assumed_camera();
@@ -104,13 +105,13 @@ PoseScore ScorePoses(const std::vector<TimedPose>& poses, const fs::path& truth)
   const bool is_flight = fs::exists(truth / "truth.tum") && fs::exists(truth / "frames.csv");
   const auto recording = FindEurocFolder(truth);
   if (!is_flight && !recording) {
-    throw InputError(fmt::format("{}: is no flight's folder, nor a recording", truth.string()));
+    throw InputError(fmt::format("{}: not a flight directory or a recording", truth.string()));
   }
   const std::vector<runner::FrameRecord> pairs =
-      Pair(poses, is_flight ? ReadTumFile(truth / "truth.tum")
-                            : ReadEurocTruth(*recording / "state_groundtruth_estimate0" / "data.csv"));
+      PairWithTruth(poses, is_flight ? ReadTumFile(truth / "truth.tum")
+                                     : ReadEurocTruth(*recording / "state_groundtruth_estimate0" / "data.csv"));
   if (pairs.empty()) {
-    throw InputError(fmt::format("{}: its truth covers none of the poses, from {} to {} s", truth.string(),
+    throw InputError(fmt::format("{}: the truth covers none of the poses (from {} to {} s)", truth.string(),
                                  poses.front().t_s, poses.back().t_s));
   }
   PoseScore score{.metrics = runner::PoseErrors(pairs), .poses = pairs.size(), .outside = poses.size() - pairs.size()};

@@ -9,22 +9,22 @@
 
 namespace touchdown::datasets {
 
-/// How good somebody's poses of a flight are.
+/// Errors of the poses of any estimator with respect to the truth of a flight.
 struct PoseScore {
   runner::Metrics metrics;  ///< estimate.*
-  std::size_t poses = 0;    ///< That were held against the truth.
-  std::size_t outside = 0;  ///< That lie before, after or in a gap of the truth.
+  std::size_t poses = 0;    ///< Number of poses compared with the truth.
+  std::size_t outside = 0;  ///< Number of poses ignored: before, after or in a gap of the truth.
 };
 
-/// Holds poses of the body in W against the truth at their own times, as they are: nothing is aligned. Each counts as a
-/// frame with status ok.
+/// Compares poses X_WB with the truth at their times, without alignment. Each pose counts as a frame with status ok.
 ///
-/// `truth` is a flight's folder or a recording of one. Of a flight's folder its frames count too: a frame is available
-/// when a pose lies within half a frame's period of its mid-exposure, and a pose whose pad, seen by the flight's
-/// camera as it was calibrated, is over 30 px from the true one is a false pad. A recording tells errors alone.
+/// `truth` is a flight directory or a recording of a flight. A flight directory also gives detection metrics: a frame
+/// is available when a pose is within half a frame period of its mid-exposure; a pose is a false pad when the pad
+/// center, projected with the assumed camera model and mounting, is more than 30 px from the true one. A recording
+/// gives only errors.
 ///
-/// Throws InputError, naming file and line, for a folder that is neither, a damaged file, and poses none of which the
-/// truth covers.
+/// Throws InputError, naming file and line, for a directory that is neither, for an invalid file, and when the truth
+/// covers none of the poses.
 PoseScore ScorePoses(const std::vector<TimedPose>& poses, const std::filesystem::path& truth);
 
 }  // namespace touchdown::datasets

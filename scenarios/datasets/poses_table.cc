@@ -10,7 +10,7 @@ namespace {
 
 using estimator::PoseChoice;
 
-void PutEllipse(util::CsvWriter& table, const estimator::Overlay::Ellipse* ellipse) {
+void AddEllipse(util::CsvWriter& table, const estimator::Overlay::Ellipse* ellipse) {
   if (ellipse == nullptr) {
     table.Empty(3);
     return;
@@ -18,7 +18,7 @@ void PutEllipse(util::CsvWriter& table, const estimator::Overlay::Ellipse* ellip
   table << ellipse->semi_axes.x() << ellipse->semi_axes.y() << models::RadToDeg(ellipse->angle);
 }
 
-void PutBox(util::CsvWriter& table, const std::optional<estimator::PixelBox>& box) {
+void AddBox(util::CsvWriter& table, const std::optional<estimator::PixelBox>& box) {
   if (!box) {
     table.Empty(4);
     return;
@@ -34,15 +34,15 @@ std::string PosesCsv(std::span<const FootageEstimate> estimates, const models::T
       "ellipse_a_px,ellipse_b_px,ellipse_angle_deg,box_x_px,box_y_px,box_w_px,box_h_px");
   for (std::size_t i = 0; i < estimates.size(); ++i) {
     const FootageEstimate& estimate = estimates[i];
-    const estimator::FrameResult& seen = estimate.seen;
+    const estimator::FrameResult& result = estimate.result;
     table << i;
     table << estimate.source;
     estimate.mid_exposure ? table << time.ToSeconds(*estimate.mid_exposure) : table.Empty(1);
-    table << estimator::ReasonOrStatus(seen.status, seen.reason);
-    seen.pose ? table.Pose(seen.pose->X_WB) : table.Empty(6);
-    table.Pixel(seen.pad_px);
-    PutEllipse(table, seen.overlay.FindEllipse("ring_outer"));
-    PutBox(table, seen.ring_box);
+    table << estimator::ReasonOrStatus(result.status, result.reason);
+    result.pose ? table.Pose(result.pose->X_WB) : table.Empty(6);
+    table.Pixel(result.pad_px);
+    AddEllipse(table, result.overlay.FindEllipse("ring_outer"));
+    AddBox(table, result.ring_box);
     table.EndLine();
   }
   return table.Take();
@@ -52,7 +52,7 @@ std::string ChoicesCsv(std::span<const FootageEstimate> estimates) {
   util::CsvWriter table("frame,source,reason,chosen_angle_deg,other_angle_deg,chosen_residual_mm,other_residual_mm");
   constexpr double kMillimetersPerMeter = 1000.0;
   for (std::size_t i = 0; i < estimates.size(); ++i) {
-    const std::optional<PoseChoice>& choice = estimates[i].seen.choice;
+    const std::optional<PoseChoice>& choice = estimates[i].result.choice;
     if (!choice) continue;
     table << i;
     table << estimates[i].source << Name(choice->reason);
@@ -70,9 +70,9 @@ runner::Trajectory PosesTrajectory(std::span<const FootageEstimate> estimates, c
   runner::Trajectory trajectory;
   for (std::size_t i = 0; i < estimates.size(); ++i) {
     const FootageEstimate& estimate = estimates[i];
-    if (estimate.seen.status != estimator::FrameStatus::kOk) continue;
+    if (estimate.result.status != estimator::FrameStatus::kOk) continue;
     const models::Tick tick = estimate.mid_exposure.value_or(static_cast<models::Tick>(i) * time.ticks_per_s);
-    trajectory.emplace(tick, estimate.seen.pose.value().X_WB);
+    trajectory.emplace(tick, estimate.result.pose.value().X_WB);
   }
   return trajectory;
 }

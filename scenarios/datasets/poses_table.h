@@ -9,15 +9,15 @@
 
 namespace touchdown::datasets {
 
-/// One row for each frame; a cell is empty where there is nothing to tell. The pose is that of every frame that has
-/// one, X_WB or, without a mounting, X_WC; pixels are raw, the ellipse is the ring's outer one, its center left out,
-/// with semi-axes in undistorted pixels and its angle from +u towards +v; the box encloses the ring.
+/// CSV table with one row per frame; cells without a value are empty. The pose is X_WB, or X_WC without a mounting, for
+/// each frame with a pose. Pixels are raw. The ellipse is the outer edge of the ring: semi-axes in undistorted pixels,
+/// and angle from +u towards +v. The box is the bounding box of the ring.
 std::string PosesCsv(std::span<const FootageEstimate> estimates, const models::TimeBase& time);
 
-/// One row for each frame with a pose: which of the two poses of a circle was taken, and why.
+/// CSV table with one row per choice between the two pose hypotheses: the reason and the measures of both.
 std::string ChoicesCsv(std::span<const FootageEstimate> estimates);
 
-/// The poses of frames with status ok; frames without a time stand at their number, from 0, in seconds.
+/// Poses of all frames with status ok. A frame without a time has its index, counted from 0, as its time in seconds.
 runner::Trajectory PosesTrajectory(std::span<const FootageEstimate> estimates, const models::TimeBase& time);
 
 }  // namespace touchdown::datasets

@@ -13,7 +13,7 @@
 namespace touchdown::datasets {
 namespace {
 
-/// Throws InputError without a place.
+/// Parses a line. Throws InputError, without file and line.
 TimedPose ParseLine(const std::string& line) {
   std::istringstream stream(line);
   std::array<double, 8> numbers{};
@@ -21,11 +21,12 @@ TimedPose ParseLine(const std::string& line) {
   for (double& number : numbers) {
     if (!(stream >> number) || !std::isfinite(number)) throw InputError("must be eight numbers: t x y z qx qy qz qw");
   }
-  if (stream >> rest) throw InputError("must be eight numbers and nothing else: t x y z qx qy qz qw");
+  if (stream >> rest) throw InputError("must be exactly eight numbers: t x y z qx qy qz qw");
   const auto& [t_s, x, y, z, qx, qy, qz, qw] = numbers;
   const Eigen::Quaterniond q(qw, qx, qy, qz);
   constexpr double kRoundOff = 1e-2;
-  if (std::abs(q.norm() - 1.0) > kRoundOff) throw InputError(fmt::format("its quaternion has length {}", q.norm()));
+  if (std::abs(q.norm() - 1.0) > kRoundOff)
+    throw InputError(fmt::format("quaternion has length {}; must be 1", q.norm()));
   TimedPose pose;
   pose.t_s = t_s;
   pose.X_WB.linear() = q.normalized().toRotationMatrix();
@@ -45,14 +46,13 @@ std::vector<TimedPose> ReadTumFile(const std::filesystem::path& file) {
     }
     try {
       const TimedPose pose = ParseLine(line);
-      if (!poses.empty() && pose.t_s <= poses.back().t_s)
-        throw InputError("its time does not come after the one before");
+      if (!poses.empty() && pose.t_s <= poses.back().t_s) throw InputError("time is not after that of the pose before");
       poses.push_back(pose);
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}:{}: {}", file.string(), number, error.what()));
     }
   }
-  if (poses.empty()) throw InputError(fmt::format("{}: has no poses", file.string()));
+  if (poses.empty()) throw InputError(fmt::format("{}: no poses", file.string()));
   return poses;
 }
 

@@ -6,15 +6,15 @@
 
 namespace touchdown::datasets {
 
-/// Where a body was, as somebody's file tells.
+/// Pose of the body at a time.
 struct TimedPose {
   double t_s = 0.0;
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
 };
 
-/// The trajectory of a file in the format of the TUM RGB-D benchmark: lines of t_s x_m y_m z_m qx qy qz qw, comments
-/// after #. Throws InputError, naming file and line, for a file that cannot be read or has no poses, a line that is not
-/// of eight finite numbers, a quaternion that is not of length 1 and a time that does not rise.
+/// Reads a trajectory in the format of the TUM RGB-D benchmark: lines of t_s x_m y_m z_m qx qy qz qw. Lines that begin
+/// with # are comments. Throws InputError, naming file and line, for a file that cannot be read or has no poses, a line
+/// other than eight finite numbers, a quaternion whose length is not 1, and a time that does not increase.
 std::vector<TimedPose> ReadTumFile(const std::filesystem::path& file);
 
 }  // namespace touchdown::datasets

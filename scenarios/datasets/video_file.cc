@@ -11,29 +11,29 @@ namespace touchdown::datasets {
 
 VideoFile::VideoFile(const std::filesystem::path& file) : file_(file) {
   if (!capture_.open(file.string(), cv::CAP_FFMPEG)) {
-    throw InputError(fmt::format("{}: no video that can be read, or one that is cut", file.string()));
+    throw InputError(fmt::format("{}: not a readable video, or truncated", file.string()));
   }
-  facts_.frame_order = estimator::FrameOrder::kSequence;
-  if (const double rate = capture_.get(cv::CAP_PROP_FPS); rate > 0.0) facts_.frames_per_s = rate;
-  facts_.frame_count = static_cast<std::size_t>(std::max(0.0, capture_.get(cv::CAP_PROP_FRAME_COUNT)));
+  metadata_.frame_order = estimator::FrameOrder::kSequence;
+  if (const double rate = capture_.get(cv::CAP_PROP_FPS); rate > 0.0) metadata_.frames_per_s = rate;
+  metadata_.frame_count = static_cast<std::size_t>(std::max(0.0, capture_.get(cv::CAP_PROP_FRAME_COUNT)));
 }
 
 std::optional<FootageFrame> VideoFile::Next() {
-  cv::Mat picture;
-  if (!capture_.read(picture)) {
-    // Where a container has no count of its own, OpenCV makes one up from length and rate.
+  cv::Mat image;
+  if (!capture_.read(image)) {
+    // For containers without a frame count, OpenCV estimates one from duration and frame rate.
     constexpr double kCountTolerance = 0.02, kFewFrames = 2.0;
-    const auto claimed = static_cast<double>(facts_.frame_count), read = static_cast<double>(read_);
+    const auto claimed = static_cast<double>(metadata_.frame_count), read = static_cast<double>(read_);
     if (read_ == 0 || claimed - read > std::max(kFewFrames, kCountTolerance * claimed)) {
-      throw InputError(fmt::format("{}: the video is cut: it ends after {} of {} frames", file_.string(), read_,
-                                   facts_.frame_count));
+      throw InputError(
+          fmt::format("{}: truncated video: ends after {} of {} frames", file_.string(), read_, metadata_.frame_count));
     }
     return std::nullopt;
   }
   ++read_;
   constexpr double kMillisecond_s = 1e-3;
   const double time_s = capture_.get(cv::CAP_PROP_POS_MSEC) * kMillisecond_s;
-  return FootageFrame{file_.filename().string(), facts_.time.FromSeconds(time_s), ToGrayImage(picture)};
+  return FootageFrame{file_.filename().string(), metadata_.time.FromSeconds(time_s), ToGrayImage(image)};
 }
 
 }  // namespace touchdown::datasets

@@ -7,21 +7,22 @@
 
 namespace touchdown::datasets {
 
-/// A video, in any format that OpenCV reads. A frame's time is the one that the file gives it, from its beginning.
+/// Reads a video in any format that OpenCV supports. The time of a frame is its time stamp in the file.
 class VideoFile final : public Footage {
  public:
-  /// Throws InputError for a file that is no video, or has no frames.
+  /// Throws InputError for a file that is not a readable video.
   explicit VideoFile(const std::filesystem::path& file);
 
-  const FootageFacts& facts() const override { return facts_; }
+  const FootageMetadata& metadata() const override { return metadata_; }
 
-  /// Throws InputError when the video ends before as many frames as it claims to have.
+  /// Throws InputError when the video has no frames, or ends earlier than its header states by more than 2 frames and
+  /// more than 2 %.
   std::optional<FootageFrame> Next() override;
 
  private:
   std::filesystem::path file_;
   cv::VideoCapture capture_;
-  FootageFacts facts_;
+  FootageMetadata metadata_;
   std::size_t read_ = 0;
 };
 

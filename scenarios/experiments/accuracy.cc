@@ -8,7 +8,7 @@
 #include "models/landing_pad.h"
 #include "models/random_stream.h"
 #include "scenarios/experiments/circle_limit.h"
-#include "scenarios/experiments/still_room.h"
+#include "scenarios/experiments/static_scene.h"
 #include "scenarios/util/csv_writer.h"
 #include "scenarios/util/text.h"
 #include "sim/scene/scene.h"
@@ -24,27 +24,29 @@ using models::RandomStream;
 constexpr std::array<double, 5> kDistances_m = {0.5, 0.75, 1.0, 1.25, 1.5};
 constexpr std::array<double, 5> kRolls_deg = {0.0, 10.0, 20.0, 30.0, 40.0};
 
-// "We manually fix the quadrotor": how well a hand sets it to the pose that is asked for.
+// Placement errors, 1-sigma, because "we manually fix the quadrotor" at each pose.
 constexpr double kHandTilt_rad = DegToRad(0.5);
 constexpr double kHandYaw_rad = DegToRad(2.0);
 constexpr double kHandShift_m = 0.005;
-// Of the IMU's vertical at rest, about each axis: it decides between the two poses of the circle.
-constexpr double kGravity_rad = DegToRad(0.5);
+// Error of the vertical measured by the IMU at rest, 1-sigma about each axis. The vertical selects between the two pose
+// hypotheses of the circle.
+constexpr double kGravityError_rad = DegToRad(0.5);
 constexpr double kPublishedAttitude_deg = 1.5;
 
-/// The body with its camera at that distance from the pad, the pad's center on the optical axis.
-Eigen::Isometry3d PoseOf(const models::Vehicle& vehicle, double distance_m, double roll_rad, RandomStream& hand) {
+/// Pose of the body with the camera at a distance from the pad and the pad's center on the optical axis, plus placement
+/// errors.
+Eigen::Isometry3d PlacedPose(const models::Vehicle& vehicle, double distance_m, double roll_rad, RandomStream& random) {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  X_WB.linear() = models::RotationFromTaitBryan({.roll = roll_rad + kHandTilt_rad * hand.Normal(),
-                                                 .pitch = kHandTilt_rad * hand.Normal(),
-                                                 .yaw = kHandYaw_rad * hand.Normal()});
+  X_WB.linear() = models::RotationFromTaitBryan({.roll = roll_rad + kHandTilt_rad * random.Normal(),
+                                                 .pitch = kHandTilt_rad * random.Normal(),
+                                                 .yaw = kHandYaw_rad * random.Normal()});
   const Eigen::Isometry3d X_BC = vehicle.X_BC();
-  const Vector3d p_WC = -distance_m * (X_WB.linear() * X_BC.linear()).col(2) + kHandShift_m * hand.NormalVector3();
+  const Vector3d p_WC = -distance_m * (X_WB.linear() * X_BC.linear()).col(2) + kHandShift_m * random.NormalVector3();
   X_WB.translation() = p_WC - X_WB.linear() * X_BC.translation();
   return X_WB;
 }
 
-/// Step of the gray values across the ring's edge, as a frame shows it: paper less ink.
+/// Mean gray value difference between paper and ink across the outer edge of the ring in a frame.
 double EdgeStep(const models::Image& image, const models::LandingPad& pad, const models::CameraModel& camera,
                 const Eigen::Isometry3d& X_WC) {
   constexpr int kPoints = 24;
@@ -63,7 +65,7 @@ double EdgeStep(const models::Image& image, const models::LandingPad& pad, const
   return step;
 }
 
-/// Sums over a placement's frames: position error in W, m, and roll and pitch error, rad.
+/// Sums of the errors over the frames of a placement: position error in W, m, and roll and pitch error, rad.
 struct ErrorSums {
   int frames = 0;
   Vector3d position = Vector3d::Zero();
@@ -71,12 +73,13 @@ struct ErrorSums {
   double position_squares = 0.0;
   double tilt_squares = 0.0;
 
-  void Add(const Eigen::Isometry3d& found, const Eigen::Isometry3d& truth) {
-    const models::TaitBryan is = models::TaitBryanFromRotation(truth.linear());
-    const Eigen::Isometry3d X_WB = models::ResolveYawAmbiguity(found, is.yaw);
-    const models::TaitBryan seen = models::TaitBryanFromRotation(X_WB.linear());
+  void Add(const Eigen::Isometry3d& estimate, const Eigen::Isometry3d& truth) {
+    const models::TaitBryan true_angles = models::TaitBryanFromRotation(truth.linear());
+    const Eigen::Isometry3d X_WB = models::ResolveYawAmbiguity(estimate, true_angles.yaw);
+    const models::TaitBryan estimated_angles = models::TaitBryanFromRotation(X_WB.linear());
     const Vector3d position_error = X_WB.translation() - truth.translation();
-    const Eigen::Vector2d tilt_error(models::WrapToPi(seen.roll - is.roll), seen.pitch - is.pitch);
+    const Eigen::Vector2d tilt_error(models::WrapToPi(estimated_angles.roll - true_angles.roll),
+                                     estimated_angles.pitch - true_angles.pitch);
     position += position_error;
     tilt += tilt_error;
     position_squares += position_error.squaredNorm();
@@ -85,8 +88,8 @@ struct ErrorSums {
   }
 };
 
-Json CellJson(const ErrorSums& sums, int frames, double noise_share, const std::optional<CircleLimit>& limit) {
-  Json json{{"frames", frames}, {"found", sums.frames}, {"noise_share", noise_share}};
+Json CellJson(const ErrorSums& sums, int frames, double noise_fraction, const std::optional<CircleLimit>& limit) {
+  Json json{{"frames", frames}, {"found", sums.frames}, {"noise_share", noise_fraction}};
   const double n = std::max(1, sums.frames);
   json["position_square_mm2"] = 1e6 * sums.position_squares / n;
   json["position_mean_square_mm2"] = 1e6 * (sums.position / n).squaredNorm();
@@ -99,39 +102,40 @@ Json CellJson(const ErrorSums& sums, int frames, double noise_share, const std::
   return json;
 }
 
-/// All cells, each with the vehicle placed by hand once: in a room of its own, frames apart in their noise alone.
+/// Places the vehicle once in each cell, in a room of the placement's own seed. The frames of a cell differ only in
+/// their noise.
 Json MeasurePlacement(const PaperVehicle& vehicle, int placement, int frames,
                       const util::StopRequested& stop_requested) {
   const auto seed = static_cast<std::uint64_t>(1 + placement);
-  RandomStream hand(seed, "paper.accuracy.hand");
+  RandomStream random(seed, "paper.accuracy.hand");
   runner::Scenario nominal;
-  vehicle.Equip(nominal);
+  vehicle.ApplyTo(nominal);
   const models::CameraModel camera = nominal.camera.model;
-  StillRoom room(nominal, sim::MakeScene({}, nominal.pad, seed), seed);
+  StaticScene scene(nominal, sim::MakeScene({}, nominal.pad, seed), seed);
   Json cells = Json::array();
   for (const double distance_m : kDistances_m) {
     for (const double roll_deg : kRolls_deg) {
       if (stop_requested && stop_requested()) throw util::Interrupted();
-      const Eigen::Isometry3d X_WB = PoseOf(vehicle.truth, distance_m, DegToRad(roll_deg), hand);
+      const Eigen::Isometry3d X_WB = PlacedPose(vehicle.truth, distance_m, DegToRad(roll_deg), random);
       const Eigen::Isometry3d X_WC = X_WB * vehicle.truth.X_BC();
-      const Vector3d gravity_error(kGravity_rad * hand.Normal(), kGravity_rad * hand.Normal(), 0.0);
-      const Vector3d gravity_B = models::RotationExp(gravity_error) * DownIn(X_WB);
+      const Vector3d gravity_error(kGravityError_rad * random.Normal(), kGravityError_rad * random.Normal(), 0.0);
+      const Vector3d gravity_B = models::RotationExp(gravity_error) * DownInBody(X_WB);
       ErrorSums sums;
-      models::Image image = room.Take({.X_WC = X_WC});
-      const double noise_share = StillRoom::kFlightNoise[0] / EdgeStep(image, nominal.pad, camera, X_WC);
+      models::Image image = scene.Capture({.X_WC = X_WC});
+      const double noise_fraction = StaticScene::kFlightNoise[0] / EdgeStep(image, nominal.pad, camera, X_WC);
       for (int frame = 0; frame < frames; ++frame) {
-        if (frame > 0) image = room.TakeAgain();
-        const auto seen = room.Estimate(image, gravity_B);
-        if (seen.pose) sums.Add(seen.pose->X_WB, X_WB);
+        if (frame > 0) image = scene.CaptureAgain();
+        const auto estimate = scene.Estimate(image, gravity_B);
+        if (estimate.pose) sums.Add(estimate.pose->X_WB, X_WB);
       }
-      cells.push_back(
-          CellJson(sums, frames, noise_share, LimitForCircle(camera, nominal.pad.outer_radius_m, X_WC, noise_share)));
+      cells.push_back(CellJson(sums, frames, noise_fraction,
+                               LimitForCircle(camera, nominal.pad.outer_radius_m, X_WC, noise_fraction)));
     }
   }
   return cells;
 }
 
-/// A cell over all placements. Of a placement's error its mean is systematic, what remains is random.
+/// Statistics of a cell over all placements. The mean error of a placement is systematic, the remainder is random.
 struct Cell {
   double distance_m = 0.0, roll_deg = 0.0;
   int frames = 0, found = 0;
@@ -142,7 +146,7 @@ struct Cell {
 
 std::string AccuracyId(int placement) { return fmt::format("accuracy_{}", 1 + placement); }
 
-Cell Summed(const Measured& measured, int placements, std::size_t index) {
+Cell SumCell(const Measured& measured, int placements, std::size_t index) {
   Cell cell{.distance_m = kDistances_m[index / kRolls_deg.size()], .roll_deg = kRolls_deg[index % kRolls_deg.size()]};
   double position = 0.0, position_mean = 0.0, tilt = 0.0, tilt_mean = 0.0, position_limit = 0.0, tilt_limit = 0.0;
   bool has_limit = true;
@@ -189,7 +193,7 @@ std::string CellsCsv(const std::vector<Cell>& cells) {
   return csv;
 }
 
-/// A line for each distance over roll, and the limit of the nearest and the farthest dashed.
+/// Plot over roll with one line for each distance, and dashed the bounds for the smallest and the largest distance.
 std::string PlotOverRoll(const std::string& column, const std::string& limit, const std::string& label) {
   constexpr std::array<const char*, 5> kColors = {"SECOND", "ESTIMATE", "FOURTH", "FIRST", "SET_POINT"};
   std::string curves;
@@ -214,32 +218,33 @@ std::string PlotOverRoll(const std::string& column, const std::string& limit, co
 PaperSection ReportAccuracy(const PaperPlan& plan, const Measured& measured) {
   std::vector<Cell> cells;
   for (std::size_t i = 0; i < kDistances_m.size() * kRolls_deg.size(); ++i) {
-    cells.push_back(Summed(measured, plan.placements, i));
+    cells.push_back(SumCell(measured, plan.placements, i));
   }
   PaperSection section{{.id = "accuracy", .title = "5 DOF accuracy (Sec. VI-B.5, Fig. 10)"}};
   section.paragraphs = {fmt::format(
-      "The vehicle is held still with the pad's center on the optical axis: {} placements a cell, each in a room of "
-      "its own, {} frames each. A placement's mean error is systematic (calibration, pixel grid), what remains over "
-      "its frames is random. Roll and pitch errors together are the attitude's; the vertical that chooses between the "
-      "circle's two poses is 0.5° off about each axis. The limit is the Cram&eacute;r-Rao bound for the ring's outer "
-      "edge alone, for pixels as sharp as they can be, at the noise and contrast of the frames; it holds for the "
-      "random part. Seen frontally there is none: a tilt moves the edge as a shift does. At large roll most of the "
-      "position's error is systematic: the H, seen askew, turns the position about the pad by the error of its yaw.",
+      "The vehicle is at rest with the center of the pad on the optical axis. Each cell has {} placements, each in its "
+      "own room, with {} frames each. The mean error of a placement is systematic (calibration, pixel grid); the "
+      "remaining error of its frames is random. The attitude error combines roll and pitch. The vertical that selects "
+      "between the two pose hypotheses of the circle has an error of 0.5° (1 sigma) about each axis. The limit is the "
+      "Cram&eacute;r-Rao bound for the outer edge of the ring alone, with ideally sharp pixels and the noise and "
+      "contrast of the frames. It applies to the random part. It does not exist for a frontal view, where a tilt moves "
+      "the edge in the same way as a translation. At large roll most of the position error is systematic: the oblique "
+      "view of the H causes a yaw error, which rotates the position about the pad.",
       plan.placements, plan.frames_per_placement)};
   const std::string csv = CellsCsv(cells);
   section.figures.push_back({.name = "fig_10a_position",
                              .title = "Fig. 10a: position",
-                             .caption = "RMSE of the position in space over roll, for each distance; dashed the limit.",
+                             .caption = "RMSE of the 3D position over roll, for each distance. Dashed: the limit.",
                              .csv = csv,
                              .plot = PlotOverRoll("position_rmse_mm", "position_limit_mm", "position RMSE, mm")});
   section.figures.push_back({.name = "fig_10b_attitude",
                              .title = "Fig. 10b: attitude",
-                             .caption = "RMSE of the attitude over roll, for each distance; dashed the limit.",
+                             .caption = "RMSE of the attitude over roll, for each distance. Dashed: the limit.",
                              .csv = csv,
                              .plot = PlotOverRoll("attitude_rmse_deg", "attitude_limit_deg", "attitude RMSE, deg")});
   report::ReportTable table{
       .name = "fig_10_cells",
-      .caption = "Position (mm) and attitude (deg): RMSE, systematic and random part, limit of the random part.",
+      .caption = "Position (mm) and attitude (deg): RMSE, systematic part, random part, and limit of the random part.",
       .head = {"distance, m", "roll, deg", "found", "position", "syst.", "random", "limit", "attitude", "syst.",
                "random", "limit"}};
   const Cell* worst = &cells.front();
@@ -262,7 +267,8 @@ PaperSection ReportAccuracy(const PaperPlan& plan, const Measured& measured) {
        .published = kPublishedAttitude_deg,
        .ours = worst->tilt_rmse_deg,
        .spread = fmt::format("at {:.2f} m and {:.0f}° of roll", worst->distance_m, worst->roll_deg),
-       .why = "Roll and pitch together. Near frontal views the circle's tilt is hardly observable (see the limit)."});
+       .why = "Roll and pitch combined. In nearly frontal views the tilt of a circle is hardly observable (see the "
+              "limit)."});
   return section;
 }
 
@@ -275,7 +281,7 @@ Experiment AccuracyExperiment(const PaperPlan& plan, const PaperVehicle& vehicle
     experiment.measurements.push_back(
         {.id = AccuracyId(i),
          .expected_s = kRoom_s + kFrame_s * plan.frames_per_placement * kDistances_m.size() * kRolls_deg.size(),
-         .take = [vehicle, i, frames = plan.frames_per_placement](const util::StopRequested& stop_requested) {
+         .measure = [vehicle, i, frames = plan.frames_per_placement](const util::StopRequested& stop_requested) {
            return MeasurePlacement(vehicle, i, frames, stop_requested);
          }});
   }

@@ -5,8 +5,7 @@
 
 namespace touchdown::experiments {
 
-/// Position and attitude errors over distances and roll angles (Sec. VI-B.5, Fig. 10), each beside the Cramer-Rao
-/// limit.
+/// Position and attitude errors over distance and roll (Sec. VI-B.5, Fig. 10), each with its Cramer-Rao bound.
 Experiment AccuracyExperiment(const PaperPlan& plan, const PaperVehicle& vehicle);
 
 }  // namespace touchdown::experiments

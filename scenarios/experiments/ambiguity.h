@@ -5,7 +5,8 @@
 
 namespace touchdown::experiments {
 
-/// How often gravity chooses the wrong one of the circle's two poses (Sec. IV-C.2), and what the outlier rule catches.
+/// Rate at which gravity selects the wrong one of the two pose hypotheses of the circle (Sec. IV-C.2), and the fraction
+/// of wrong selections that the outlier gate rejects.
 Experiment AmbiguityExperiment(const PaperPlan& plan, const PaperVehicle& vehicle);
 
 }  // namespace touchdown::experiments

@@ -26,9 +26,9 @@ AprilTagDetector::AprilTagDetector(float decimate) : impl_(std::make_unique<Impl
 AprilTagDetector::~AprilTagDetector() = default;
 
 int AprilTagDetector::Detect(const models::ImageView& image) {
-  image_u8_t seen{image.width, image.height, static_cast<std::int32_t>(image.stride),
+  image_u8_t view{image.width, image.height, static_cast<std::int32_t>(image.stride),
                   const_cast<std::uint8_t*>(image.data)};
-  zarray_t* const detections = apriltag_detector_detect(impl_->detector, &seen);
+  zarray_t* const detections = apriltag_detector_detect(impl_->detector, &view);
   const int count = zarray_size(detections);
   apriltag_detections_destroy(detections);
   return count;

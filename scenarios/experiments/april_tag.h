@@ -6,17 +6,17 @@
 
 namespace touchdown::experiments {
 
-/// AprilTag 3 (Krogius, Haggenmiller, Olson 2019) as it comes, on one thread: the yardstick for what looking
-/// at a frame costs.
+/// AprilTag 3 detector (Krogius, Haggenmiller, Olson 2019) with its default settings, on one thread. It is the
+/// reference for the computation time per frame.
 class AprilTagDetector {
  public:
-  /// `decimate`: it looks for tags in an image so many times smaller.
+  /// `decimate` is the factor by which the image is downsampled before the search for quads.
   explicit AprilTagDetector(float decimate = 1.0F);
   ~AprilTagDetector();
   AprilTagDetector(const AprilTagDetector&) = delete;
   AprilTagDetector& operator=(const AprilTagDetector&) = delete;
 
-  /// How many tags of the family 36h11 the image shows.
+  /// Number of tags of the family 36h11 detected in the image.
   int Detect(const models::ImageView& image);
 
  private:

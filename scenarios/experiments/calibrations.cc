@@ -70,15 +70,16 @@ PaperSection ReportCalibrations(const PaperPlan& plan, const Measured& measured)
                                          {"camera in body: rotation", "rotation_error_deg", "deg", 3},
                                          {"IMU in body: tilt", "imu_tilt_error_deg", "deg", 3}}};
   PaperSection section{{.id = "calibrations", .title = "Calibrations (Sec. III-D, Eqs. 1 and 2)"}};
-  section.paragraphs.push_back(
-      fmt::format("The camera looks at a chessboard from 27 places while the tracking system sees vehicle and board: "
-                  "intrinsics and the board's pose from the corners, the camera's mounting by Eq. 2. The IMU's "
-                  "mounting is the shortest rotation that takes the gravity measured on level ground to the body's "
-                  "vertical: it holds the accelerometer's bias of that day, and cannot tell a turn about the vertical. "
-                  "{} calibrations of the same vehicle; the first is what all flights below are flown with.",
-                  plan.seeds));
+  section.paragraphs.push_back(fmt::format(
+      "The camera observes a chessboard from 27 poses while the tracking system measures vehicle and board. "
+      "The corners give the intrinsics and the pose of the board, and Eq. 2 gives the mounting of the "
+      "camera. The mounting of the IMU is the shortest rotation from the gravity measured on level ground "
+      "to the vertical of the body. It contains the bias of the accelerometer, and a rotation about the "
+      "vertical is not observable. The same vehicle is calibrated {} times; all flights below use the "
+      "first calibration.",
+      plan.seeds));
   report::ReportTable table{.name = "calibrations",
-                            .caption = "Errors against the truth.",
+                            .caption = "Calibration errors relative to the truth.",
                             .head = {"of", "unit", "mean", "worst", "flown with"}};
   for (const Row& row : kRows) {
     std::vector<double> values;
@@ -108,7 +109,7 @@ Experiment CalibrationsExperiment(const PaperPlan& plan) {
   for (int seed = 1; seed <= plan.seeds; ++seed) {
     experiment.measurements.push_back({.id = CalibrationId(seed),
                                        .expected_s = kCalibration_s,
-                                       .take = [seed](const util::StopRequested& stop_requested) {
+                                       .measure = [seed](const util::StopRequested& stop_requested) {
                                          return MeasureCalibrations(seed, stop_requested);
                                        }});
   }
@@ -117,8 +118,8 @@ Experiment CalibrationsExperiment(const PaperPlan& plan) {
 }
 
 runner::Calibration CalibrationOf(const Measured& measured) {
-  const Json& found = measured.at(CalibrationId(1));
-  const Json& json = found.at("camera_model");
+  const Json& result = measured.at(CalibrationId(1));
+  const Json& json = result.at("camera_model");
   models::CameraModel model;
   model.width_px = json.at("width_px").get<int>();
   model.height_px = json.at("height_px").get<int>();
@@ -128,7 +129,7 @@ runner::Calibration CalibrationOf(const Measured& measured) {
   model.cy_px = json.at("cy_px").get<double>();
   model.k1 = json.at("k1").get<double>();
   model.k2 = json.at("k2").get<double>();
-  return {.camera_model = model, .camera = MountingFrom(found.at("camera")), .imu = MountingFrom(found.at("imu"))};
+  return {.camera_model = model, .camera = MountingFrom(result.at("camera")), .imu = MountingFrom(result.at("imu"))};
 }
 
 }  // namespace touchdown::experiments

@@ -5,14 +5,14 @@
 
 namespace touchdown::experiments {
 
-/// The vehicle of the paper's experiments as it truly is: camera and IMU a little off their nominal mountings, the
-/// camera with "a small tilt in pitch angle" (Sec. VI-B.5).
+/// True vehicle of the paper's experiments. Camera and IMU deviate from their nominal mountings; the camera has "a
+/// small tilt in pitch angle" (Sec. VI-B.5).
 models::Vehicle TrueVehicle();
 
-/// The calibrations (Sec. III-D), for several seeds: found, true, and apart.
+/// The calibrations of Sec. III-D and their errors, for several seeds.
 Experiment CalibrationsExperiment(const PaperPlan& plan);
 
-/// What the first of them found: this is what all flights are flown with.
+/// Result of the first calibration, which all flights use.
 runner::Calibration CalibrationOf(const Measured& measured);
 
 }  // namespace touchdown::experiments

@@ -14,7 +14,8 @@ using Eigen::Vector3d;
 using Vector5d = Eigen::Matrix<double, 5, 1>;
 using Matrix5d = Eigen::Matrix<double, 5, 5>;
 
-/// X_WC moved by (x, y, z in m) and turned about W's X and Y by the last two, rad.
+/// X_WC translated in W by the first three elements of `step`, m, and rotated about W's X and Y axes by the last two,
+/// rad.
 Eigen::Isometry3d Moved(const Eigen::Isometry3d& X_WC, const Vector5d& step) {
   Eigen::Isometry3d moved = X_WC;
   moved.translation() += step.head<3>();
@@ -25,7 +26,7 @@ Eigen::Isometry3d Moved(const Eigen::Isometry3d& X_WC, const Vector5d& step) {
 }  // namespace
 
 std::optional<CircleLimit> LimitForCircle(const models::CameraModel& camera, double radius_m,
-                                          const Eigen::Isometry3d& X_WC, double noise_share) {
+                                          const Eigen::Isometry3d& X_WC, double noise_fraction) {
   constexpr int kPoints = 720;
   constexpr double kStep = 1e-6;
   const auto on_edge = [&](int i) {
@@ -47,7 +48,7 @@ std::optional<CircleLimit> LimitForCircle(const models::CameraModel& camera, dou
       if (!forth || !back) return std::nullopt;
       motion[k] = normal.dot(*forth - *back) / (2.0 * kStep);
     }
-    information += length_px / (noise_share * noise_share) * motion * motion.transpose();
+    information += length_px / (noise_fraction * noise_fraction) * motion * motion.transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Matrix5d> solved(information);
   constexpr double kSingular = 1e-9;

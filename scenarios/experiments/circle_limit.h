@@ -8,19 +8,21 @@
 
 namespace touchdown::experiments {
 
-/// 1-sigma errors that no unbiased estimator can stay below.
+/// Lower bound on the 1-sigma errors of any unbiased estimator.
 struct CircleLimit {
-  double position_m = 0.0;  ///< Of the camera in W, in space.
-  double tilt_rad = 0.0;    ///< Of the vertical, both directions together.
+  double position_m = 0.0;  ///< Position of the camera in W, root sum of squares of the three axes, m.
+  double tilt_rad = 0.0;    ///< Direction of the vertical, root sum of squares of both axes, rad.
 };
 
-/// The Cramer-Rao limit of a pose from the image of a circle's edge alone: a dark disc of `radius_m` about W's origin,
-/// the camera at X_WC with known heading, the pixels' noise white and Gaussian, `noise_share` its 1-sigma over the
-/// edge's step in gray values, and the image as sharp as square pixels let it be (each pixel the mean over its area:
-/// moving an edge of length l px across itself by d px changes the pixels' squares by l d^2 steps).
+/// Cramer-Rao bound of a camera pose from the image of a circle's edge alone. The circle is a dark disc of radius
+/// `radius_m` around W's origin in the ground plane. The camera is at X_WC, and its heading is known. The pixel noise
+/// is white and Gaussian; `noise_fraction` is its 1-sigma divided by the gray value step of the edge. Each pixel is the
+/// mean over its square area, so a displacement of an edge of length l px by d px across itself changes the sum of
+/// squares of the pixels by l d^2 squared steps.
 ///
-/// nullopt where the information is singular: seen frontally, a tilt moves the circle's edge as a shift does.
+/// Returns nullopt when the circle is not completely projected, or when the information matrix is singular: in a
+/// frontal view, a tilt moves the edge in the same way as a translation.
 std::optional<CircleLimit> LimitForCircle(const models::CameraModel& camera, double radius_m,
-                                          const Eigen::Isometry3d& X_WC, double noise_share);
+                                          const Eigen::Isometry3d& X_WC, double noise_fraction);
 
 }  // namespace touchdown::experiments

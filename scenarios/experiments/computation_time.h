@@ -5,10 +5,10 @@
 
 namespace touchdown::experiments {
 
-/// The measurement that depends on the machine.
+/// Id of the measurement that depends on the computer.
 inline constexpr char kComputationTimeId[] = "computation_time";
 
-/// What a frame costs over a flight (Sec. VI-B.4, Fig. 9), beside AprilTag 3 on the same frames.
+/// Computation time per frame during a flight (Sec. VI-B.4, Fig. 9), compared with AprilTag 3 on the same frames.
 Experiment ComputationTimeExperiment(const PaperPlan& plan, const PaperVehicle& vehicle);
 
 }  // namespace touchdown::experiments

@@ -4,13 +4,13 @@
 #include <functional>
 
 #include "scenarios/experiments/flight_group.h"
-#include "scenarios/experiments/flown_flight.h"
+#include "scenarios/experiments/flight_summary.h"
 #include "scenarios/util/text.h"
 
 namespace touchdown::experiments {
 namespace {
 
-/// One thing that is changed against the flight as it is.
+/// A change of one condition of the nominal flight.
 struct Condition {
   std::string id;
   std::string name;
@@ -45,34 +45,35 @@ std::string ConditionId(const Condition& condition, int seed) {
   return fmt::format("condition_{}_{}", condition.id, seed);
 }
 
-/// A hover at 1 m, begun in the air.
+/// A hover at 1 m that starts in the air.
 runner::Scenario HoverIn(const Condition& condition, const PaperPlan& plan, const PaperVehicle& vehicle, int seed) {
   runner::Scenario scenario = ShippedFlight("takeoff_hover_land", static_cast<std::uint64_t>(seed));
   scenario.start = {.airborne = true, .position_m = {0.05, -0.05, 1.0}};
   scenario.script = {
       {.kind = controller::ManeuverKind::kHover, .position_m = {0.0, 0.0, 1.0}, .duration_s = plan.condition_hover_s}};
   scenario.expect = runner::Outcome::kHovered;
-  vehicle.Equip(scenario);
+  vehicle.ApplyTo(scenario);
   condition.change(scenario);
   return scenario;
 }
 
-// Of the hand, in place of those that it has in hand_held.yaml.
+// Maximum roll and pitch of the hand-held motion, instead of the value in hand_held.yaml.
 constexpr std::array<double, 3> kHandTilts_deg = {10.0, 20.0, 30.0};
 
 std::string ConditionId(double tilt_deg, int seed) {
   return fmt::format("condition_hand_{:.0f}_deg_{}", tilt_deg, seed);
 }
 
+/// The hand-held motion with a given maximum roll and pitch.
 runner::Scenario HandWith(double tilt_deg, const PaperPlan& plan, const PaperVehicle& vehicle, int seed) {
   runner::Scenario scenario = ShippedFlight(
       "hand_held", static_cast<std::uint64_t>(seed),
       {fmt::format("hand.max_tilt_deg={}", tilt_deg), fmt::format("hand.duration_s={}", plan.condition_hand_s)});
-  vehicle.Equip(scenario);
+  vehicle.ApplyTo(scenario);
   return scenario;
 }
 
-/// In all rooms; `which` is a condition or a tilt of the hand.
+/// The flights of all seeds with `which`, a condition or a maximum tilt of the hand-held motion.
 FlightGroup Flights(const Measured& measured, const PaperPlan& plan, const auto& which) {
   std::vector<std::string> ids;
   for (int seed = 1; seed <= plan.condition_seeds; ++seed) ids.push_back(ConditionId(which, seed));
@@ -80,7 +81,8 @@ FlightGroup Flights(const Measured& measured, const PaperPlan& plan, const auto&
 }
 
 report::ReportTable HoverTable(const PaperPlan& plan, const Measured& measured) {
-  report::ReportTable table{.name = "conditions", .caption = "Mean over the rooms.", .head = ErrorHead("condition")};
+  report::ReportTable table{
+      .name = "conditions", .caption = "Mean RMSE over the rooms.", .head = ErrorHead("condition")};
   for (const char* head : {"XY, mm, whole pixels", "roll, deg, whole pixels", "pitch, deg, whole pixels"}) {
     table.head.push_back(head);
   }
@@ -98,8 +100,8 @@ report::ReportTable HandTable(const PaperPlan& plan, const Measured& measured) {
   report::ReportTable table{
       .name = "conditions_hand",
       .caption =
-          "Carried by hand with so much roll and pitch at the most: the H's ellipse is not rectified, "
-          "and its yaw turns the position about the pad.",
+          "Hand-held motion with different maximum roll and pitch. The ellipse of the H is not rectified, and its yaw "
+          "error rotates the position about the pad.",
       .head = ErrorHead("largest roll and pitch, deg")};
   for (const double tilt_deg : kHandTilts_deg) {
     table.rows.push_back(Flights(measured, plan, tilt_deg).ErrorRow(util::Fixed(tilt_deg, 0), "truth"));
@@ -108,11 +110,11 @@ report::ReportTable HandTable(const PaperPlan& plan, const Measured& measured) {
 }
 
 PaperSection ReportConditions(const PaperPlan& plan, const Measured& measured) {
-  PaperSection section{{.id = "conditions", .title = "What makes the error"}};
+  PaperSection section{{.id = "conditions", .title = "Contributions to the error"}};
   section.paragraphs.push_back(
-      fmt::format("A hover of {:.0f} s at 1 m, {} rooms each, with one thing changed at a time; RMSE against the "
-                  "truth, with contour points at their sub-pixel places and, on the same frames, on whole pixels. The "
-                  "paper has 38.8 mm, 1.3° and 1.4° when hovering.",
+      fmt::format("A hover of {:.0f} s at 1 m in {} rooms, with one condition changed at a time. RMSE relative to the "
+                  "truth with sub-pixel contour points and, on the same frames, with integer contour points. The paper "
+                  "reports 38.8 mm, 1.3° and 1.4° when hovering.",
                   plan.condition_hover_s, plan.condition_seeds));
   section.tables = {HoverTable(plan, measured), HandTable(plan, measured)};
   return section;
@@ -127,8 +129,8 @@ Experiment ConditionsExperiment(const PaperPlan& plan, const PaperVehicle& vehic
       experiment.measurements.push_back(
           {.id = ConditionId(condition, seed),
            .expected_s = 3.0 + 1.5 * plan.condition_hover_s,
-           .take = [scenario = HoverIn(condition, plan, vehicle, seed)](const util::StopRequested& stop_requested) {
-             return FlyAndSumUp(scenario, {.integer_contours = true}, stop_requested);
+           .measure = [scenario = HoverIn(condition, plan, vehicle, seed)](const util::StopRequested& stop_requested) {
+             return FlyAndSummarize(scenario, {.integer_contours = true}, stop_requested);
            }});
     }
   }
@@ -137,8 +139,8 @@ Experiment ConditionsExperiment(const PaperPlan& plan, const PaperVehicle& vehic
       experiment.measurements.push_back(
           {.id = ConditionId(tilt_deg, seed),
            .expected_s = 3.0 + 1.3 * plan.condition_hand_s,
-           .take = [scenario = HandWith(tilt_deg, plan, vehicle, seed)](const util::StopRequested& stop_requested) {
-             return FlyAndSumUp(scenario, {}, stop_requested);
+           .measure = [scenario = HandWith(tilt_deg, plan, vehicle, seed)](const util::StopRequested& stop_requested) {
+             return FlyAndSummarize(scenario, {}, stop_requested);
            }});
     }
   }

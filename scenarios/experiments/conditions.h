@@ -5,7 +5,7 @@
 
 namespace touchdown::experiments {
 
-/// Which condition of the flight makes how much of the error: noise, blur, vibration, clutter, calibration.
+/// Contribution of each flight condition to the error: noise, blur, vibration, clutter, calibration.
 Experiment ConditionsExperiment(const PaperPlan& plan, const PaperVehicle& vehicle);
 
 }  // namespace touchdown::experiments

@@ -10,24 +10,27 @@
 
 namespace touchdown::experiments {
 
-/// A line of the report's summary: a figure of the paper beside ours. Smaller is better.
+/// A row of the report's summary: the published value of a quantity and the measured one. Smaller is better.
 struct ComparedQuantity {
   std::string quantity = {};
   std::string unit = {};
-  std::optional<double> published = {};  ///< nullopt where the paper gives words alone.
-  std::optional<double> ours = {};       ///< nullopt where no flight gave one.
-  std::string spread = {};               ///< "19.0 worst of 10 seeds", "95 %: 1.2 to 1.9".
-  std::string why = {};                  ///< What makes the difference, in a sentence.
+  std::optional<double> published = {};  ///< nullopt if the paper gives no number.
+  std::optional<double> ours = {};       ///< Measured value; nullopt if no flight has one.
+  std::string spread = {};               ///< For example "worst of 10 seeds 19.0" or "95 %: 1.2 to 1.9".
+  std::string why = {};                  ///< Explanation of the difference, in one sentence.
 
-  bool IsKept() const { return !published || (ours && *ours <= *published); }
+  /// Whether the measured value is at most the published one. True if there is no published value, false if there is no
+  /// measured one.
+  bool MeetsPublished() const { return !published || (ours && *ours <= *published); }
 };
 
-/// One experiment of the paper in the report. Its title is as "Hand-held (Sec. VI-B.1, Fig. 6)".
+/// Section of the report on one experiment of the paper. The title names the source, for example "Hand-held (Sec.
+/// VI-B.1, Fig. 6)".
 struct PaperSection : report::ReportSection {
   std::vector<ComparedQuantity> compared = {};
 };
 
-/// What is to be measured, and how it is told.
+/// The measurements of an experiment, and the function that writes its section of the report from them.
 struct Experiment {
   std::vector<Measurement> measurements = {};
   std::function<PaperSection(const Measured&)> report = {};

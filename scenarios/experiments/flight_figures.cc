@@ -24,7 +24,7 @@ std::string SeriesCsv(const Json& series) {
   return csv;
 }
 
-/// Three coordinates, one below the other, as seen by the sources.
+/// Plot script with three coordinates in vertically stacked panels, starting at kCoordinates[first].
 std::string ThreePanels(std::size_t first) {
   std::string plot = "set multiplot layout 3,1 margins 0.08,0.99,0.09,0.95 spacing 0,0.04\nset format x ''\n";
   for (std::size_t i = first; i < first + 3; ++i) {
@@ -49,13 +49,13 @@ std::vector<report::Figure> FlightFigures(const std::string& name, const std::st
   constexpr double kHeight_cm = 11.0;
   return {{.name = name + "a_position",
            .title = title + ", position",
-           .caption = "Vision (orange), tracking system (green, with its outliers and gaps) and truth (line); seed 1.",
+           .caption = "Vision (orange), tracking system (green, with its outliers and gaps) and truth (line), seed 1.",
            .csv = csv,
            .plot = ThreePanels(0),
            .height_cm = kHeight_cm},
           {.name = name + "b_attitude",
            .title = title + ", attitude",
-           .caption = "The same of roll, pitch and yaw.",
+           .caption = "Roll, pitch and yaw of the same flight.",
            .csv = csv,
            .plot = ThreePanels(3),
            .height_cm = kHeight_cm}};

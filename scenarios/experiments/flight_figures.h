@@ -8,8 +8,8 @@
 
 namespace touchdown::experiments {
 
-/// Position and attitude over time as the paper draws a flight: vision red, tracking system green, truth a thin line.
-/// `series` is FlyAndSumUp's.
+/// Figures of position and attitude over time in the style of the paper: vision orange, tracking system green, truth as
+/// a thin line. `series` is the entry "series" of FlyAndSummarize().
 std::vector<report::Figure> FlightFigures(const std::string& name, const std::string& title, const Json& series);
 
 }  // namespace touchdown::experiments

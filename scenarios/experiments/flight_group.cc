@@ -35,20 +35,20 @@ int FlightGroup::false_pads() const {
 
 std::vector<double> FlightGroup::Values(const std::string& name) const { return ValuesIn(flights_, name); }
 
-std::vector<double> FlightGroup::Errors(const std::string& against, const std::string& key) const {
+std::vector<double> FlightGroup::Errors(const std::string& reference, const std::string& key) const {
   std::vector<Json> errors;
-  for (const Json& flight : flights_) errors.push_back(flight.at(against));
+  for (const Json& flight : flights_) errors.push_back(flight.at(reference));
   return ValuesIn(errors, key);
 }
 
-std::optional<double> FlightGroup::MeanError(const std::string& against, const std::string& key) const {
-  const std::vector<double> errors = Errors(against, key);
+std::optional<double> FlightGroup::MeanError(const std::string& reference, const std::string& key) const {
+  const std::vector<double> errors = Errors(reference, key);
   return errors.empty() ? std::nullopt : std::optional(util::Mean(errors));
 }
 
-std::vector<std::string> FlightGroup::ErrorRow(const std::string& name, const std::string& against) const {
+std::vector<std::string> FlightGroup::ErrorRow(const std::string& name, const std::string& reference) const {
   std::vector<std::string> cells{name};
-  for (const char* key : kErrorKeys) cells.push_back(util::FixedOrNone(MeanError(against, key), 2));
+  for (const char* key : kErrorKeys) cells.push_back(util::FixedOrNone(MeanError(reference, key), 2));
   return cells;
 }
 
@@ -58,7 +58,7 @@ ComparedQuantity FlightGroup::Failures(const std::string& which) const {
           .published = 0.0,
           .ours = count() - ended_as_expected(),
           .spread = fmt::format("of {}; {} frames with a false pad", count(), false_pads()),
-          .why = "That did not end as they should; the paper tells of none."};
+          .why = "Flights that did not end with the expected outcome; the paper reports none."};
 }
 
 std::vector<std::string> ErrorHead(const std::string& first) {

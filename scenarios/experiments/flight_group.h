@@ -9,30 +9,30 @@
 
 namespace touchdown::experiments {
 
-/// Flights of one kind, each summed up by FlyAndSumUp, to be told of together. An error is told by its `key`, as in
-/// kTableOne, and by what it is `against`: the "truth", "tracking", or the truth with "integer" contour points.
+/// Statistics over flights of one kind, each summarized by FlyAndSummarize(). An error is selected by its `key`, as in
+/// kTableOne, and by its `reference`: the "truth", the "tracking" system, or the truth with "integer" contour points.
 class FlightGroup {
  public:
-  /// All of `ids` must have been measured.
+  /// `measured` must contain all `ids`.
   FlightGroup(const Measured& measured, const std::vector<std::string>& ids);
 
   int count() const { return static_cast<int>(flights_.size()); }
   const std::vector<Json>& flights() const { return flights_; }
   int ended_as_expected() const;
-  /// Frames, of all flights, in which a pad was seen where none was.
+  /// Number of frames of all flights in which the estimator found a pad where there is none.
   int false_pads() const;
 
-  /// An entry of the flights' own, such as "flight.max_tilt_deg", of those that have it.
+  /// The values of an entry such as "flight.max_tilt_deg", of the flights that have it.
   std::vector<double> Values(const std::string& name) const;
-  /// Of the flights that have it.
-  std::vector<double> Errors(const std::string& against, const std::string& key) const;
-  /// nullopt where no flight has it.
-  std::optional<double> MeanError(const std::string& against, const std::string& key) const;
+  /// The errors of the flights that have one.
+  std::vector<double> Errors(const std::string& reference, const std::string& key) const;
+  /// Mean of Errors(), or nullopt if there are none.
+  std::optional<double> MeanError(const std::string& reference, const std::string& key) const;
 
-  /// A table's row: the name, then the mean of each of kErrorKeys, "none" where no flight has it.
-  std::vector<std::string> ErrorRow(const std::string& name, const std::string& against) const;
+  /// Table row: `name`, then the mean error for each of kErrorKeys, or "none".
+  std::vector<std::string> ErrorRow(const std::string& name, const std::string& reference) const;
 
-  /// A line of the summary: how many did not end as they should, of which the paper tells none.
+  /// Summary row: the number of flights that did not end with the expected outcome. The paper reports none.
   ComparedQuantity Failures(const std::string& which) const;
 
  private:
@@ -41,7 +41,7 @@ class FlightGroup {
 
 inline constexpr std::array<const char*, 5> kErrorKeys = {"xy_mm", "z_mm", "roll_deg", "pitch_deg", "yaw_deg"};
 
-/// The head of a table of ErrorRow's rows.
+/// Header of a table whose rows are ErrorRow().
 std::vector<std::string> ErrorHead(const std::string& first);
 
 }  // namespace touchdown::experiments

@@ -5,7 +5,7 @@
 #include "models/angles.h"
 #include "models/random_stream.h"
 #include "scenarios/experiments/flight_group.h"
-#include "scenarios/experiments/flown_flight.h"
+#include "scenarios/experiments/flight_summary.h"
 #include "scenarios/experiments/table_one.h"
 #include "scenarios/util/csv_writer.h"
 #include "scenarios/util/statistics.h"
@@ -18,19 +18,19 @@ constexpr double kPublishedX_mm = 24.0, kPublishedY_mm = 86.0, kPublishedYaw_deg
 
 std::string LandingId(int landing) { return fmt::format("landing_{}", landing); }
 
-/// From a place drawn about the hover at 1 m.
+/// A landing from a random pose near the hover at 1 m.
 runner::Scenario LandingFrom(const PaperVehicle& vehicle, int landing) {
   const auto seed = static_cast<std::uint64_t>(1000 + landing);
   models::RandomStream random(seed, "paper.landing.start");
   runner::Scenario scenario = ShippedFlight("landing", seed);
-  constexpr double kOff_m = 0.1, kYaw_deg = 5.0;
-  scenario.start.position_m = {kOff_m * random.Normal(), kOff_m * random.Normal(), 1.0};
+  constexpr double kOffset_m = 0.1, kYaw_deg = 5.0;
+  scenario.start.position_m = {kOffset_m * random.Normal(), kOffset_m * random.Normal(), 1.0};
   scenario.start.yaw_deg = kYaw_deg * random.Normal();
-  vehicle.Equip(scenario);
+  vehicle.ApplyTo(scenario);
   return scenario;
 }
 
-/// At rest, of the landings that came to rest.
+/// Deviations at rest of the landings that came to rest.
 struct Deviations {
   std::vector<double> x_mm, y_mm, yaw_deg, signed_x_mm, signed_y_mm;
 };
@@ -56,8 +56,8 @@ std::string Spread(const util::Interval& interval, int digits) {
 
 void Compare(const std::string& which, const FlightGroup& flights, PaperSection& section) {
   const std::string why =
-      "No wind, and no landing gear that bounces; the blind descent ends at the ground by prediction, not by cutting "
-      "the motors high above it.";
+      "There is no wind, and the landing gear does not bounce. The blind descent ends at the predicted ground "
+      "height; the motors are not switched off high above the ground.";
   const auto row = [&](const char* what, const char* unit, double published, const std::vector<double>& values) {
     ComparedQuantity compared{
         .quantity = fmt::format("{}: mean |{}|", which, what), .unit = unit, .published = published, .why = why};
@@ -78,10 +78,10 @@ void Compare(const std::string& which, const FlightGroup& flights, PaperSection&
        .published = 0.0,
        .ours = flights.count() - static_cast<int>(d.x_mm.size()),
        .spread = fmt::format("of {}; {} frames with a false pad", flights.count(), flights.false_pads()),
-       .why = "A landing that did not end at rest on its gear."});
+       .why = "Landings that did not end at rest on the landing gear."});
 }
 
-std::string PlacesCsv(const Deviations& d) {
+std::string RestPositionsCsv(const Deviations& d) {
   std::string csv = "x_mm,y_mm\n";
   for (std::size_t i = 0; i < d.signed_x_mm.size(); ++i) {
     csv += util::CsvLine({util::Fixed(d.signed_x_mm[i], 3), util::Fixed(d.signed_y_mm[i], 3)});
@@ -92,25 +92,27 @@ std::string PlacesCsv(const Deviations& d) {
 PaperSection ReportLandings(const PaperPlan& plan, const Measured& measured) {
   std::vector<std::string> ids;
   for (int i = 1; i <= plan.landings; ++i) ids.push_back(LandingId(i));
-  const FlightGroup row(measured, AutonomousFlightIds(plan)), many(measured, ids);
-  const Deviations places = DeviationsOf(many);
-  const auto landed = static_cast<int>(places.x_mm.size());
-  const util::Interval share = util::WilsonInterval(landed, many.count());
+  const FlightGroup consecutive(measured, AutonomousFlightIds(plan)), independent(measured, ids);
+  const Deviations deviations = DeviationsOf(independent);
+  const auto landed = static_cast<int>(deviations.x_mm.size());
+  const util::Interval rate = util::WilsonInterval(landed, independent.count());
   PaperSection section{{.id = "landings", .title = "Landings (Sec. VI-B.3)"}};
   section.paragraphs.push_back(fmt::format(
-      "In a row: the {} autonomous flights above. Beyond them {} landings from about the hover at 1 m, 0.1 "
-      "m (1 sigma, along X and Y) off and 5° turned, each in a room of its own: {} came to rest on their "
-      "gear (95 %: {} to {} %). Deviations are of the vehicle at rest, from the pad's center and heading.",
-      row.count(), many.count(), landed, util::Fixed(100.0 * share.low, 1), util::Fixed(100.0 * share.high, 1)));
-  Compare(fmt::format("{} landings in a row", row.count()), row, section);
-  Compare(fmt::format("{} landings", many.count()), many, section);
+      "The landings in a row are the {} autonomous flights above. In addition, {} independent landings start near the "
+      "hover at 1 m, with an offset of 0.1 m along X and Y and 5° in yaw (1 sigma), each in its own room. {} of them "
+      "came to rest on the landing gear (95 %: {} to {} %). The deviations are those of the vehicle at rest from the "
+      "center and the heading of the pad.",
+      consecutive.count(), independent.count(), landed, util::Fixed(100.0 * rate.low, 1),
+      util::Fixed(100.0 * rate.high, 1)));
+  Compare(fmt::format("{} landings in a row", consecutive.count()), consecutive, section);
+  Compare(fmt::format("{} landings", independent.count()), independent, section);
   section.figures.push_back(
       {.name = "landing_places",
-       .title = "Where the vehicle came to rest",
-       .caption = fmt::format(
-           "{} landings; the ring of the pad is 90 mm in radius, the paper's mean deviations are the dashed box.",
-           many.count()),
-       .csv = PlacesCsv(places),
+       .title = "Rest positions of the vehicle",
+       .caption = fmt::format("{} landings. Circle: outer edge of the ring, with a radius of 90 mm. Dashed box: mean "
+                              "deviations in the paper.",
+                              independent.count()),
+       .csv = RestPositionsCsv(deviations),
        .plot =
            fmt::format("set size ratio -1\nset xlabel 'x, mm'\nset ylabel 'y, mm'\nset xrange [-100:100]\n"
                        "set yrange [-100:100]\nunset key\n"
@@ -132,8 +134,8 @@ Experiment LandingsExperiment(const PaperPlan& plan, const PaperVehicle& vehicle
     experiment.measurements.push_back(
         {.id = LandingId(i),
          .expected_s = kLanding_s,
-         .take = [scenario = LandingFrom(vehicle, i)](const util::StopRequested& stop_requested) {
-           return FlyAndSumUp(scenario, {}, stop_requested);
+         .measure = [scenario = LandingFrom(vehicle, i)](const util::StopRequested& stop_requested) {
+           return FlyAndSummarize(scenario, {}, stop_requested);
          }});
   }
   experiment.report = [plan](const Measured& measured) { return ReportLandings(plan, measured); };

@@ -5,7 +5,7 @@
 
 namespace touchdown::experiments {
 
-/// The ten landings in a row (Sec. VI-B.3), and many more.
+/// Ten consecutive landings (Sec. VI-B.3), and a larger number of independent landings.
 Experiment LandingsExperiment(const PaperPlan& plan, const PaperVehicle& vehicle);
 
 }  // namespace touchdown::experiments

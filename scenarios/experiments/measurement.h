@@ -11,16 +11,16 @@ namespace touchdown::experiments {
 
 using Json = nlohmann::ordered_json;
 
-/// A piece of an experiment that is measured by itself: a flight, a scene. It depends on nothing but its own inputs, so
-/// that pieces run side by side in any order, and one that is done need not be done again.
+/// An independent part of an experiment, such as a flight or a scene. It depends only on its own inputs, so
+/// measurements can run in parallel in any order, and their results can be reused.
 struct Measurement {
-  std::string id = {};      ///< Letters, digits, _ and -; unlike any other's.
-  double expected_s = 1.0;  ///< Of a core, about: for the order and the time to go.
-  bool alone = false;       ///< Nothing else may run meanwhile: it measures time.
-  std::function<Json(const util::StopRequested& stop_requested)> take = {};  ///< It may throw Interrupted.
+  std::string id = {};      ///< Unique; letters, digits, _ and -.
+  double expected_s = 1.0;  ///< Approximate time on one core, for scheduling and progress.
+  bool alone = false;       ///< No other measurement may run at the same time, because this one measures time.
+  std::function<Json(const util::StopRequested& stop_requested)> measure = {};  ///< May throw Interrupted.
 };
 
-/// What was measured, by the measurements' ids.
+/// Results by measurement id.
 using Measured = std::map<std::string, Json>;
 
 }  // namespace touchdown::experiments

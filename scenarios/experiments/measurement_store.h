@@ -10,21 +10,21 @@
 
 namespace touchdown::experiments {
 
-/// A folder in which each measurement that is done has a file: a run that was stopped continues from there. A file that
-/// another build or another plan left, told by its `origin`, does not count, and is replaced.
+/// Directory with one file for each completed measurement, from which an interrupted run resumes. Files with another
+/// `origin`, which come from another build or plan, are ignored and replaced.
 class MeasurementStore {
  public:
-  /// Makes the folder. Throws InputError when it cannot.
+  /// Creates the directory. Throws InputError on failure.
   MeasurementStore(std::filesystem::path folder, std::string origin);
 
-  /// nullopt when it is yet to be measured.
+  /// The stored result, or nullopt if it is not measured yet.
   std::optional<Json> Find(const std::string& id) const;
 
-  /// Where it was measured: what PlatformFacts told then; empty when it is yet to be measured.
+  /// PlatformFacts() of the computer on which it was measured; empty if it is not measured yet.
   std::vector<std::pair<std::string, std::string>> PlatformOf(const std::string& id) const;
 
-  /// The file is there whole or not at all. Throws InputError when it cannot be written. Different ids may be written
-  /// from different threads at once.
+  /// Stores a result atomically. Throws InputError when the file cannot be written. Threads may store different ids
+  /// concurrently.
   void Put(const std::string& id, const Json& value) const;
 
  private:

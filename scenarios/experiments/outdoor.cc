@@ -5,7 +5,7 @@
 
 #include "scenarios/experiments/flight_figures.h"
 #include "scenarios/experiments/flight_group.h"
-#include "scenarios/experiments/flown_flight.h"
+#include "scenarios/experiments/flight_summary.h"
 #include "scenarios/experiments/table_one.h"
 #include "scenarios/report/published.h"
 #include "scenarios/util/text.h"
@@ -17,7 +17,7 @@ constexpr double kWorseThanIndoors = 1.5;  // "Similar overall performance".
 
 std::string OutdoorId(int seed) { return fmt::format("outdoor_{}", seed); }
 
-/// One thing that is taken from the flight outdoors, to see what it costs.
+/// The outdoor flight with one condition removed.
 struct Variant {
   const char* id;
   const char* name;
@@ -36,14 +36,14 @@ std::vector<std::string> Ids(int seeds) {
   return ids;
 }
 
-/// Which condition makes the difference to the flights indoors.
+/// Table of the errors indoors, outdoors, and outdoors with one condition removed.
 report::ReportTable Variants(const PaperPlan& plan, const Measured& measured) {
   std::vector<std::string> indoors = AutonomousFlightIds(plan);
   indoors.resize(static_cast<std::size_t>(plan.outdoor_variant_seeds));
   const FlightGroup outdoors(measured, Ids(plan.outdoor_variant_seeds));
   report::ReportTable table{
       .name = "outdoor_variants",
-      .caption = "With one condition taken away, on the first seeds; RMSE against the truth.",
+      .caption = "Flights with one condition removed, for the first seeds. RMSE relative to the truth.",
       .head = ErrorHead("flight"),
       .rows = {FlightGroup(measured, indoors).ErrorRow("indoors", "truth"), outdoors.ErrorRow("outdoors", "truth")}};
   for (const Variant& variant : kVariants) {
@@ -63,11 +63,11 @@ ComparedQuantity RatioOf(const report::TableOneRow& row, const std::optional<dou
       .ours = indoors && outdoors ? std::optional(*outdoors / *indoors) : std::nullopt,
       .spread = fmt::format("{} {} to {} {}", util::FixedOrNone(indoors, digits), row.unit,
                             util::FixedOrNone(outdoors, digits), row.unit),
-      .why =
-          row.key == "yaw_deg"
-              ? "The ground's slope, learned as level while standing, lets the vehicle drift on the blind climb: the "
-                "pad is then seen askew, and the H's ellipse is not rectified. The second table takes the slope away."
-              : "The paper says 'similar overall performance'; 1.5 is our reading of it."};
+      .why = row.key == "yaw_deg"
+                 ? "At rest the estimator treats the sloped ground as level, so the vehicle drifts during the blind "
+                   "climb. The view of the pad is then oblique, and the ellipse of the H is not rectified. The second "
+                   "table has flights without the slope."
+                 : "The paper states 'similar overall performance'; the ratio of 1.5 is our interpretation."};
 }
 
 PaperSection ReportOutdoor(const PaperPlan& plan, const Measured& measured) {
@@ -75,15 +75,15 @@ PaperSection ReportOutdoor(const PaperPlan& plan, const Measured& measured) {
   PaperSection section{{.id = "outdoor", .title = "Outdoor flight (Sec. VI-C, Fig. 11)"}};
   const std::vector<double> availability = flights.Values("estimate.availability");
   section.paragraphs.push_back(fmt::format(
-      "Takeoff, hover and landing on grass with a path and objects beside the pad, in the sun, which casts "
-      "shadows of them and of the vehicle, and on ground that is not level. The pose is relative to the "
-      "pad. {} of {} flights landed; the pad was found in a share of at least {} of the frames that show "
-      "it whole; {} frames showed a false one.",
+      "Takeoff, hover and landing on grass with a path and objects near the pad, on ground that is not level, and in "
+      "sunlight with shadows of the objects and of the vehicle. The pose is relative to the pad. {} of {} flights "
+      "landed. The minimum availability of the flights is {}: the fraction of the frames with the whole ring in view "
+      "in which the pad was found. {} frames had a false detection.",
       flights.ended_as_expected(), flights.count(),
       availability.empty() ? "none" : util::Fixed(*std::min_element(availability.begin(), availability.end()), 3),
       flights.false_pads()));
   report::ReportTable table{.name = "outdoor",
-                            .caption = "RMSE against the truth, mean over the seeds.",
+                            .caption = "RMSE relative to the truth, mean over the seeds.",
                             .head = {"RMSE", "indoors", "outdoors", "ratio"}};
   for (const report::TableOneRow& row : report::kTableOne) {
     const std::string key(row.key);
@@ -108,22 +108,22 @@ Experiment OutdoorExperiment(const PaperPlan& plan, const PaperVehicle& vehicle)
   Experiment experiment;
   for (int seed = 1; seed <= plan.seeds; ++seed) {
     runner::Scenario scenario = ShippedFlight("outdoor", static_cast<std::uint64_t>(seed));
-    vehicle.Equip(scenario);
+    vehicle.ApplyTo(scenario);
     experiment.measurements.push_back({.id = OutdoorId(seed),
                                        .expected_s = kFlight_s,
-                                       .take = [scenario, seed](const util::StopRequested& stop_requested) {
-                                         return FlyAndSumUp(scenario, {.series = seed == 1}, stop_requested);
+                                       .measure = [scenario, seed](const util::StopRequested& stop_requested) {
+                                         return FlyAndSummarize(scenario, {.series = seed == 1}, stop_requested);
                                        }});
   }
   for (const Variant& variant : kVariants) {
     for (int seed = 1; seed <= plan.outdoor_variant_seeds; ++seed) {
       runner::Scenario scenario = ShippedFlight("outdoor", static_cast<std::uint64_t>(seed));
-      vehicle.Equip(scenario);
+      vehicle.ApplyTo(scenario);
       variant.change(scenario);
       experiment.measurements.push_back({.id = OutdoorId(variant, seed),
                                          .expected_s = kFlight_s,
-                                         .take = [scenario](const util::StopRequested& stop_requested) {
-                                           return FlyAndSumUp(scenario, {}, stop_requested);
+                                         .measure = [scenario](const util::StopRequested& stop_requested) {
+                                           return FlyAndSummarize(scenario, {}, stop_requested);
                                          }});
     }
   }

@@ -5,7 +5,7 @@
 
 namespace touchdown::experiments {
 
-/// The outdoor flight (Sec. VI-C, Fig. 11).
+/// Outdoor flight (Sec. VI-C, Fig. 11).
 Experiment OutdoorExperiment(const PaperPlan& plan, const PaperVehicle& vehicle);
 
 }  // namespace touchdown::experiments

@@ -5,7 +5,7 @@
 
 #include "models/angles.h"
 #include "models/random_stream.h"
-#include "scenarios/experiments/still_room.h"
+#include "scenarios/experiments/static_scene.h"
 #include "scenarios/util/csv_writer.h"
 #include "scenarios/util/text.h"
 
@@ -16,9 +16,9 @@ using models::RandomStream;
 
 constexpr std::array<double, 6> kRadii_m = {0.045, 0.060, 0.090, 0.120, 0.150, 0.180};
 constexpr double kLowest_m = 0.03, kHighest_m = 8.0, kStep = 1.18;  // Heights of the camera over the pad.
-constexpr double kFoundShare = 0.9;
+constexpr double kMinFoundFraction = 0.9;
 
-/// The built-in pad at another scale.
+/// The built-in pad, scaled to another radius.
 models::LandingPad PadOfRadius(double radius_m) {
   models::LandingPad pad;
   const double scale = radius_m / pad.outer_radius_m;
@@ -29,13 +29,13 @@ models::LandingPad PadOfRadius(double radius_m) {
   return pad;
 }
 
-/// Above the pad, nearly level, as a hover or a landing has it.
+/// Draws a nearly level body pose above the pad, as in a hover or a landing. `height_m` is the height of the camera.
 Eigen::Isometry3d DrawPose(double height_m, const Eigen::Isometry3d& X_BC, RandomStream& random) {
-  constexpr double kTilt_rad = models::DegToRad(2.0), kOff = 0.05;
+  constexpr double kTilt_rad = models::DegToRad(2.0), kOffset = 0.05;
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   X_WB.linear() = models::RotationFromTaitBryan(
       {kTilt_rad * random.Normal(), kTilt_rad * random.Normal(), random.Uniform(-1.4, 1.4)});
-  const Eigen::Vector3d p_WC(kOff * height_m * random.Normal(), kOff * height_m * random.Normal(), height_m);
+  const Eigen::Vector3d p_WC(kOffset * height_m * random.Normal(), kOffset * height_m * random.Normal(), height_m);
   X_WB.translation() = p_WC - X_WB.linear() * X_BC.translation();
   return X_WB;
 }
@@ -44,9 +44,9 @@ Json MeasurePadSize(const PaperVehicle& vehicle, double radius_m, int frames,
                     const util::StopRequested& stop_requested) {
   const auto seed = static_cast<std::uint64_t>(std::lround(1e3 * radius_m));
   runner::Scenario nominal;
-  vehicle.Equip(nominal);
+  vehicle.ApplyTo(nominal);
   nominal.pad = PadOfRadius(radius_m);
-  StillRoom room(nominal, sim::MakeScene({}, nominal.pad, seed), seed);
+  StaticScene scene(nominal, sim::MakeScene({}, nominal.pad, seed), seed);
   RandomStream random(seed, "paper.pad_size");
   Json heights = Json::array();
   for (double height_m = kLowest_m; height_m < kHighest_m; height_m *= kStep) {
@@ -54,10 +54,10 @@ Json MeasurePadSize(const PaperVehicle& vehicle, double radius_m, int frames,
     for (int i = 0; i < frames; ++i) {
       if (stop_requested && stop_requested()) throw util::Interrupted();
       const Eigen::Isometry3d X_WB = DrawPose(height_m, vehicle.truth.X_BC(), random);
-      const models::Image image = room.Take({.X_WC = X_WB * vehicle.truth.X_BC()});
-      const auto seen = room.Estimate(image, DownIn(X_WB));
-      // A third of the height: the right ring, whatever its pose's noise.
-      if (seen.pose && (seen.pose->X_WB.translation() - X_WB.translation()).norm() < height_m / 3.0) ++found;
+      const models::Image image = scene.Capture({.X_WC = X_WB * vehicle.truth.X_BC()});
+      const auto estimate = scene.Estimate(image, DownInBody(X_WB));
+      // An error below a third of the height means that the correct ring was found.
+      if (estimate.pose && (estimate.pose->X_WB.translation() - X_WB.translation()).norm() < height_m / 3.0) ++found;
     }
     heights.push_back({height_m, found});
   }
@@ -66,12 +66,12 @@ Json MeasurePadSize(const PaperVehicle& vehicle, double radius_m, int frames,
 
 std::string PadSizeId(double radius_m) { return fmt::format("pad_size_{:.0f}_mm", 1e3 * radius_m); }
 
-/// The longest run of heights at which the pad is found well enough.
+/// The longest interval of heights at which the pad is found in at least kMinFoundFraction of the frames.
 std::pair<double, double> WorkingRange(const Json& heights, int frames) {
   std::pair<double, double> longest{0.0, 0.0}, run{0.0, 0.0};
   for (const Json& row : heights) {
     const double height_m = row[0].get<double>();
-    if (row[1].get<int>() < kFoundShare * frames) {
+    if (row[1].get<int>() < kMinFoundFraction * frames) {
       run = {0.0, 0.0};
       continue;
     }
@@ -82,14 +82,15 @@ std::pair<double, double> WorkingRange(const Json& heights, int frames) {
 }
 
 PaperSection ReportPadSize(const PaperPlan& plan, const Measured& measured) {
-  PaperSection section{{.id = "pad-size", .title = "Working distance against blind range (Sec. III-B)"}};
+  PaperSection section{{.id = "pad-size", .title = "Working distance and blind range (Sec. III-B)"}};
   section.paragraphs.push_back(fmt::format(
       "\"A larger radius would lead to a larger working distance for the vision system, but would lead to a larger "
-      "'blind' range.\" The pad at other scales, in a cluttered room, seen from {} places about each height: the "
-      "heights of the camera between which it is found in at least {:.0f} % of the frames (heights rise by {:.0f} %).",
-      plan.trade_frames, 100.0 * kFoundShare, 100.0 * (kStep - 1.0)));
+      "'blind' range.\" The pad is scaled to other radii in a cluttered room, with {} camera poses at each height. The "
+      "table lists the heights of the camera between which the pad is found in at least {:.0f} % of the frames. "
+      "Successive heights differ by {:.0f} %.",
+      plan.trade_frames, 100.0 * kMinFoundFraction, 100.0 * (kStep - 1.0)));
   report::ReportTable table{.name = "pad_size",
-                            .caption = "The pad's outer radius, and the heights between which it is found.",
+                            .caption = "Outer radius of the pad, and the camera heights between which it is found.",
                             .head = {"radius, mm", "blind below, m", "working up to, m", "ratio"}};
   std::string csv = "radius_mm,blind_below_m,working_up_to_m\n";
   for (const double radius_m : kRadii_m) {
@@ -102,7 +103,7 @@ PaperSection ReportPadSize(const PaperPlan& plan, const Measured& measured) {
   section.figures.push_back(
       {.name = "pad_size",
        .title = "Working distance and blind range",
-       .caption = "Both grow in proportion to the pad: their ratio is the camera's.",
+       .caption = "Both limits are proportional to the size of the pad; their ratio depends on the camera alone.",
        .csv = csv,
        .plot = "set key top left\nset xlabel 'outer radius of the pad, mm'\nset ylabel 'height of the camera, m'\n"
                "set logscale y\nset yrange [0.03:10]\n"
@@ -123,7 +124,7 @@ Experiment PadSizeExperiment(const PaperPlan& plan, const PaperVehicle& vehicle)
     experiment.measurements.push_back(
         {.id = PadSizeId(radius_m),
          .expected_s = kRoom_s + kFrame_s * kHeights * plan.trade_frames,
-         .take = [vehicle, radius_m, frames = plan.trade_frames](const util::StopRequested& stop_requested) {
+         .measure = [vehicle, radius_m, frames = plan.trade_frames](const util::StopRequested& stop_requested) {
            return MeasurePadSize(vehicle, radius_m, frames, stop_requested);
          }});
   }

@@ -5,7 +5,7 @@
 
 namespace touchdown::experiments {
 
-/// Working distance against blind range for pads of other radii (Sec. III-B).
+/// Working distance and blind range over the radius of the pad (Sec. III-B).
 Experiment PadSizeExperiment(const PaperPlan& plan, const PaperVehicle& vehicle);
 
 }  // namespace touchdown::experiments

@@ -6,24 +6,24 @@
 
 namespace touchdown::experiments {
 
-/// How much is measured.
+/// Sample sizes of the experiments.
 struct PaperPlan {
-  int seeds = 10;  ///< Flights of each kind, and calibrations.
-  int landings = 100;
-  double hand_s = 45.0;           ///< Length of the hand-held motion.
-  double hover_s = 66.0;          ///< And of the disturbed hover, as the paper's.
-  int outdoor_variant_seeds = 3;  ///< With one condition taken away; not more than `seeds`.
-  int recognition_scenes = 100;
-  int recognition_frames = 50;  ///< A scene, with the pad, and as many without it.
-  int placements = 10;          ///< For each cell of Fig. 10 ...
+  int seeds = 10;                 ///< Number of flights of each kind, and of calibrations.
+  int landings = 100;             ///< Number of independent landings.
+  double hand_s = 45.0;           ///< Duration of the hand-held motion.
+  double hover_s = 66.0;          ///< Duration of the disturbed hover, as in the paper.
+  int outdoor_variant_seeds = 3;  ///< Number of flights with one condition removed; at most `seeds`.
+  int recognition_scenes = 100;   ///< Number of random rooms.
+  int recognition_frames = 50;    ///< Frames per room with the pad, and as many without it.
+  int placements = 10;            ///< Placements of the vehicle for each cell of Fig. 10.
   int frames_per_placement = 60;
-  int trade_frames = 24;     ///< At each height, for each radius.
-  int ambiguity_views = 60;  ///< At each tilt.
-  int condition_seeds = 3;
-  double condition_hover_s = 10.0;
-  double condition_hand_s = 25.0;
+  int trade_frames = 24;            ///< Frames at each height for each pad radius.
+  int ambiguity_views = 60;         ///< Views at each tilt.
+  int condition_seeds = 3;          ///< Flights for each condition.
+  double condition_hover_s = 10.0;  ///< Duration of the hover of the conditions.
+  double condition_hand_s = 25.0;   ///< Duration of the hand-held motion of the conditions.
 
-  /// A few minutes, for CI: every section, on fewer samples.
+  /// Plan with few samples for every section. It takes a few minutes, for CI.
   static PaperPlan Quick() {
     return {.seeds = 1,
             .landings = 3,
@@ -42,13 +42,13 @@ struct PaperPlan {
   }
 };
 
-/// The vehicle that is flown: how its camera and IMU are mounted, and what is known of it.
+/// The vehicle of the experiments: its true mounting of camera and IMU, and its assumed calibration.
 struct PaperVehicle {
   models::Vehicle truth;
-  runner::Calibration calibration;  ///< As the paper's calibrations found it.
+  runner::Calibration calibration;  ///< Result of the calibrations of Sec. III-D.
 
-  /// Puts it into a scenario.
-  void Equip(runner::Scenario& scenario) const {
+  /// Sets vehicle and calibration of a scenario.
+  void ApplyTo(runner::Scenario& scenario) const {
     scenario.vehicle = truth;
     scenario.calibration = calibration;
   }

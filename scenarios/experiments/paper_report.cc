@@ -17,20 +17,20 @@ using Files = std::map<std::string, std::string>;
 
 data Flag(bool on) { return on ? data::type::bool_true : data::type::bool_false; }
 
-std::string Figure3(double value) { return value == 0.0 ? "0" : fmt::format("{:.3g}", value); }
+std::string ThreeDigits(double value) { return value == 0.0 ? "0" : fmt::format("{:.3g}", value); }
 
-std::string FigureOrDash(const std::optional<double>& value) { return value ? Figure3(*value) : "–"; }
+std::string ValueOrDash(const std::optional<double>& value) { return value ? ThreeDigits(*value) : "–"; }
 
 std::string Ratio(const ComparedQuantity& row) {
   const bool is_defined = row.ours && row.published && *row.published > 0.0;
   return is_defined ? fmt::format("{:.2f}", *row.ours / *row.published) : "–";
 }
 
-/// Whether it is kept in words, or nothing where there is nothing to compare with.
+/// Comparison with the published value in words; empty if there is no published value.
 std::string Verdict(const ComparedQuantity& row) {
   if (!row.published) return "";
   if (!row.ours) return "none";
-  return row.IsKept() ? "at or below" : "above";
+  return row.MeetsPublished() ? "at or below" : "above";
 }
 
 std::string SummaryCsv(const std::vector<PaperSection>& sections) {
@@ -39,9 +39,9 @@ std::string SummaryCsv(const std::vector<PaperSection>& sections) {
     for (const ComparedQuantity& row : section.compared) {
       csv += util::CsvLine({section.id, row.quantity, row.unit, row.published ? fmt::format("{}", *row.published) : "",
                             row.ours ? fmt::format("{:.6g}", *row.ours) : "", row.spread,
-                            !row.published ? ""
-                            : row.IsKept() ? "yes"
-                                           : "no",
+                            !row.published         ? ""
+                            : row.MeetsPublished() ? "yes"
+                                                   : "no",
                             row.why});
     }
   }
@@ -52,13 +52,13 @@ data RowData(const ComparedQuantity& row) {
   data result;
   result.set("quantity", row.quantity);
   result.set("unit", row.unit);
-  result.set("published", FigureOrDash(row.published));
-  result.set("ours", FigureOrDash(row.ours));
+  result.set("published", ValueOrDash(row.published));
+  result.set("ours", ValueOrDash(row.ours));
   result.set("ratio", Ratio(row));
   result.set("spread", row.spread);
   result.set("why", row.why);
   result.set("compares", Flag(row.published.has_value()));
-  result.set("kept", Flag(row.IsKept()));
+  result.set("kept", Flag(row.MeetsPublished()));
   result.set("verdict", Verdict(row));
   return result;
 }
@@ -67,16 +67,17 @@ std::string MarkdownRow(const std::vector<std::string>& cells) {
   return fmt::format("| {} |\n", fmt::join(cells, " | "));
 }
 
-/// Drawings above this size, in bytes, are left to the page: they are time series with thousands of points.
-constexpr std::size_t kLargestReadmeFigure = 100'000;
+/// Maximum size, in bytes, of a figure in the README. Larger ones are time series with thousands of points, which only
+/// the page shows.
+constexpr std::size_t kMaxReadmeFigure = 100'000;
 
-/// `files` holds the drawn figures.
+/// Content of README.md. `files` must contain the rendered figures.
 std::string Readme(const ReportHead& head, const std::vector<PaperSection>& sections, const Files& files) {
   std::string text = fmt::format(
       "# The paper, measured\n\n"
-      "Made by `{}`; do not edit. Every quantity of the paper beside ours.\n"
-      "`report.html` in the output directory is the page with all tables and figures. `figures/` holds\n"
-      "each as CSV and PDF, and `table_1.tex` is Table I for LaTeX.\n\n",
+      "Made by `{}`; do not edit. The table compares every quantity of the paper with\n"
+      "the measured one. `report.html` in the output directory is the page with all tables and figures.\n"
+      "`figures/` contains each of them as CSV and PDF, and `table_1.tex` is Table I for LaTeX.\n\n",
       head.command);
   text += MarkdownRow({"quantity", "unit", "published", "ours", "ratio", "kept", "spread"});
   text += MarkdownRow({"---", "---", "---:", "---:", "---:", "---", "---"});
@@ -85,18 +86,18 @@ std::string Readme(const ReportHead& head, const std::vector<PaperSection>& sect
       std::string quantity = row.quantity;
       for (std::size_t at = 0; (at = quantity.find('|', at)) != std::string::npos; at += 2)
         quantity.insert(at, 1, '\\');
-      text += MarkdownRow({quantity, row.unit, FigureOrDash(row.published), FigureOrDash(row.ours), Ratio(row),
+      text += MarkdownRow({quantity, row.unit, ValueOrDash(row.published), ValueOrDash(row.ours), Ratio(row),
                            Verdict(row), row.spread});
     }
   }
   for (const PaperSection& section : sections) {
     std::vector<const report::Figure*> figures;
     for (const report::Figure& each : section.figures) {
-      if (files.at(fmt::format("figures/{}.svg", each.name)).size() <= kLargestReadmeFigure) figures.push_back(&each);
+      if (files.at(fmt::format("figures/{}.svg", each.name)).size() <= kMaxReadmeFigure) figures.push_back(&each);
     }
-    if (figures.empty() && section.pictures.empty()) continue;
+    if (figures.empty() && section.images.empty()) continue;
     text += fmt::format("\n## {}\n", section.title);
-    for (const report::ReportPicture& each : section.pictures)
+    for (const report::ReportImage& each : section.images)
       text += fmt::format("\n![{0}](figures/{1}.jpg)\n", each.title, each.name);
     for (const report::Figure* each : figures)
       text += fmt::format("\n![{0}](figures/{1}.svg)\n", each->title, each->name);
@@ -113,7 +114,7 @@ std::string Page(const ReportHead& head, const std::vector<PaperSection>& sectio
       compared << RowData(row);
       if (!row.published) continue;
       ++all;
-      kept += row.IsKept() ? 1 : 0;
+      kept += row.MeetsPublished() ? 1 : 0;
     }
     data entry;
     entry.set("id", section.id);
@@ -130,7 +131,7 @@ std::string Page(const ReportHead& head, const std::vector<PaperSection>& sectio
     platform << item;
   }
   data page;
-  page.set("mark", head.mark);
+  page.set("signature", head.signature);
   page.set("style", std::string(report::PageStyle()));
   page.set("command", head.command);
   page.set("quick", Flag(head.quick));

@@ -9,17 +9,17 @@
 
 namespace touchdown::experiments {
 
-/// What the report tells of itself.
+/// Data for the head of the report.
 struct ReportHead {
-  std::string mark = {};  ///< By which the page is known again.
-  bool quick = false;
-  std::string command = {};
+  std::string signature = {};  ///< Text by which an earlier report.html is recognized.
+  bool quick = false;          ///< Marks the report as based on PaperPlan::Quick().
+  std::string command = {};    ///< Command line that generates the report.
   std::vector<std::pair<std::string, std::string>> platform = {};
 };
 
-/// The report's files by their names within its folder: report.html, README.md (the summary, and the figures as
-/// pictures), summary.csv, and in figures/ each figure as CSV, PDF and SVG, each table as CSV and each picture.
-/// Throws as Draw does.
+/// Files of the report by their paths relative to its directory: report.html, README.md (summary and figures),
+/// summary.csv, and in figures/ each figure as CSV, PDF and SVG, each table as CSV and each image. Throws as
+/// report::DrawSection() does.
 std::map<std::string, std::string> ReportFiles(const ReportHead& head, const std::vector<PaperSection>& sections);
 
 }  // namespace touchdown::experiments

@@ -42,19 +42,19 @@ std::string FolderJson(const ReproductionOptions& options) {
   return Json{{"kind", kReportSignature}, {"quick", options.quick}}.dump(2) + "\n";
 }
 
-/// Whether the run that `out` is from was a quick one.
+/// Whether the earlier run in `out` was a quick one.
 bool WasQuick(const fs::path& out) {
   const Json json = Json::parse(util::ReadTextFile(out / "paper.json"), nullptr, false);
   return json.is_object() && json.value("quick", false);
 }
 
-/// Makes the folder, unless it is there from an earlier run of the same kind, whose report stays until there is
-/// another.
-void ClaimFolder(const fs::path& out, const ReproductionOptions& options) {
+/// Creates the output directory, or checks that it comes from an earlier run of the same kind. An earlier report stays
+/// until it is replaced. Throws InputError.
+void PrepareFolder(const fs::path& out, const ReproductionOptions& options) {
   util::OutputFolder folder(out, PaperFolder());
   if (fs::exists(out / "paper.json")) {
     if (WasQuick(out) == options.quick) return;
-    throw InputError(fmt::format("output folder {}: holds a {} run, which this one would replace; name another",
+    throw InputError(fmt::format("output folder {}: contains a {} run, which this run would replace; choose another",
                                  out.string(), options.quick ? "full" : "quick"));
   }
   folder.Write("paper.json", FolderJson(options));
@@ -63,7 +63,7 @@ void ClaimFolder(const fs::path& out, const ReproductionOptions& options) {
 
 void WriteReport(const fs::path& out, const ReproductionOptions& options, const std::vector<PaperSection>& sections,
                  const std::string& table_one, const std::vector<std::pair<std::string, std::string>>& platform) {
-  const ReportHead head{.mark = fmt::format("<!-- {} -->", kReportSignature),
+  const ReportHead head{.signature = fmt::format("<!-- {} -->", kReportSignature),
                         .quick = options.quick,
                         .command = fmt::format("touchdown paper{} --out DIR", options.quick ? " --quick" : ""),
                         .platform = platform};
@@ -82,16 +82,16 @@ std::vector<ComparedQuantity> ReproducePaper(const fs::path& out, const Reproduc
                                              const util::StopRequested& stop_requested,
                                              const MeasurementProgress& progress) {
   const PaperPlan plan = options.quick ? PaperPlan::Quick() : PaperPlan();
-  ClaimFolder(out, options);
+  PrepareFolder(out, options);
   const MeasurementStore store(out / "measurements", util::ProgramDigest() + (options.quick ? " quick" : ""));
 
-  // What the calibrations find, the vehicle of all others is flown with.
+  // All other experiments use the vehicle with the calibration measured here.
   const Experiment calibrations = CalibrationsExperiment(plan);
-  constexpr double kCalibrationsShare = 0.02;
-  const auto first_progress = [&progress](double share, const std::string& text) {
-    if (progress) progress(kCalibrationsShare * share, text);
+  constexpr double kCalibrationsFraction = 0.02;
+  const auto first_progress = [&progress](double fraction, const std::string& text) {
+    if (progress) progress(kCalibrationsFraction * fraction, text);
   };
-  Measured measured = TakeMeasurements(calibrations.measurements, store, options.jobs, stop_requested, first_progress);
+  Measured measured = RunMeasurements(calibrations.measurements, store, options.jobs, stop_requested, first_progress);
   const PaperVehicle vehicle{.truth = TrueVehicle(), .calibration = CalibrationOf(measured)};
 
   const std::vector<Experiment> experiments{calibrations,
@@ -109,7 +109,7 @@ std::vector<ComparedQuantity> ReproducePaper(const fs::path& out, const Reproduc
   for (const Experiment& experiment : experiments) {
     all.insert(all.end(), experiment.measurements.begin(), experiment.measurements.end());
   }
-  measured = TakeMeasurements(all, store, options.jobs, stop_requested, progress);
+  measured = RunMeasurements(all, store, options.jobs, stop_requested, progress);
 
   std::vector<PaperSection> sections;
   std::vector<ComparedQuantity> compared;

@@ -13,12 +13,12 @@ void ShadowEstimator::OnImu(const models::ImuSample& sample, bool at_rest) { est
 
 void ShadowEstimator::OnFrame(const models::CameraFrame& frame, const estimator::FrameResult& /*estimate*/,
                               const runner::FrameRecord& record) {
-  const estimator::FrameResult seen = estimator_->AddFrame(frame.image.View(), frame.mid_exposure);
+  const estimator::FrameResult result = estimator_->AddFrame(frame.image.View(), frame.mid_exposure);
   runner::FrameRecord own = record;
-  own.status = seen.status;
-  own.reason = seen.reason;
-  own.pose = seen.pose;
-  own.pad_px = seen.pad_px;
+  own.status = result.status;
+  own.reason = result.reason;
+  own.pose = result.pose;
+  own.pad_px = result.pad_px;
   own.render_ms = own.vision_ms = own.geometry_ms = 0.0;
   frames_.push_back(own);
 }

@@ -9,18 +9,18 @@
 
 namespace touchdown::experiments {
 
-/// A second estimator that is given the same frames and IMU samples as the one that flies, and flies nothing: two
-/// settings side by side.
+/// Second estimator that processes the same frames and IMU samples as the one in the control loop. It is used to
+/// compare two settings in one flight.
 class ShadowEstimator final : public runner::FlightObserver {
  public:
-  /// `estimator` in place of the scenario's.
+  /// Uses the configuration `estimator` instead of the scenario's.
   ShadowEstimator(const runner::Scenario& scenario, const estimator::EstimatorConfig& estimator);
 
   void OnImu(const models::ImuSample& sample, bool at_rest) override;
   void OnFrame(const models::CameraFrame& frame, const estimator::FrameResult& estimate,
                const runner::FrameRecord& record) override;
 
-  /// The flight's frames with what this estimator made of them. Without wall-clock times.
+  /// The frames of the flight with the results of this estimator; wall-clock times are 0.
   const std::vector<runner::FrameRecord>& frames() const { return frames_; }
 
  private:

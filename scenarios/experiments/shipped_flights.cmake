@@ -1,5 +1,5 @@
-# cmake -D FLIGHTS=folder -D OUT=file.cc -P shipped_flights.cmake: the scenarios of a folder as the function that
-# scenarios/experiments/shipped_flights.h declares.
+# cmake -D FLIGHTS=folder -D OUT=file.cc -P shipped_flights.cmake: writes the scenarios of a folder to a source file
+# that defines the function declared in scenarios/experiments/shipped_flights.h.
 file(GLOB flights ${FLIGHTS}/*.yaml)
 list(SORT flights)
 set(rows "")

@@ -6,7 +6,8 @@
 
 namespace touchdown::experiments {
 
-/// The scenarios of scenarios/flights, by their files' names without ending. The build puts them into the program.
+/// Name and YAML text of each scenario in scenarios/flights, embedded at build time. The name is the file name without
+/// extension.
 const std::vector<std::pair<std::string_view, std::string_view>>& ShippedFlights();
 
 }  // namespace touchdown::experiments

@@ -6,7 +6,7 @@
 
 #include "scenarios/experiments/flight_figures.h"
 #include "scenarios/experiments/flight_group.h"
-#include "scenarios/experiments/flown_flight.h"
+#include "scenarios/experiments/flight_summary.h"
 #include "scenarios/report/published.h"
 #include "scenarios/util/statistics.h"
 #include "scenarios/util/text.h"
@@ -14,13 +14,13 @@
 namespace touchdown::experiments {
 namespace {
 
-/// A column of the table.
+/// A pair of columns of Table I, and the flight that it is measured on.
 struct Case {
   const char* name;
   const char* flight;
   const char* id;
   const char* figure;
-  double expected_s;  ///< Of a core, for a flight of full length.
+  double expected_s;  ///< Computation time on one core, for a flight of full length.
 };
 
 constexpr std::array<Case, 3> kCases = {{{"hand-held", "hand_held", "hand_held", "fig_6", 75.0},
@@ -35,7 +35,7 @@ runner::Scenario FlightOf(const Case& which, const PaperPlan& plan, const PaperV
   if (which.flight == std::string("disturbed_hover"))
     set.push_back(fmt::format("script.1.duration_s={}", plan.hover_s));
   runner::Scenario scenario = ShippedFlight(which.flight, static_cast<std::uint64_t>(seed), set);
-  vehicle.Equip(scenario);
+  vehicle.ApplyTo(scenario);
   return scenario;
 }
 
@@ -47,22 +47,22 @@ FlightGroup Flights(const Measured& measured, const PaperPlan& plan, const Case&
 
 int Digits(const report::TableOneRow& row) { return row.unit == "mm" ? 1 : 2; }
 
-std::string WithSpread(const std::vector<double>& values, int digits) {
+std::string MeanWithSpread(const std::vector<double>& values, int digits) {
   if (values.empty()) return "none";
   return fmt::format("{} ± {}", util::Fixed(util::Mean(values), digits),
                      util::Fixed(util::StandardDeviation(values), digits));
 }
 
-const char* WhyOf(const report::TableOneRow& row, std::size_t column) {
+const char* ExplanationOf(const report::TableOneRow& row, std::size_t column) {
   if (row.key == "yaw_deg") {
     return column == 0
-               ? "The H's ellipse is not rectified: the more the view is tilted, the further off, as in the paper."
-               : "Tilts are small, and the unrectified H is nearly the true one.";
+               ? "The ellipse of the H is not rectified, so the error grows with the tilt of the view, as in the paper."
+               : "Tilts are small, so the ellipse of the H is nearly undistorted.";
   }
   if (row.key == "z_mm") {
-    return "Against the truth; the paper's own reference is good to a few millimeters.";
+    return "Relative to the truth; the reference of the paper has an accuracy of a few millimeters.";
   }
-  return "Sub-pixel contour points; whole pixels give the figures of the table below.";
+  return "Sub-pixel contour points; the table below has the values for integer contour points.";
 }
 
 std::vector<ComparedQuantity> Compared(const PaperPlan& plan, const Measured& measured) {
@@ -78,7 +78,7 @@ std::vector<ComparedQuantity> Compared(const PaperPlan& plan, const Measured& me
                           .published = row.published[column],
                           .ours = flights.MeanError("truth", std::string(row.key)),
                           .spread = fmt::format("worst of {} seeds {}", plan.seeds, worst),
-                          .why = WhyOf(row, column)});
+                          .why = ExplanationOf(row, column)});
     }
     compared.push_back(flights.Failures(fmt::format("Table I, {}", kCases[column].name)));
   }
@@ -86,7 +86,7 @@ std::vector<ComparedQuantity> Compared(const PaperPlan& plan, const Measured& me
 }
 
 report::ReportTable Table(const PaperPlan& plan, const Measured& measured, const std::string& name,
-                          const std::string& caption, const std::string& against) {
+                          const std::string& caption, const std::string& reference) {
   report::ReportTable table{.name = name, .caption = caption, .head = {"RMSE"}};
   for (const Case& which : kCases) {
     table.head.push_back(fmt::format("{}, paper", which.name));
@@ -97,15 +97,15 @@ report::ReportTable Table(const PaperPlan& plan, const Measured& measured, const
     for (std::size_t column = 0; column < kCases.size(); ++column) {
       cells.push_back(util::Fixed(row.published[column], 1));
       const FlightGroup flights = Flights(measured, plan, kCases[column]);
-      cells.push_back(WithSpread(flights.Errors(against, std::string(row.key)), Digits(row)));
+      cells.push_back(MeanWithSpread(flights.Errors(reference, std::string(row.key)), Digits(row)));
     }
     table.rows.push_back(std::move(cells));
   }
   return table;
 }
 
-/// "0.98 to 1".
-std::string Span(const std::vector<double>& values, int digits) {
+/// Range of the values, for example "0.98 to 1".
+std::string RangeText(const std::vector<double>& values, int digits) {
   if (values.empty()) return "none";
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   return fmt::format("{} to {}", util::Fixed(*low, digits), util::Fixed(*high, digits));
@@ -113,32 +113,35 @@ std::string Span(const std::vector<double>& values, int digits) {
 
 std::string Conditions(const FlightGroup& flights, const char* name) {
   return fmt::format(
-      "<b>{}</b>: {} of {} flights ended as they should; the pad was found in a share of {} of the frames that show it "
-      "whole, and {} frames showed one where there was none; largest tilt {}°, height up to {} m.",
-      name, flights.ended_as_expected(), flights.count(), Span(flights.Values("estimate.availability"), 3),
-      flights.false_pads(), Span(flights.Values("flight.max_tilt_deg"), 1), Span(flights.Values("max_height_m"), 2));
+      "<b>{}</b>: {} of {} flights ended with the expected outcome. The availability was {} (fraction of the frames "
+      "with the whole ring in view in which the pad was found). {} frames had a false detection. The largest tilt "
+      "was {}°, and the maximum height was {} m.",
+      name, flights.ended_as_expected(), flights.count(), RangeText(flights.Values("estimate.availability"), 3),
+      flights.false_pads(), RangeText(flights.Values("flight.max_tilt_deg"), 1),
+      RangeText(flights.Values("max_height_m"), 2));
 }
 
 PaperSection ReportTableOne(const PaperPlan& plan, const Measured& measured) {
   PaperSection section{
       {.id = "table-one", .title = "Hand-held, hovering, autonomous flight (Sec. VI-B.1-3, Figs. 6-8, Table I)"}};
   section.paragraphs.push_back(
-      "Vision's unfiltered pose of the body, over the frames with status ok, on the rendered camera with lens, noise, "
-      "blur and latency, in rooms full of decoys; estimator and autopilot know camera and mountings as the "
-      "calibrations above found them. The first estimate must be near (0, 0, 300 mm) and level, where the paper "
-      "starts. Mean over the seeds ± standard deviation.");
+      "Errors of the unfiltered vision pose of the body, over the frames with status ok. The camera is rendered with "
+      "lens distortion, noise, blur and latency, in rooms with many distractors. Estimator and autopilot use the "
+      "calibrations above. The first estimate must be near (0, 0, 300 mm) and level, where the flights of the paper "
+      "start. Values are the mean over the seeds ± the standard deviation.");
   for (const Case& which : kCases) {
     section.paragraphs.push_back(Conditions(Flights(measured, plan, which), which.name));
   }
   section.tables.push_back(
-      Table(plan, measured, "table_1_truth", "Table I against the truth, sub-pixel contour points.", "truth"));
-  section.tables.push_back(Table(plan, measured, "table_1_tracking",
-                                 "The same against the simulated tracking system, whose noise, occlusions and outliers "
-                                 "are in the figures as they are in the paper's.",
-                                 "tracking"));
+      Table(plan, measured, "table_1_truth", "Table I relative to the truth, with sub-pixel contour points.", "truth"));
+  section.tables.push_back(
+      Table(plan, measured, "table_1_tracking",
+            "Table I relative to the simulated tracking system. As in the paper, the values include "
+            "the noise, occlusions and outliers of the tracking system.",
+            "tracking"));
   section.tables.push_back(Table(plan, measured, "table_1_integer",
-                                 "The same flights and frames with contour points on whole pixels, against the truth: "
-                                 "the paper does not say which it used.",
+                                 "Table I relative to the truth on the same flights and frames, with integer contour "
+                                 "points. The paper does not state which points it uses.",
                                  "integer"));
   for (const Case& which : kCases) {
     const std::vector<report::Figure> figures =
@@ -157,12 +160,12 @@ Experiment TableOneExperiment(const PaperPlan& plan, const PaperVehicle& vehicle
   for (const Case& which : kCases) {
     for (int seed = 1; seed <= plan.seeds; ++seed) {
       const runner::Scenario scenario = FlightOf(which, plan, vehicle, seed);
-      experiment.measurements.push_back({.id = TableOneId(which, seed),
-                                         .expected_s = which.expected_s,
-                                         .take = [scenario, seed](const util::StopRequested& stop_requested) {
-                                           return FlyAndSumUp(scenario, {.integer_contours = true, .series = seed == 1},
-                                                              stop_requested);
-                                         }});
+      experiment.measurements.push_back(
+          {.id = TableOneId(which, seed),
+           .expected_s = which.expected_s,
+           .measure = [scenario, seed](const util::StopRequested& stop_requested) {
+             return FlyAndSummarize(scenario, {.integer_contours = true, .series = seed == 1}, stop_requested);
+           }});
     }
   }
   experiment.report = [plan](const Measured& measured) { return ReportTableOne(plan, measured); };
@@ -171,7 +174,7 @@ Experiment TableOneExperiment(const PaperPlan& plan, const PaperVehicle& vehicle
 
 std::string TableOneLatex(const PaperPlan& plan, const Measured& measured) {
   std::string text =
-      "% Table I of Yang, Scherer and Zell, published and measured: mean over the seeds, against the truth.\n"
+      "% Table I of Yang, Scherer and Zell, published and measured: mean over the seeds, relative to the truth.\n"
       "\\begin{tabular}{lrrrrrr}\n\\hline\n & \\multicolumn{2}{c}{Hand-held} & \\multicolumn{2}{c}{Hovering} & "
       "\\multicolumn{2}{c}{Auto} \\\\\nRMSE & paper & ours & paper & ours & paper & ours \\\\\n\\hline\n";
   for (const report::TableOneRow& row : report::kTableOne) {

@@ -7,14 +7,14 @@
 
 namespace touchdown::experiments {
 
-/// The hand-held motion, the disturbed hover and the autonomous flight (Sec. VI-B.1 to 3, Figs. 6 to 8, Table I), each
-/// flown for several seeds.
+/// Hand-held motion, disturbed hover and autonomous flight (Sec. VI-B.1 to 3, Figs. 6 to 8, Table I), each with several
+/// seeds.
 Experiment TableOneExperiment(const PaperPlan& plan, const PaperVehicle& vehicle);
 
-/// Table I, published and measured side by side, for a LaTeX document.
+/// Table I with published and measured values, in LaTeX.
 std::string TableOneLatex(const PaperPlan& plan, const Measured& measured);
 
-/// The ids of the autonomous flights: ten landings in a row.
+/// Measurement ids of the autonomous flights, which are the consecutive landings of Sec. VI-B.3.
 std::vector<std::string> AutonomousFlightIds(const PaperPlan& plan);
 
 }  // namespace touchdown::experiments

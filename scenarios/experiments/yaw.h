@@ -5,7 +5,8 @@
 
 namespace touchdown::experiments {
 
-/// Yaw from the letter (Sec. IV-C.3): an H turned in steps, image moments, and a rectangle in its place.
+/// Yaw from the letter (Sec. IV-C.3): from the ellipse of a rotated H, from image moments, and from a rectangle instead
+/// of the H.
 Experiment YawExperiment(const PaperPlan& plan, const PaperVehicle& vehicle);
 
 }  // namespace touchdown::experiments

@@ -35,7 +35,8 @@ LandingPad PadWithRectangle() {
   return pad;
 }
 
-/// The pad from straight above, on endless paper; each pixel the mean over its own square.
+/// Synthetic image of a pad from straight above, on an unbounded sheet of paper. Each pixel is the mean over its
+/// square.
 class FrontalView {
  public:
   FrontalView(const LandingPad& pad, double height_m, double yaw)
@@ -45,8 +46,8 @@ class FrontalView {
         side_px_(static_cast<int>(std::ceil(2.0 * kMargin * pad.outer_radius_m / m_per_px_))),
         W_from_image_(Eigen::Rotation2Dd(yaw - models::kPi / 2.0)) {}
 
-  /// A square picture about the pad's center.
-  models::Image Picture() const {
+  /// Renders a square image centered at the pad.
+  models::Image Render() const {
     const int corners = side_px_ + 1;
     cv::Mat1b black(corners, corners);
     for (int v = 0; v < corners; ++v) {
@@ -63,23 +64,26 @@ class FrontalView {
     return image;
   }
 
-  /// Whether the pixel lies nearer to the letter than to the ring.
+  /// Whether the pixel is closer to the letter than to the ring.
   bool IsWithinRing(int u, int v) const {
     const double letter_reach_m = 0.5 * std::hypot(pad_.h_height_m, pad_.h_width_m);
     return PointAt(Vector2d(u, v)).norm() < 0.5 * (letter_reach_m + pad_.inner_radius_m());
   }
 
  private:
-  static constexpr double kMargin = 1.2;  // Of the ring's radius.
+  static constexpr double kMargin = 1.2;  // Half the side of the image divided by the outer radius of the ring.
 
-  /// In W. The image's up is turned left by the yaw from W's X axis.
+  /// Point of the pad plane at a pixel, in W. The image's up direction is W's X axis rotated counterclockwise by the
+  /// yaw.
   Vector2d PointAt(const Vector2d& pixel) const {
     const Vector2d from_center = pixel - Vector2d::Constant(0.5 * (side_px_ - 1));
     return m_per_px_ * (W_from_image_ * Vector2d(from_center.x(), -from_center.y()));
   }
 
+  /// Whether the pad is black at a pixel position.
   bool IsBlack(const Vector2d& pixel) const { return outline_.IsBlack(PointAt(pixel)); }
 
+  /// Fraction of a pixel that is black, by sampling.
   double CoverageOf(int u, int v) const {
     constexpr int kSamples = 8;
     int hits = 0;
@@ -94,24 +98,25 @@ class FrontalView {
   models::PadOutline outline_;
   double m_per_px_;
   int side_px_;
-  Eigen::Matrix2d W_from_image_;  // From axes to the image's right and up.
+  Eigen::Matrix2d W_from_image_;  // Maps (right, up) in the image to W.
 };
 
-/// Ring and letter: there is nothing else in the picture.
-estimator::paper::DetectedPad PadAmong(const ComponentSet& set) {
+/// The ring and the letter, which must be the only components.
+estimator::paper::DetectedPad RingAndLetter(const ComponentSet& set) {
   std::vector<Component> components = set.components;
   if (components.size() != 2) throw std::logic_error("ring and letter are not the only components of a synthetic pad");
   if (components[0].width < components[1].width) std::swap(components[0], components[1]);
   return {components[0], components[1]};
 }
 
-/// Of the major axis of the ellipse with the picture's central second moments, as estimator::Ellipse::angle.
-double MajorAxis(const cv::Mat& darkness) {
+/// Angle of the major axis of the ellipse that has the same central second moments as `darkness`; same convention as
+/// estimator::pad::Ellipse::angle.
+double MajorAxisAngle(const cv::Mat& darkness) {
   const cv::Moments m = cv::moments(darkness);
   return 0.5 * std::atan2(2.0 * m.mu11, m.mu20 - m.mu02);
 }
 
-/// Of each pixel that the letter may cover, 0 on paper.
+/// Darkness of the pixels that the letter may cover; 0 for paper and for all other pixels.
 cv::Mat1f Darkness(const FrontalView& view, const models::Image& image) {
   cv::Mat1f darkness = cv::Mat1f::zeros(image.height, image.width);
   for (int v = 0; v < image.height; ++v) {
@@ -122,17 +127,17 @@ cv::Mat1f Darkness(const FrontalView& view, const models::Image& image) {
   return darkness;
 }
 
-/// A pad seen from above, cut into its two components.
-class SeenPad {
+/// Synthetic view of a pad, its two components, and the yaw errors of all methods on it.
+class SyntheticPadView {
  public:
-  SeenPad(const LandingPad& pad, double height_m, double yaw)
+  SyntheticPadView(const LandingPad& pad, double height_m, double yaw)
       : pad_(pad),
         yaw_(yaw),
         letter_(pad),
         view_(pad, height_m, yaw),
-        image_(view_.Picture()),
+        image_(view_.Render()),
         components_(estimator::paper::ExtractComponents(estimator::paper::Binarize(image_.View()).View())),
-        detected_(PadAmong(components_)) {}
+        detected_(RingAndLetter(components_)) {}
 
   double ErrorOfEllipse_deg(estimator::pad::ContourPoints points) const {
     const auto contours =
@@ -143,15 +148,16 @@ class SeenPad {
   }
 
   double ErrorOfBinaryMoments_deg() const {
-    return Error_deg({.angle = MajorAxis(Darkness(view_, image_) > 0.5 * (kPaper - kInk))});
+    return Error_deg({.angle = MajorAxisAngle(Darkness(view_, image_) > 0.5 * (kPaper - kInk))});
   }
 
-  double ErrorOfGrayMoments_deg() const { return Error_deg({.angle = MajorAxis(Darkness(view_, image_))}); }
+  double ErrorOfGrayMoments_deg() const { return Error_deg({.angle = MajorAxisAngle(Darkness(view_, image_))}); }
 
  private:
-  double Error_deg(const estimator::pad::Ellipse& seen) const {
-    const double true_angle = yaw_ - models::kPi / 2.0;  // Turned left, the camera sees the strokes turned right.
-    return models::RadToDeg(models::WrapToHalfPi(letter_.StrokeAngle(seen) - true_angle));
+  double Error_deg(const estimator::pad::Ellipse& ellipse) const {
+    // A left yaw of the camera rotates the strokes right in the image.
+    const double true_angle = yaw_ - models::kPi / 2.0;
+    return models::RadToDeg(models::WrapToHalfPi(letter_.StrokeAngle(ellipse) - true_angle));
   }
 
   const LandingPad& pad_;
@@ -168,13 +174,13 @@ class SeenPad {
 std::vector<YawErrors> StudyYaw(double height_m) {
   constexpr double kLowest_m = 0.1, kHighest_m = 2.0;
   if (!(height_m >= kLowest_m && height_m <= kHighest_m)) {
-    throw InputError("the yaw study's height must be within [0.1, 2] m");
+    throw InputError("the height of the yaw study must be in [0.1, 2] m");
   }
   const LandingPad with_h, with_rectangle = PadWithRectangle();
   std::vector<YawErrors> rows;
   for (int yaw_deg = 0; yaw_deg < 360; ++yaw_deg) {
     const double yaw = models::DegToRad(yaw_deg);
-    const SeenPad h(with_h, height_m, yaw), rectangle(with_rectangle, height_m, yaw);
+    const SyntheticPadView h(with_h, height_m, yaw), rectangle(with_rectangle, height_m, yaw);
     rows.push_back({yaw_deg,
                     {h.ErrorOfEllipse_deg(estimator::pad::ContourPoints::kInteger),
                      h.ErrorOfEllipse_deg(estimator::pad::ContourPoints::kSubpixel), h.ErrorOfBinaryMoments_deg(),
@@ -184,14 +190,14 @@ std::vector<YawErrors> StudyYaw(double height_m) {
   return rows;
 }
 
-ErrorSize SizeOfErrors(std::span<const YawErrors> rows, YawMethod method) {
-  ErrorSize size;
+ErrorSummary SummarizeErrors(std::span<const YawErrors> rows, YawMethod method) {
+  ErrorSummary summary;
   for (const YawErrors& row : rows) {
-    size.largest_deg = std::max(size.largest_deg, std::abs(row.Of(method)));
-    size.rms_deg += row.Of(method) * row.Of(method) / static_cast<double>(rows.size());
+    summary.largest_deg = std::max(summary.largest_deg, std::abs(row.Of(method)));
+    summary.rms_deg += row.Of(method) * row.Of(method) / static_cast<double>(rows.size());
   }
-  size.rms_deg = std::sqrt(size.rms_deg);
-  return size;
+  summary.rms_deg = std::sqrt(summary.rms_deg);
+  return summary;
 }
 
 }  // namespace touchdown::experiments

@@ -7,12 +7,12 @@
 
 namespace touchdown::experiments {
 
-/// The ways to tell how far a camera is turned about its axis from what it sees of a pad's letter (Sec. IV-C.3).
+/// Methods that estimate the yaw of the camera from the letter of the pad (Sec. IV-C.3).
 enum class YawMethod {
-  kEllipseOfHInteger,   ///< Major axis of the ellipse fitted to the H's contour, of whole pixels ...
-  kEllipseOfHSubpixel,  ///< ... and of sub-pixel points, as the estimator finds both.
-  kMomentsOfHBinary,    ///< Central second moments of the pixels that are more than half black ...
-  kMomentsOfHGrey,      ///< ... and of all by how dark they are.
+  kEllipseOfHInteger,   ///< Major axis of the ellipse fitted to the contour of the H, integer points.
+  kEllipseOfHSubpixel,  ///< As above, with sub-pixel points. Both are the estimator's contours.
+  kMomentsOfHBinary,    ///< Central second moments of the pixels that are more than half black.
+  kMomentsOfHGray,      ///< Central second moments of all pixels, weighted by darkness.
   kEllipseOfRectangleInteger,
   kEllipseOfRectangleSubpixel,
 };
@@ -21,26 +21,28 @@ inline constexpr std::array<std::string_view, 6> kYawMethodNames = {
     "ellipse_of_h_integer", "ellipse_of_h_subpixel",        "moments_of_h_binary",
     "moments_of_h_grey",    "ellipse_of_rectangle_integer", "ellipse_of_rectangle_subpixel"};
 
-/// What each method is off by at one yaw.
+/// Errors of all methods at one yaw.
 struct YawErrors {
-  int yaw_deg = 0;                                         ///< Of the camera, left, from W's X axis.
-  std::array<double, kYawMethodNames.size()> error_deg{};  ///< Within (-90, 90]: an H is the same after half a turn.
+  int yaw_deg = 0;  ///< Yaw of the camera, counterclockwise from W's X axis.
+  std::array<double, kYawMethodNames.size()>
+      error_deg{};  ///< In (-90, 90], because an H has a 180-degree yaw ambiguity.
 
   double Of(YawMethod method) const { return error_deg[static_cast<std::size_t>(method)]; }
 };
 
-/// The experiment of Sec. IV-C.3 on synthetic images: a camera of the default focal length, without noise, looks
-/// straight down from `height_m` over the center of the built-in pad, and of one with a solid rectangle as large as the
-/// H, and is turned by one degree after the other over a whole turn. From 0.32 m the H is 100 px high. Throws
-/// InputError when the height is not within [0.1, 2] m, where the letter is a component of its own.
+/// The experiment of Sec. IV-C.3 on synthetic images without noise. A camera with the default focal length looks
+/// straight down from `height_m` above the center of the built-in pad, and of a pad with a solid rectangle of the size
+/// of the H. It rotates over 360 degrees in steps of one degree. At 0.32 m the H is 100 px high. Throws InputError when
+/// the height is not in [0.1, 2] m, the range in which the letter is a separate component.
 std::vector<YawErrors> StudyYaw(double height_m = 0.32);
 
-struct ErrorSize {
-  double largest_deg = 0.0;  ///< Of the absolute values.
+/// Size of the errors of a method.
+struct ErrorSummary {
+  double largest_deg = 0.0;  ///< Largest absolute error.
   double rms_deg = 0.0;
 };
 
-/// 0 without rows.
-ErrorSize SizeOfErrors(std::span<const YawErrors> rows, YawMethod method);
+/// Largest and RMS error of a method over `rows`; 0 without rows.
+ErrorSummary SummarizeErrors(std::span<const YawErrors> rows, YawMethod method);
 
 }  // namespace touchdown::experiments

@@ -19,25 +19,26 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-/// A seed for a source that a flight has too, and that is to differ from the flight's.
-std::uint64_t SeedOf(const runner::Scenario& scenario, const std::string& source) {
+/// Seed of a random source, different from the seed of the same source in a flight.
+std::uint64_t CalibrationSeed(const runner::Scenario& scenario, const std::string& source) {
   return models::RandomStream(scenario.seed, "calibration." + source).Bits();
 }
 
-/// The board on the floor, within the tracking system's sight.
+/// Draws the pose of the board on the floor, inside the volume of the tracking system.
 Isometry3d DrawBoardPose(models::RandomStream& random) {
   Isometry3d X_WE(Eigen::Translation3d(random.Uniform(-0.5, 0.5), random.Uniform(-0.5, 0.5), 0.0));
   X_WE.linear() = models::RotationExp(random.Uniform(-models::kPi, models::kPi) * Vector3d::UnitZ());
   return X_WE;
 }
 
-/// The tracking system's word on a thing that is put down at one place after the other.
-class TrackedThing {
+/// Measurements of the tracking system for an object placed at a sequence of poses.
+class TrackedObject {
  public:
-  TrackedThing(const runner::Scenario& scenario, const std::string& name)
-      : time_(scenario.time), tracking_(scenario.tracking, scenario.time, SeedOf(scenario, "tracking." + name)) {}
+  TrackedObject(const runner::Scenario& scenario, const std::string& name)
+      : time_(scenario.time),
+        tracking_(scenario.tracking, scenario.time, CalibrationSeed(scenario, "tracking." + name)) {}
 
-  /// The mean over `rest_s` at rest; nullopt when it was hidden all the time.
+  /// Mean measured pose over `rest_s` seconds at rest; nullopt when the object is occluded all the time.
   std::optional<Isometry3d> Measure(const Isometry3d& X_WB, double rest_s) {
     sim::TrueState at_rest;
     at_rest.X_WB = X_WB;
@@ -56,7 +57,7 @@ class TrackedThing {
   models::Tick tick_ = 0;
 };
 
-/// What the tracking system tells of one view.
+/// Poses of vehicle and board measured by the tracking system for one view.
 struct TrackedView {
   std::optional<Isometry3d> X_WB, X_WE;
 };
@@ -88,15 +89,15 @@ int CameraCalibration::views_used() const {
 }
 
 ImuCalibration ImuCalibrationFrom(std::span<const models::ImuSample> samples) {
-  const estimator::calibration::ImuMounting found = estimator::calibration::FindImuMounting(samples);
+  const estimator::calibration::ImuMounting estimate = estimator::calibration::FindImuMounting(samples);
   Isometry3d X_BU = Isometry3d::Identity();
-  X_BU.linear() = found.R_BU;
-  return {.found = found, .mounting = models::ImuMountingOf(X_BU)};
+  X_BU.linear() = estimate.R_BU;
+  return {.estimate = estimate, .mounting = models::ImuMountingOf(X_BU)};
 }
 
 ImuCalibration CalibrateImu(const runner::Scenario& scenario, double rest_s) {
   const Isometry3d X_BU = scenario.vehicle.X_BU();
-  sim::Imu imu(scenario.imu, X_BU, scenario.time, SeedOf(scenario, "imu"));
+  sim::Imu imu(scenario.imu, X_BU, scenario.time, CalibrationSeed(scenario, "imu"));
   std::vector<models::ImuSample> samples;
   sim::TrueState at_rest;
   for (const models::Tick end = scenario.time.FromSeconds(rest_s); at_rest.tick < end; ++at_rest.tick) {
@@ -104,36 +105,36 @@ ImuCalibration CalibrateImu(const runner::Scenario& scenario, double rest_s) {
   }
   ImuCalibration result = ImuCalibrationFrom(samples);
   result.tilt_error_rad =
-      models::AngleBetween(result.found.R_BU * X_BU.linear().transpose() * Vector3d::UnitZ(), Vector3d::UnitZ());
+      models::AngleBetween(result.estimate.R_BU * X_BU.linear().transpose() * Vector3d::UnitZ(), Vector3d::UnitZ());
   return result;
 }
 
 CameraCalibration CalibrateCamera(const runner::Scenario& scenario, const CameraCalibrationConfig& config,
-                                  const CalibrationObserver& observer) {
+                                  const CalibrationProgress& progress) {
   const models::CameraModel& camera = scenario.camera.model;
   models::RandomStream random(scenario.seed, "calibration.views");
   const Isometry3d X_WE = DrawBoardPose(random), X_CB = scenario.vehicle.X_BC().inverse();
   const std::vector<Isometry3d> poses = DrawCalibrationViews(config.board, camera, config.views, random);
-  ChessboardCamera taker(config.board, X_WE, scenario.camera, SeedOf(scenario, "camera"));
-  TrackedThing vehicle(scenario, "vehicle"), board(scenario, "board");
+  ChessboardCamera board_camera(config.board, X_WE, scenario.camera, CalibrationSeed(scenario, "camera"));
+  TrackedObject vehicle(scenario, "vehicle"), board(scenario, "board");
 
   CameraCalibration result;
   std::vector<TrackedView> tracked;
-  std::vector<SeenCorners> seen;
+  std::vector<ImageCorners> corners;
   for (const Isometry3d& X_EC : poses) {
-    if (observer) observer(static_cast<double>(result.pictures.size()) / static_cast<double>(poses.size()));
+    if (progress) progress(static_cast<double>(result.views.size()) / static_cast<double>(poses.size()));
     const Isometry3d X_WC = X_WE * X_EC;
-    CalibrationPicture picture{.image = taker.Take(X_WC), .corners = {}};
-    picture.corners = FindCorners(picture.image.View(), config.board);
-    const TrackedView view{.X_WB = vehicle.Measure(X_WC * X_CB, config.rest_s),
-                           .X_WE = board.Measure(X_WE, config.rest_s)};
-    if (picture.corners) {
-      seen.push_back(*picture.corners);
-      tracked.push_back(view);
+    CalibrationView view{.image = board_camera.Capture(X_WC), .corners = {}};
+    view.corners = FindCorners(view.image.View(), config.board);
+    const TrackedView poses_W{.X_WB = vehicle.Measure(X_WC * X_CB, config.rest_s),
+                              .X_WE = board.Measure(X_WE, config.rest_s)};
+    if (view.corners) {
+      corners.push_back(*view.corners);
+      tracked.push_back(poses_W);
     }
-    result.pictures.push_back(std::move(picture));
+    result.views.push_back(std::move(view));
   }
-  result.fit = FitCamera(seen, config.board, camera.width_px, camera.height_px, config.terms);
+  result.fit = FitCamera(corners, config.board, camera.width_px, camera.height_px, config.terms);
   result.X_BC = MeanMounting(tracked, result.fit.X_EC);
   result.mounting = models::CameraMountingOf(result.X_BC.X_AB);
   CompareWithTruth(scenario, result);

@@ -15,57 +15,58 @@
 
 namespace touchdown::laboratory {
 
-/// What gravity tells of the IMU, and how wrong it is.
+/// Calibration of the IMU mounting from gravity.
 struct ImuCalibration {
-  estimator::calibration::ImuMounting found;
-  models::Mounting mounting;    ///< The same for Calibration::imu; its position is B's origin (Sec. III-D).
-  double tilt_error_rad = 0.0;  ///< Between the vertical that it gives on level ground and the true one.
+  estimator::calibration::ImuMounting estimate;
+  models::Mounting mounting;    ///< Estimate for Calibration::imu, with its position at the origin of B (Sec. III-D).
+  double tilt_error_rad = 0.0;  ///< Angle between the estimated vertical on level ground and the true one.
 };
 
-/// The IMU's mounting from samples at rest on level ground; what is true is not known, and so is no error. Throws
-/// InputError as estimator::FindImuMounting does.
+/// Estimates the IMU mounting from samples at rest on level ground. The true mounting is unknown, so tilt_error_rad
+/// stays 0. Throws InputError as estimator::calibration::FindImuMounting does.
 ImuCalibration ImuCalibrationFrom(std::span<const models::ImuSample> samples);
 
-/// Puts the scenario's vehicle on level ground, as it truly is, for `rest_s`, and reads its IMU's mounting from the
-/// samples (Sec. III-D). The turn-on bias is drawn anew, from the scenario's seed but not as its flight's is: between
-/// calibration and flight the IMU was off. Throws InputError as estimator::FindImuMounting does.
+/// Simulates the scenario's vehicle at rest on level ground for `rest_s` seconds, and estimates the IMU mounting from
+/// the samples (Sec. III-D). The turn-on bias differs from that of the flight, because the IMU is switched off between
+/// calibration and flight; both derive from the seed of the scenario. Throws InputError as
+/// estimator::calibration::FindImuMounting does.
 ImuCalibration CalibrateImu(const runner::Scenario& scenario, double rest_s = 5.0);
 
-/// How the camera is calibrated.
+/// Settings of the camera calibration.
 struct CameraCalibrationConfig {
   Chessboard board;
-  int views = 27;       ///< Three times around the image.
-  double rest_s = 1.0;  ///< How long vehicle and board are tracked for each view.
+  int views = 27;       ///< Number of views; 27 place the board three times at each of nine image positions.
+  double rest_s = 1.0;  ///< Tracking time of vehicle and board for each view, s.
   LensTerms terms = LensTerms::kRadial;
 };
 
 /// A view of the board.
-struct CalibrationPicture {
+struct CalibrationView {
   models::Image image;
-  std::optional<SeenCorners> corners;  ///< nullopt where the board was not found.
+  std::optional<ImageCorners> corners;  ///< nullopt when the board was not detected.
 };
 
-/// What views of a chessboard tell of the camera, and how wrong it is.
+/// Camera intrinsics and mounting estimated from views of a chessboard, and their errors.
 struct CameraCalibration {
   CameraFit fit;
-  estimator::calibration::PoseMean X_BC;  ///< Eq. 2 over the views.
-  models::Mounting mounting;              ///< The same for Calibration::camera.
-  std::vector<CalibrationPicture> pictures;
+  estimator::calibration::PoseMean X_BC;  ///< Mean of Eq. 2 over the views.
+  models::Mounting mounting;              ///< X_BC as a mounting, for Calibration::camera.
+  std::vector<CalibrationView> views;
   int views_used() const;
-  double focal_error_px = 0.0;            ///< The larger one of fx and fy.
-  double principal_point_error_px = 0.0;  ///< Distance.
+  double focal_error_px = 0.0;            ///< Larger of the errors of fx and fy.
+  double principal_point_error_px = 0.0;  ///< Euclidean distance.
   double position_error_m = 0.0;
   double rotation_error_rad = 0.0;
 };
 
-/// Told that a share of the work is done, in [0, 1]; may throw to stop.
-using CalibrationObserver = std::function<void(double share)>;
+/// Called with the completed fraction of the work, 0 to 1; may throw to stop.
+using CalibrationProgress = std::function<void(double fraction)>;
 
-/// Takes pictures of a chessboard with the scenario's camera from poses drawn from the scenario's seed, while the
-/// tracking system follows vehicle and board, both at rest; fits the camera to them, and finds its mounting by Eq. 2.
-/// The same scenario gives the same result. `observer` may be null. Throws InputError when the camera does not see the
-/// board, or the tracking system neither.
+/// Calibrates the scenario's camera with a simulated chessboard. Camera poses are drawn from the seed of the scenario.
+/// The tracking system measures vehicle and board at rest for each view. Fits the intrinsics to the corners, and
+/// computes the mounting with Eq. 2. The same scenario gives the same result. `progress` may be null. Throws InputError
+/// when the camera does not see the board or when the tracking system gives no poses.
 CameraCalibration CalibrateCamera(const runner::Scenario& scenario, const CameraCalibrationConfig& config = {},
-                                  const CalibrationObserver& observer = nullptr);
+                                  const CalibrationProgress& progress = nullptr);
 
 }  // namespace touchdown::laboratory

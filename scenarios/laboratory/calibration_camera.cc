@@ -29,7 +29,7 @@ ChessboardCamera::ChessboardCamera(const Chessboard& board, const Eigen::Isometr
 
 ChessboardCamera::~ChessboardCamera() = default;
 
-models::Image ChessboardCamera::Take(const Eigen::Isometry3d& X_WC) {
+models::Image ChessboardCamera::Capture(const Eigen::Isometry3d& X_WC) {
   return impl_->imager.Take(*impl_->data, std::array{X_WC});
 }
 

@@ -10,18 +10,18 @@
 
 namespace touchdown::laboratory {
 
-/// Takes pictures of a chessboard as the flight's camera would, at rest: its lens, its noise. The pinhole view is
-/// rendered finer than the camera's pixels and averaged over them, as edges of solid shapes need it.
+/// Renders images of a chessboard with the lens and the noise of the flight's camera, at rest. The pinhole view is
+/// oversampled and averaged over the camera's pixels, for accurate edges of solid shapes.
 class ChessboardCamera {
  public:
-  /// Throws InputError when the camera is not valid, std::runtime_error when there is no GL context for it.
+  /// Throws InputError when the camera is invalid, and std::runtime_error when no GL context is available.
   ChessboardCamera(const Chessboard& board, const Eigen::Isometry3d& X_WE, const sim::CameraConfig& camera,
                    std::uint64_t seed);
   ~ChessboardCamera();
   ChessboardCamera(const ChessboardCamera&) = delete;
   ChessboardCamera& operator=(const ChessboardCamera&) = delete;
 
-  models::Image Take(const Eigen::Isometry3d& X_WC);
+  models::Image Capture(const Eigen::Isometry3d& X_WC);
 
  private:
   struct Impl;

@@ -14,23 +14,23 @@
 namespace touchdown::laboratory {
 namespace {
 
-cv::Point2f Middle(const cv::Point2f& a, const cv::Point2f& b, const cv::Point2f& c, const cv::Point2f& d) {
+cv::Point2f Centroid(const cv::Point2f& a, const cv::Point2f& b, const cv::Point2f& c, const cv::Point2f& d) {
   return (a + b + c + d) / 4.0F;
 }
 
-/// Gray level in the middle of the square whose first corner is the one of that number.
-double SquareLevel(const cv::Mat1b& picture, const std::vector<cv::Point2f>& corners, int columns, int first) {
+/// Gray level at the center of the square whose first corner has index `first`.
+double SquareLevel(const cv::Mat1b& image, const std::vector<cv::Point2f>& corners, int columns, int first) {
   const auto at = [&](int i) { return corners[static_cast<std::size_t>(i)]; };
-  const cv::Point2f middle = Middle(at(first), at(first + 1), at(first + columns), at(first + columns + 1));
+  const cv::Point2f center = Centroid(at(first), at(first + 1), at(first + columns), at(first + columns + 1));
   cv::Mat1b patch;
-  cv::getRectSubPix(picture, {3, 3}, middle, patch);
+  cv::getRectSubPix(image, {3, 3}, center, patch);
   return cv::mean(patch)[0];
 }
 
-/// Half the side of the window in which a corner is refined: no other corner is in it.
-int RefiningWindow_px(const std::vector<cv::Point2f>& corners, int columns) {
-  constexpr double kShare = 0.35, kLeast_px = 2.0, kMost_px = 11.0;
-  double nearest_px = kMost_px / kShare;
+/// Half the side of the window for subpixel refinement, px, small enough to contain no other corner.
+int RefinementWindow_px(const std::vector<cv::Point2f>& corners, int columns) {
+  constexpr double kFraction = 0.35, kMin_px = 2.0, kMax_px = 11.0;
+  double nearest_px = kMax_px / kFraction;
   for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
     if ((i + 1) % static_cast<std::size_t>(columns) != 0) {
       nearest_px = std::min(nearest_px, cv::norm(corners[i + 1] - corners[i]));
@@ -38,7 +38,7 @@ int RefiningWindow_px(const std::vector<cv::Point2f>& corners, int columns) {
     const std::size_t below = i + static_cast<std::size_t>(columns);
     if (below < corners.size()) nearest_px = std::min(nearest_px, cv::norm(corners[below] - corners[i]));
   }
-  return static_cast<int>(std::clamp(kShare * nearest_px, kLeast_px, kMost_px));
+  return static_cast<int>(std::clamp(kFraction * nearest_px, kMin_px, kMax_px));
 }
 
 Eigen::Isometry3d PoseOf(const cv::Mat& rotation, const cv::Mat& translation) {
@@ -55,35 +55,34 @@ Eigen::Isometry3d PoseOf(const cv::Mat& rotation, const cv::Mat& translation) {
 int FlagsFor(LensTerms terms) { return terms == LensTerms::kAll ? 0 : cv::CALIB_FIX_K3 | cv::CALIB_ZERO_TANGENT_DIST; }
 
 void RequireViews(std::size_t count) {
-  constexpr std::size_t kFewestViews = 3;
-  if (count >= kFewestViews) return;
-  throw InputError(
-      fmt::format("the calibration pattern is found in {} views, at least {} are needed", count, kFewestViews));
+  constexpr std::size_t kMinViews = 3;
+  if (count >= kMinViews) return;
+  throw InputError(fmt::format("calibration pattern detected in {} views; at least {} are required", count, kMinViews));
 }
 
-std::vector<SeenCorners> Pick(std::span<const SeenCorners> views, const std::vector<std::size_t>& places) {
-  std::vector<SeenCorners> picked;
-  for (const std::size_t place : places) picked.push_back(views[place]);
-  return picked;
+std::vector<ImageCorners> SelectViews(std::span<const ImageCorners> views, const std::vector<std::size_t>& indices) {
+  std::vector<ImageCorners> selected;
+  for (const std::size_t index : indices) selected.push_back(views[index]);
+  return selected;
 }
 
-/// The camera that fits all of some views.
-struct PlainFit {
+/// Fit to a subset of the views, none excluded.
+struct SubsetFit {
   models::CameraModel model;
   std::vector<Eigen::Isometry3d> X_EC;
   std::vector<double> view_rms_px;
   double rms_px = 0.0;
 };
 
-PlainFit FitTo(const std::vector<SeenCorners>& views, const Chessboard& board, int width_px, int height_px,
-               LensTerms terms) {
+SubsetFit FitSubset(const std::vector<ImageCorners>& views, const Chessboard& board, int width_px, int height_px,
+                    LensTerms terms) {
   std::vector<cv::Point3f> board_points;
   for (const Eigen::Vector3d& p_E : board.Corners()) {
     board_points.emplace_back(static_cast<float>(p_E.x()), static_cast<float>(p_E.y()), 0.0F);
   }
-  std::vector<std::vector<cv::Point2f>> seen;
-  for (const SeenCorners& view : views) {
-    auto& points = seen.emplace_back();
+  std::vector<std::vector<cv::Point2f>> image_points;
+  for (const ImageCorners& view : views) {
+    auto& points = image_points.emplace_back();
     for (const Eigen::Vector2d& pixel : view) {
       points.emplace_back(static_cast<float>(pixel.x()), static_cast<float>(pixel.y()));
     }
@@ -91,10 +90,10 @@ PlainFit FitTo(const std::vector<SeenCorners>& views, const Chessboard& board, i
   cv::Matx33d K = cv::Matx33d::eye();
   cv::Mat1d distortion = cv::Mat1d::zeros(5, 1), view_rms;
   std::vector<cv::Mat> rotations, translations;
-  PlainFit fit;
-  fit.rms_px = cv::calibrateCamera(std::vector(views.size(), board_points), seen, {width_px, height_px}, K, distortion,
-                                   rotations, translations, cv::noArray(), cv::noArray(), view_rms, FlagsFor(terms),
-                                   {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 100, 1e-12});
+  SubsetFit fit;
+  fit.rms_px = cv::calibrateCamera(std::vector(views.size(), board_points), image_points, {width_px, height_px}, K,
+                                   distortion, rotations, translations, cv::noArray(), cv::noArray(), view_rms,
+                                   FlagsFor(terms), {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 100, 1e-12});
   const auto term = [&distortion](int i) { return distortion.at<double>(i); };
   fit.model = {.width_px = width_px,
                .height_px = height_px,
@@ -114,59 +113,59 @@ PlainFit FitTo(const std::vector<SeenCorners>& views, const Chessboard& board, i
   return fit;
 }
 
-/// The places of the views that fit about as well as most: in the others a corner was taken for something else.
-std::vector<std::size_t> WellFitted(const std::vector<double>& rms_px) {
-  constexpr double kMostOverMedian = 4.0, kRounding_px = 0.01;
+/// Indices of the views whose error is not far above the median; the other views have a misdetected corner.
+std::vector<std::size_t> ConsistentViews(const std::vector<double>& rms_px) {
+  constexpr double kMaxOverMedian = 4.0, kRounding_px = 0.01;
   std::vector<double> sorted = rms_px;
   std::sort(sorted.begin(), sorted.end());
-  const double most_px = kMostOverMedian * sorted[sorted.size() / 2] + kRounding_px;
-  std::vector<std::size_t> places;
+  const double max_px = kMaxOverMedian * sorted[sorted.size() / 2] + kRounding_px;
+  std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < rms_px.size(); ++i) {
-    if (rms_px[i] <= most_px) places.push_back(i);
+    if (rms_px[i] <= max_px) indices.push_back(i);
   }
-  return places;
+  return indices;
 }
 
 }  // namespace
 
-std::optional<SeenCorners> FindCorners(const models::ImageView& image, const Chessboard& board) {
-  const cv::Mat1b picture(image.height, image.width, const_cast<std::uint8_t*>(image.data),
-                          static_cast<std::size_t>(image.stride));
+std::optional<ImageCorners> FindCorners(const models::ImageView& image, const Chessboard& board) {
+  const cv::Mat1b mat(image.height, image.width, const_cast<std::uint8_t*>(image.data),
+                      static_cast<std::size_t>(image.stride));
   const cv::Size count = board.corner_count();
-  // Noise would be taken for a multitude of squares; the corners themselves are refined in the picture as it is.
+  // Smoothing keeps the detector from treating noise as squares. Refinement uses the original image.
   constexpr double kSmoothing_px = 1.0;
   cv::Mat1b smooth;
-  cv::GaussianBlur(picture, smooth, {}, kSmoothing_px);
+  cv::GaussianBlur(mat, smooth, {}, kSmoothing_px);
   std::vector<cv::Point2f> corners;
   if (!cv::findChessboardCorners(smooth, count, corners)) return std::nullopt;
   const int last_square = static_cast<int>(corners.size()) - count.width - 2;
-  if (SquareLevel(picture, corners, count.width, 0) > SquareLevel(picture, corners, count.width, last_square)) {
+  if (SquareLevel(mat, corners, count.width, 0) > SquareLevel(mat, corners, count.width, last_square)) {
     std::reverse(corners.begin(), corners.end());
   }
-  const int window_px = RefiningWindow_px(corners, count.width);
-  cv::cornerSubPix(picture, corners, {window_px, window_px}, {-1, -1},
+  const int window_px = RefinementWindow_px(corners, count.width);
+  cv::cornerSubPix(mat, corners, {window_px, window_px}, {-1, -1},
                    {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 100, 1e-4});
-  SeenCorners seen;
-  for (const cv::Point2f& corner : corners) seen.emplace_back(corner.x, corner.y);
-  return seen;
+  ImageCorners result;
+  for (const cv::Point2f& corner : corners) result.emplace_back(corner.x, corner.y);
+  return result;
 }
 
-CameraFit FitCamera(std::span<const SeenCorners> views, const Chessboard& board, int width_px, int height_px,
+CameraFit FitCamera(std::span<const ImageCorners> views, const Chessboard& board, int width_px, int height_px,
                     LensTerms terms) {
   std::vector<std::size_t> used(views.size());
   std::iota(used.begin(), used.end(), std::size_t{0});
   for (;;) {
     RequireViews(used.size());
-    const PlainFit plain = FitTo(Pick(views, used), board, width_px, height_px, terms);
+    const SubsetFit subset_fit = FitSubset(SelectViews(views, used), board, width_px, height_px, terms);
     std::vector<std::size_t> kept;
-    for (const std::size_t place : WellFitted(plain.view_rms_px)) kept.push_back(used[place]);
+    for (const std::size_t index : ConsistentViews(subset_fit.view_rms_px)) kept.push_back(used[index]);
     if (kept.size() < used.size()) {
       used = std::move(kept);
       continue;
     }
-    CameraFit fit{.model = plain.model, .X_EC = std::vector<std::optional<Eigen::Isometry3d>>(views.size())};
-    fit.rms_px = plain.rms_px;
-    for (std::size_t i = 0; i < used.size(); ++i) fit.X_EC[used[i]] = plain.X_EC[i];
+    CameraFit fit{.model = subset_fit.model, .X_EC = std::vector<std::optional<Eigen::Isometry3d>>(views.size())};
+    fit.rms_px = subset_fit.rms_px;
+    for (std::size_t i = 0; i < used.size(); ++i) fit.X_EC[used[i]] = subset_fit.X_EC[i];
     fit.model.Validate();
     return fit;
   }

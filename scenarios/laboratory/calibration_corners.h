@@ -12,30 +12,29 @@
 
 namespace touchdown::laboratory {
 
-/// Where a picture shows the corners of Chessboard::Corners, in their order, raw px.
-using SeenCorners = std::vector<Eigen::Vector2d>;
+/// Positions of the corners in an image, raw px, in the order of Chessboard::Corners.
+using ImageCorners = std::vector<Eigen::Vector2d>;
 
-/// Finds the board in a picture, its corners to a fraction of a pixel; nullopt when it is not seen whole.
-std::optional<SeenCorners> FindCorners(const models::ImageView& image, const Chessboard& board);
+/// Detects the corners of the board with subpixel accuracy; nullopt when the board is not completely visible.
+std::optional<ImageCorners> FindCorners(const models::ImageView& image, const Chessboard& board);
 
-/// A camera as several views of a board tell it.
+/// Camera model and poses fitted to several views of a board.
 struct CameraFit {
   models::CameraModel model;
-  std::vector<std::optional<Eigen::Isometry3d>> X_EC;  ///< One for each view; nullopt for those left out.
-  double rms_px = 0.0;                                 ///< Distance of the corners from where the fit has them.
+  std::vector<std::optional<Eigen::Isometry3d>> X_EC;  ///< One per view; nullopt for excluded views.
+  double rms_px = 0.0;                                 ///< RMS reprojection error of the corners, px.
 };
 
-/// Which terms of the lens's distortion are sought; the others are 0.
+/// Distortion coefficients to estimate; the others are 0.
 enum class LensTerms {
-  kRadial,  ///< k1 and k2, the paper's (Sec. IV-B).
-  kAll,     ///< Also the tangential p1 and p2, and k3.
+  kRadial,  ///< k1 and k2, as in the paper (Sec. IV-B).
+  kAll,     ///< k1, k2, k3 and the tangential p1 and p2.
 };
 
-/// The camera that fits all views best, by OpenCV's calibrateCamera, which follows the toolbox that the paper used
-/// (Zhang 2000, Bouguet). Views that fit over four times worse than most, in which a corner
-/// was taken for something else, are left out. Throws InputError for fewer than 3 views, and when no valid camera fits
-/// them.
-CameraFit FitCamera(std::span<const SeenCorners> views, const Chessboard& board, int width_px, int height_px,
+/// Fits a camera model to views of a board with OpenCV's calibrateCamera, which follows the toolbox used in the paper
+/// (Zhang 2000, Bouguet). Excludes views with an RMS error above four times the median, which have a misdetected
+/// corner, and repeats the fit. Throws InputError for fewer than 3 views, and when the fitted model is invalid.
+CameraFit FitCamera(std::span<const ImageCorners> views, const Chessboard& board, int width_px, int height_px,
                     LensTerms terms = LensTerms::kRadial);
 
 }  // namespace touchdown::laboratory

@@ -34,9 +34,9 @@ Json ModelJson(const models::CameraModel& c) {
 }
 
 Json ImuJson(const ImuCalibration& imu, const std::optional<runner::Scenario>& scenario) {
-  Json json{{"samples", imu.found.samples},
+  Json json{{"samples", imu.estimate.samples},
             {"found", {{"misalignment_deg", AnglesJson(imu.mounting.misalignment_deg)}}},
-            {"noise_sigma_deg", RadToDeg(imu.found.noise_sigma_rad)},
+            {"noise_sigma_deg", RadToDeg(imu.estimate.noise_sigma_rad)},
             {"not_observable", "yaw"}};
   if (!scenario) return json;
   json["true"] = {{"misalignment_deg", AnglesJson(scenario->vehicle.imu.misalignment_deg)}};
@@ -46,7 +46,7 @@ Json ImuJson(const ImuCalibration& imu, const std::optional<runner::Scenario>& s
 
 Json CameraJson(const CameraCalibration& camera, const runner::Scenario& scenario) {
   return {
-      {"views", camera.pictures.size()},
+      {"views", camera.views.size()},
       {"views_used", camera.views_used()},
       {"reprojection_rms_px", camera.fit.rms_px},
       {"found", {{"camera_model", ModelJson(camera.fit.model)}, {"camera", MountingJson(camera.mounting)}}},
@@ -61,21 +61,21 @@ Json CameraJson(const CameraCalibration& camera, const runner::Scenario& scenari
         {"rotation_deg", RadToDeg(camera.rotation_error_rad)}}}};
 }
 
-/// A view with its corners drawn in, at half size.
-cv::Mat3b Tile(const CalibrationPicture& picture, const Chessboard& board) {
-  const models::Image& image = picture.image;
+/// Image of a view with its detected corners, at half size.
+cv::Mat3b Tile(const CalibrationView& view, const Chessboard& board) {
+  const models::Image& image = view.image;
   const cv::Mat1b gray(image.height, image.width, const_cast<std::uint8_t*>(image.pixels.data()));
-  cv::Mat3b drawn;
-  cv::cvtColor(gray, drawn, cv::COLOR_GRAY2BGR);
-  if (picture.corners) {
+  cv::Mat3b tile;
+  cv::cvtColor(gray, tile, cv::COLOR_GRAY2BGR);
+  if (view.corners) {
     std::vector<cv::Point2f> corners;
-    for (const Eigen::Vector2d& pixel : *picture.corners) {
+    for (const Eigen::Vector2d& pixel : *view.corners) {
       corners.emplace_back(static_cast<float>(pixel.x()), static_cast<float>(pixel.y()));
     }
-    cv::drawChessboardCorners(drawn, board.corner_count(), corners, true);
+    cv::drawChessboardCorners(tile, board.corner_count(), corners, true);
   }
-  cv::resize(drawn, drawn, {std::max(1, image.width / 2), std::max(1, image.height / 2)}, 0.0, 0.0, cv::INTER_AREA);
-  return drawn;
+  cv::resize(tile, tile, {std::max(1, image.width / 2), std::max(1, image.height / 2)}, 0.0, 0.0, cv::INTER_AREA);
+  return tile;
 }
 
 }  // namespace
@@ -106,8 +106,8 @@ std::string CalibrationText(const CalibrationRun& run) {
   std::string text;
   if (run.imu) {
     const auto& [roll, pitch, yaw] = run.imu->mounting.misalignment_deg;
-    text += fmt::format("IMU: roll {:.3f} deg, pitch {:.3f} deg from {} samples; yaw cannot be told from gravity\n",
-                        roll, pitch, run.imu->found.samples);
+    text += fmt::format("IMU: roll {:.3f} deg, pitch {:.3f} deg from {} samples; yaw is not observable from gravity\n",
+                        roll, pitch, run.imu->estimate.samples);
     if (run.scenario) text += fmt::format("  error: tilt {:.3f} deg\n", RadToDeg(run.imu->tilt_error_rad));
   }
   if (run.camera) {
@@ -120,7 +120,7 @@ std::string CalibrationText(const CalibrationRun& run) {
         "px\n"
         "  mounting: [{:.4f}, {:.4f}, {:.4f}] m, roll {:.3f} pitch {:.3f} yaw {:.3f} deg\n"
         "  error: focal {:.3f} px, principal point {:.3f} px, position {:.2f} mm, rotation {:.3f} deg\n",
-        c.fx_px, c.fy_px, c.cx_px, c.cy_px, c.k1, c.k2, camera.views_used(), camera.pictures.size(), camera.fit.rms_px,
+        c.fx_px, c.fy_px, c.cx_px, c.cy_px, c.k1, c.k2, camera.views_used(), camera.views.size(), camera.fit.rms_px,
         p.x(), p.y(), p.z(), roll, pitch, yaw, camera.focal_error_px, camera.principal_point_error_px,
         1e3 * camera.position_error_m, RadToDeg(camera.rotation_error_rad));
   }
@@ -130,7 +130,7 @@ std::string CalibrationText(const CalibrationRun& run) {
 std::string CalibrationViewsPng(const CameraCalibration& camera, const Chessboard& board) {
   constexpr std::size_t kColumns = 6;
   std::vector<cv::Mat3b> tiles;
-  for (const CalibrationPicture& picture : camera.pictures) tiles.push_back(Tile(picture, board));
+  for (const CalibrationView& view : camera.views) tiles.push_back(Tile(view, board));
   const cv::Size size = tiles.front().size();
   const std::size_t rows = (tiles.size() + kColumns - 1) / kColumns;
   cv::Mat3b sheet(static_cast<int>(rows) * size.height, static_cast<int>(kColumns) * size.width, cv::Vec3b(40, 40, 40));
@@ -139,7 +139,7 @@ std::string CalibrationViewsPng(const CameraCalibration& camera, const Chessboar
     tiles[i].copyTo(sheet(cv::Rect(corner, size)));
   }
   std::vector<unsigned char> png;
-  if (!cv::imencode(".png", sheet, png)) throw std::runtime_error("OpenCV cannot encode the calibration's views");
+  if (!cv::imencode(".png", sheet, png)) throw std::runtime_error("OpenCV cannot encode the calibration views");
   return {png.begin(), png.end()};
 }
 

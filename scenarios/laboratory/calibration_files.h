@@ -8,25 +8,24 @@
 
 namespace touchdown::laboratory {
 
-/// What was calibrated.
+/// Results of one run of the calibration.
 struct CalibrationRun {
-  std::optional<runner::Scenario>
-      scenario;  ///< Whose vehicle it was; nullopt for a real one, of which there is no truth.
+  /// Scenario of the simulated vehicle; nullopt for a real vehicle, which has no known truth.
+  std::optional<runner::Scenario> scenario;
   std::optional<ImuCalibration> imu;
   std::optional<CameraCalibration> camera;
 };
 
-/// What a scenario is to be told: Scenario::calibration.
+/// Calibration in the form of Scenario::calibration.
 runner::Calibration CalibrationOf(const CalibrationRun& run);
 
-/// The text of calibration.json: what was found, what is true, and the difference.
+/// Content of calibration.json: estimated values, true values and errors.
 std::string CalibrationJson(const CalibrationRun& run);
 
-/// The same in some lines for people.
+/// Summary of the run in a few lines of text.
 std::string CalibrationText(const CalibrationRun& run);
 
-/// Every view with the corners that were found, on one picture, as PNG. Throws std::runtime_error when it cannot be
-/// encoded.
+/// Contact sheet of all views with the detected corners, as PNG. Throws std::runtime_error when encoding fails.
 std::string CalibrationViewsPng(const CameraCalibration& camera, const Chessboard& board);
 
 }  // namespace touchdown::laboratory

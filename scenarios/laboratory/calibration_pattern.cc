@@ -12,7 +12,7 @@ constexpr double kFloorDepth_m = 0.001;
 constexpr double kFloorHalfSize_m = 50.0;
 constexpr double kInk = 0.08, kPaper = 0.88, kFloor = 0.45;
 
-/// A flat rectangle of one gray, at a place in E.
+/// MJCF of a horizontal rectangle with a uniform gray level, centered at p_E.
 std::string Rectangle(const Eigen::Isometry3d& X_WE, const Eigen::Vector3d& p_E, const Eigen::Vector2d& half_size_m,
                       double gray) {
   const Eigen::Vector3d p_W = X_WE * p_E;
@@ -42,7 +42,7 @@ std::vector<Eigen::Vector3d> Chessboard::OuterCorners() const {
 
 std::string ChessboardMjcf(const Chessboard& board, const Eigen::Isometry3d& X_WE) {
   const Eigen::Vector2d half = board.half_size_m();
-  std::string things;
+  std::string geoms;
   for (int row = 0; row < board.rows; ++row) {
     for (int column = row % 2; column < board.columns; column += 2) {
       const Eigen::Vector3d p_E(board.square_m * (column + 0.5) - half.x(), half.y() - board.square_m * (row + 0.5),
@@ -66,7 +66,7 @@ std::string ChessboardMjcf(const Chessboard& board, const Eigen::Isometry3d& X_W
       "{}"
       "  </worldbody>\n"
       "</mujoco>\n",
-      things);
+      geoms);
 }
 
 }  // namespace touchdown::laboratory

@@ -8,26 +8,26 @@
 
 namespace touchdown::laboratory {
 
-/// A chessboard on a white sheet, as camera calibration uses it (Sec. III-D). Frame E: origin at the board's center, X
-/// along its rows, Y along its columns, Z out of the sheet. The square at the end of +Y and -X is black; an even and an
-/// odd number of squares tell the board from itself turned by 180 degrees.
+/// Chessboard on a white sheet for camera calibration (Sec. III-D). Frame E: origin at the center of the board, X along
+/// its rows, Y along its columns, Z out of the sheet. The square at the corner towards -X and +Y is black. One number
+/// of squares is odd and the other even, so that the board differs from its rotation by 180 degrees.
 struct Chessboard {
   int columns = 9;         ///< Squares along X.
   int rows = 6;            ///< Squares along Y.
-  double square_m = 0.04;  ///< Of a square's side; with the sheet about it that is A3.
-  double border_m = 0.03;  ///< White around the squares.
+  double square_m = 0.04;  ///< Side of a square; with the border, the default board fills an A3 sheet.
+  double border_m = 0.03;  ///< Width of the white border around the squares.
 
   Eigen::Vector2d half_size_m() const { return 0.5 * square_m * Eigen::Vector2d(columns, rows); }
-  /// How many corners four squares share, along X and Y.
+  /// Number of inner corners (where four squares meet) along X and Y.
   cv::Size corner_count() const { return {columns - 1, rows - 1}; }
-  /// These corners in E, row by row from +Y down, each from -X on: as OpenCV lists them in a picture.
+  /// Inner corners in E, in OpenCV's order: rows from +Y to -Y, each from -X to +X.
   std::vector<Eigen::Vector3d> Corners() const;
   /// The outer corners of the board in E.
   std::vector<Eigen::Vector3d> OuterCorners() const;
 };
 
-/// A model of the sheet on a plain floor, lit as a flight's room, for sim::Renderer. The board lies at `X_WE`, whose Z
-/// is up, at z = 0. Its squares are solid shapes: their edges are where they should be, at any distance.
+/// MuJoCo model of the sheet on a uniform floor with the light of a flight scene, for sim::Renderer. X_WE is the pose
+/// of the board: Z up, at z = 0. The squares are geoms, not a texture, so that their edges are exact at any distance.
 std::string ChessboardMjcf(const Chessboard& board, const Eigen::Isometry3d& X_WE);
 
 }  // namespace touchdown::laboratory

@@ -9,10 +9,10 @@
 
 namespace touchdown::laboratory {
 
-/// Poses X_EC from which a camera sees the whole board, one after the other with the board at the image's center, edges
-/// and corners, as near as it fits or up to a quarter farther, tilted against the line of sight by up to 45
-/// degrees about any axis, and turned anyhow. Throws InputError when the camera's lens does not show the board whole
-/// from anywhere.
+/// Draws camera poses X_EC from which the whole board is visible. The board cycles through nine image positions:
+/// center, edges and corners. Its distance is 1 to 1.25 times the smallest one at which it fits in the image. Its tilt
+/// to the line of sight is up to 45 degrees about any axis, and its rotation about the line of sight is arbitrary.
+/// Throws InputError when no such pose is found.
 std::vector<Eigen::Isometry3d> DrawCalibrationViews(const Chessboard& board, const models::CameraModel& camera,
                                                     int count, models::RandomStream& random);
 

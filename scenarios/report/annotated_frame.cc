@@ -23,14 +23,14 @@ const std::array<cv::Scalar, 3> kAxisColors = {cv::Scalar(0, 0, 255), cv::Scalar
 
 constexpr double kCaptionHeight_px = 27.0;
 
-/// Sub-pixel places: OpenCV's drawing takes them in 16ths.
+/// Fractional bits of the sub-pixel coordinates that OpenCV draws.
 constexpr int kShift = 4;
-cv::Point Place(const Vector2d& pixel) {
+cv::Point FixedPoint(const Vector2d& pixel) {
   return {static_cast<int>(std::lround(pixel.x() * (1 << kShift))),
           static_cast<int>(std::lround(pixel.y() * (1 << kShift)))};
 }
 
-/// From the lowest layer to the highest.
+/// Drawing order of the roles, bottom layer first.
 constexpr std::array kDrawingOrder = {Role::kOther, Role::kOutline, Role::kMarking, Role::kFit};
 
 cv::Scalar ColorOf(Role role) {
@@ -44,20 +44,20 @@ cv::Scalar ColorOf(Role role) {
     case Role::kFit:
       return kYellow;
   }
-  throw std::logic_error("a role without a color");
+  throw std::logic_error("overlay role without a color");
 }
 
-/// How large things are drawn, over what they are at 640x480.
+/// Factor of line widths and text sizes, relative to a frame of 640x480 px.
 double ScaleOf(const cv::Size& size) { return std::sqrt(static_cast<double>(size.area()) / (640.0 * 480.0)); }
 
-/// Draws on one frame.
+/// Draws annotations into one frame.
 class Pen {
  public:
-  Pen(cv::Mat3b& picture, const models::CameraModel& camera)
-      : picture_(picture), camera_(camera), scale_(ScaleOf(picture.size())) {}
+  Pen(cv::Mat3b& image, const models::CameraModel& camera)
+      : image_(image), camera_(camera), scale_(ScaleOf(image.size())) {}
 
   void Box(const Overlay::Box& box) {
-    cv::rectangle(picture_, cv::Rect(box.box.u, box.box.v, box.box.width, box.box.height), ColorOf(box.role),
+    cv::rectangle(image_, cv::Rect(box.box.u, box.box.v, box.box.width, box.box.height), ColorOf(box.role),
                   Width(box.role == Role::kOther ? 1.0 : 2.0));
   }
 
@@ -65,16 +65,16 @@ class Pen {
     std::vector<cv::Point> points;
     for (const Vector2d& point : polyline.points) {
       if (!IsNear(point)) return;
-      points.push_back(Place(point));
+      points.push_back(FixedPoint(point));
     }
-    cv::polylines(picture_, points, polyline.closed, ColorOf(polyline.role), Width(1.0), cv::LINE_AA, kShift);
+    cv::polylines(image_, points, polyline.closed, ColorOf(polyline.role), Width(1.0), cv::LINE_AA, kShift);
   }
 
   void Text(const Overlay::Label& label) {
     constexpr double kFontScale = 0.5;
-    if (!IsNear(label.place)) return;
-    cv::putText(picture_, label.text,
-                {static_cast<int>(std::lround(label.place.x())), static_cast<int>(std::lround(label.place.y()))},
+    if (!IsNear(label.position)) return;
+    cv::putText(image_, label.text,
+                {static_cast<int>(std::lround(label.position.x())), static_cast<int>(std::lround(label.position.y()))},
                 cv::FONT_HERSHEY_SIMPLEX, kFontScale * scale_, ColorOf(label.role), Width(1.0), cv::LINE_AA);
   }
 
@@ -85,21 +85,21 @@ class Pen {
     std::vector<cv::Point> points;
     for (int i = 0; i < kPoints; ++i) {
       const double t = 2.0 * models::kPi * i / kPoints;
-      points.push_back(Place(RawPixel(ellipse.center + std::cos(t) * major + std::sin(t) * minor)));
+      points.push_back(FixedPoint(RawPixel(ellipse.center + std::cos(t) * major + std::sin(t) * minor)));
     }
     const cv::Scalar color = ColorOf(ellipse.role);
-    cv::polylines(picture_, points, true, color, Width(1.0), cv::LINE_AA, kShift);
+    cv::polylines(image_, points, true, color, Width(1.0), cv::LINE_AA, kShift);
     for (const Vector2d& axis : {major, minor}) {
       Line(RawPixel(ellipse.center - axis), RawPixel(ellipse.center + axis), color, 1.0);
     }
   }
 
   void Cross(const Vector2d& pixel) {
-    cv::drawMarker(picture_, {static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y()))},
+    cv::drawMarker(image_, {static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y()))},
                    kOrange, cv::MARKER_CROSS, Width(40.0), Width(3.0), cv::LINE_AA);
   }
 
-  /// Axes whose line leaves what the camera can see are left out.
+  /// Draws the axes of W. Omits an axis when the camera cannot project its ends near the image.
   void AxesOfW(const Eigen::Isometry3d& X_WC, double length_m) {
     const Eigen::Isometry3d X_CW = X_WC.inverse();
     const auto origin = camera_.Project(X_CW.translation());
@@ -113,22 +113,22 @@ class Pen {
  private:
   int Width(double width_px) const { return std::max(1, static_cast<int>(std::lround(width_px * scale_))); }
 
-  /// Whether a pixel is no farther from the image than the image is large: OpenCV draws no more.
+  /// Whether a pixel is in the image or at most one image size outside it. OpenCV cannot draw shapes far outside.
   bool IsNear(const Vector2d& pixel) const {
-    const Vector2d size(picture_.cols, picture_.rows);
+    const Vector2d size(image_.cols, image_.rows);
     return ((pixel - 0.5 * size).cwiseAbs() - 1.5 * size).maxCoeff() < 0.0;
   }
 
-  /// Ellipses are fitted to undistorted points: bends one back to where it is in the raw frame.
+  /// Raw pixel of an undistorted pixel. Ellipses are fitted to undistorted points.
   Vector2d RawPixel(const Vector2d& undistorted) const {
     return camera_.PixelFromNormalized(camera_.Distort(camera_.NormalizedFromPixel(undistorted)));
   }
 
   void Line(const Vector2d& from, const Vector2d& to, const cv::Scalar& color, double width_px) {
-    cv::line(picture_, Place(from), Place(to), color, Width(width_px), cv::LINE_AA, kShift);
+    cv::line(image_, FixedPoint(from), FixedPoint(to), color, Width(width_px), cv::LINE_AA, kShift);
   }
 
-  cv::Mat3b& picture_;
+  cv::Mat3b& image_;
   const models::CameraModel& camera_;
   double scale_;
 };
@@ -137,12 +137,12 @@ class Pen {
 
 cv::Mat3b AnnotateFrame(const models::ImageView& image, const models::CameraModel& camera,
                         const FrameAnnotation& annotation) {
-  // OpenCV has no read-only header; the picture is a copy.
+  // cv::Mat has no read-only view. The data are only read; the result is a copy.
   const cv::Mat gray(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.data),
                      static_cast<std::size_t>(image.stride));
-  cv::Mat3b picture;
-  cv::cvtColor(gray, picture, cv::COLOR_GRAY2BGR);
-  Pen pen(picture, camera);
+  cv::Mat3b result;
+  cv::cvtColor(gray, result, cv::COLOR_GRAY2BGR);
+  Pen pen(result, camera);
   const Overlay& overlay = annotation.overlay;
   const auto draw = [](const auto& shapes, Role role, const auto& draw_one) {
     for (const auto& shape : shapes) {
@@ -157,15 +157,15 @@ cv::Mat3b AnnotateFrame(const models::ImageView& image, const models::CameraMode
   }
   if (annotation.pad_px) pen.Cross(*annotation.pad_px);
   if (annotation.X_WC) pen.AxesOfW(*annotation.X_WC, annotation.axis_length_m);
-  return picture;
+  return result;
 }
 
 cv::Scalar CaptionColor(estimator::FrameStatus status) {
   return status == estimator::FrameStatus::kOk ? kWhite : kYellow;
 }
 
-int CaptionHeight(const cv::Size& picture) {
-  return std::clamp(static_cast<int>(std::lround(kCaptionHeight_px * ScaleOf(picture))), 1, picture.height);
+int CaptionHeight(const cv::Size& image) {
+  return std::clamp(static_cast<int>(std::lround(kCaptionHeight_px * ScaleOf(image))), 1, image.height);
 }
 
 void DrawCaption(cv::Mat3b strip, const std::string& text, const cv::Scalar& color) {

@@ -6,7 +6,7 @@
 
 namespace touchdown::report {
 
-/// The write function of a cairo stream surface whose closure is a std::string: appends to it.
+/// Write function of a cairo stream surface. The closure `bytes` points to a std::string, to which it appends `data`.
 inline cairo_status_t AppendBytes(void* bytes, const unsigned char* data, unsigned length) {
   static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
   return CAIRO_STATUS_SUCCESS;

@@ -14,8 +14,9 @@
 
 namespace touchdown::report {
 
-/// Some annotated frames, evenly spread over a flight of unknown length, on one picture. It keeps fewer than 48 frames,
-/// however long the flight, and draws them when asked for the picture: during a flight it costs a copy of a frame.
+/// Observer that draws up to 12 annotated frames of a flight, evenly spaced over the flight, into one image. It stores
+/// fewer than 48 frames, whatever the flight duration. It annotates the frames only when Png() is called, so that its
+/// cost during a flight is at most one frame copy per frame.
 class ContactSheet final : public runner::FlightObserver {
  public:
   ContactSheet(const models::CameraModel& camera, const models::TimeBase& time);
@@ -23,25 +24,25 @@ class ContactSheet final : public runner::FlightObserver {
   void OnFrame(const models::CameraFrame& frame, const estimator::FrameResult& estimate,
                const runner::FrameRecord& record) override;
 
-  /// The picture as PNG, four frames a row; nullopt when there were no frames. Throws std::runtime_error when it cannot
-  /// be encoded.
+  /// The image as PNG, with four frames per row; nullopt when there were no frames. Throws std::runtime_error when
+  /// OpenCV cannot encode it.
   std::optional<std::string> Png() const;
 
  private:
-  struct Kept {
+  struct StoredFrame {
     models::Image image;
     estimator::Overlay overlay;
     runner::FrameRecord record;
   };
 
   std::vector<std::size_t> Selection() const;
-  cv::Mat Tile(const Kept& kept) const;
+  cv::Mat Tile(const StoredFrame& frame) const;
 
   models::CameraModel camera_;
   models::TimeBase time_;
   cv::Size tile_;
-  std::vector<Kept> kept_;
-  std::size_t stride_ = 1;
+  std::vector<StoredFrame> stored_;
+  std::size_t stride_ = 1;  ///< Every stride-th frame is stored.
   std::size_t count_ = 0;
 };
 

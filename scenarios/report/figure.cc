@@ -28,7 +28,7 @@ constexpr double kSvgUnitsPerCm = 48.0;
 
 using Colors = std::vector<std::pair<std::string, std::string>>;
 
-/// The page's colors by day, by the names of its variables: of each the first in its style sheet.
+/// Colors of the light theme with their CSS variable names: for each name its first value in the style sheet.
 const Colors& PageColors() {
   static const Colors colors = [] {
     const std::string style(PageStyle());
@@ -48,12 +48,13 @@ const Colors& PageColors() {
 void RunGnuplot(const fs::path& script) {
   const std::optional<util::ProcessResult> run = util::RunProcess({"gnuplot", script.string()});
   if (!run) {
-    throw InputError("gnuplot, which draws the figures, cannot be run; on Debian: apt-get install gnuplot-nox");
+    throw InputError(
+        "cannot run gnuplot, which draws the figures; install it, on Debian with: apt-get install gnuplot-nox");
   }
   if (!run->succeeded) throw std::runtime_error("gnuplot: " + run->err);
 }
 
-/// Throws InputError when the disk is full or the like.
+/// Throws InputError when the file cannot be written, for example when the disk is full.
 void WriteInput(const fs::path& file, const std::string& content) {
   std::ofstream stream(file, std::ios::binary);
   stream << content;
@@ -61,14 +62,14 @@ void WriteInput(const fs::path& file, const std::string& content) {
   if (!stream) throw InputError(fmt::format("{}: cannot be written", file.string()));
 }
 
-/// A file that gnuplot drew.
+/// Content of a file that gnuplot wrote.
 std::string ReadDrawing(const fs::path& file, const std::string& figure) {
   std::optional<std::string> drawing = util::ReadTextFileIfPresent(file);
-  if (!drawing || drawing->empty()) throw std::runtime_error("gnuplot drew nothing of " + figure);
+  if (!drawing || drawing->empty()) throw std::runtime_error("gnuplot wrote no output for figure " + figure);
   return *std::move(drawing);
 }
 
-/// Names of the page's colors for the gnuplot commands: `lc rgb ESTIMATE`.
+/// gnuplot variables with the colors of the page, for commands such as `lc rgb ESTIMATE`.
 std::string ColorNames() {
   std::string commands;
   for (const auto& [name, hex] : PageColors()) {
@@ -94,15 +95,15 @@ set style fill solid 0.85 noborder
 }
 
 std::string Script(const Figure& figure, const fs::path& folder) {
-  const auto part = [&](const std::string& terminal, const std::string& output) {
+  const auto commands = [&](const std::string& terminal, const std::string& output) {
     return fmt::format("reset\nset terminal {}\nset output '{}'\n{}data = '{}'\n{}\nset output\n", terminal,
                        (folder / output).string(), Style(), (folder / "data.csv").string(), figure.plot);
   };
-  return part(fmt::format("svg size {:.0f},{:.0f} dynamic font 'sans-serif,12'", kSvgUnitsPerCm * figure.width_cm,
-                          kSvgUnitsPerCm * figure.height_cm),
-              "figure.svg") +
-         part(fmt::format("pdfcairo size {}cm,{}cm font 'DejaVu Sans,8' lw 1.2", figure.width_cm, figure.height_cm),
-              "figure.pdf");
+  return commands(fmt::format("svg size {:.0f},{:.0f} dynamic font 'sans-serif,12'", kSvgUnitsPerCm * figure.width_cm,
+                              kSvgUnitsPerCm * figure.height_cm),
+                  "figure.svg") +
+         commands(fmt::format("pdfcairo size {}cm,{}cm font 'DejaVu Sans,8' lw 1.2", figure.width_cm, figure.height_cm),
+                  "figure.pdf");
 }
 
 std::string Replaced(const std::string& text, const std::regex& pattern,
@@ -117,31 +118,33 @@ std::string Replaced(const std::string& text, const std::regex& pattern,
   return result.append(from, text.cend());
 }
 
-std::string VariableFor(const std::string& hex, const std::string& otherwise) {
+std::string VariableFor(const std::string& hex, const std::string& fallback) {
   for (const auto& [name, color] : PageColors()) {
     if (color == hex) return fmt::format("var(--{})", name);
   }
-  return otherwise;
+  return fallback;
 }
 
-/// The drawing as a part of the page: no XML head, names of its own, the page's colors.
-std::string ForThePage(const std::string& svg, const std::string& name) {
-  std::string part = svg.substr(svg.find("<svg"));
+/// Converts a gnuplot SVG to an element of an HTML page: removes the XML header, makes the ids unique with the figure
+/// name, and replaces the colors by CSS variables.
+std::string PageSvg(const std::string& svg, const std::string& name) {
+  std::string element = svg.substr(svg.find("<svg"));
   static const std::regex decimal(R"(rgb\(\s*(\d+),\s*(\d+),\s*(\d+)\))"), hex("#[0-9a-fA-F]{6}"),
       id(R"((id=['"]|href=['"]#)(gp|gnuplot|textbox|greybox))");
-  part = Replaced(part, decimal, [](const std::smatch& m) {
+  element = Replaced(element, decimal, [](const std::smatch& m) {
     const std::string as_hex = fmt::format("#{:02x}{:02x}{:02x}", std::stoi(m[1]), std::stoi(m[2]), std::stoi(m[3]));
     return VariableFor(as_hex, m.str());
   });
-  part = Replaced(part, hex, [](const std::smatch& m) { return VariableFor(m.str(), m.str()); });
-  return Replaced(part, id, [&](const std::smatch& m) { return fmt::format("{}{}_{}", m[1].str(), name, m[2].str()); });
+  element = Replaced(element, hex, [](const std::smatch& m) { return VariableFor(m.str(), m.str()); });
+  return Replaced(element, id,
+                  [&](const std::smatch& m) { return fmt::format("{}{}_{}", m[1].str(), name, m[2].str()); });
 }
 
-/// Without the moment at which it was drawn, so that the same figure is the same file.
-std::string Undated(std::string pdf) {
-  static const std::string date = "/CreationDate (D:", never = "20000101000000";
+/// Replaces the creation date by a constant, so that equal figures give equal files.
+std::string WithFixedDate(std::string pdf) {
+  static const std::string date = "/CreationDate (D:", fixed = "20000101000000";
   const std::size_t at = pdf.find(date);
-  if (at != std::string::npos) pdf.replace(at + date.size(), never.size(), never);
+  if (at != std::string::npos) pdf.replace(at + date.size(), fixed.size(), fixed);
   return pdf;
 }
 
@@ -154,8 +157,8 @@ DrawnFigure Draw(const Figure& figure) {
   RunGnuplot(folder.path() / "figure.gp");
   DrawnFigure drawn{.svg = ReadDrawing(folder.path() / "figure.svg", figure.name),
                     .page_svg = {},
-                    .pdf = Undated(ReadDrawing(folder.path() / "figure.pdf", figure.name))};
-  drawn.page_svg = ForThePage(drawn.svg, figure.name);
+                    .pdf = WithFixedDate(ReadDrawing(folder.path() / "figure.pdf", figure.name))};
+  drawn.page_svg = PageSvg(drawn.svg, figure.name);
   return drawn;
 }
 

@@ -4,26 +4,26 @@
 
 namespace touchdown::report {
 
-/// A figure as numbers and the way to draw them.
+/// Data of a figure and the gnuplot commands that draw it.
 struct Figure {
-  std::string name = {};     ///< Of its files: letters, digits and _.
+  std::string name = {};     ///< Base name of its files: letters, digits and _.
   std::string title = {};    ///< "Fig. 6a: ..."
-  std::string caption = {};  ///< What it shows, in HTML.
-  std::string csv = {};      ///< The numbers, with a head line.
-  std::string plot = {};     ///< gnuplot commands; the numbers are the file `data`.
+  std::string caption = {};  ///< Description of what the figure shows, as HTML.
+  std::string csv = {};      ///< Data, with a header line.
+  std::string plot = {};     ///< gnuplot commands. The variable `data` is the name of the CSV file.
   double width_cm = 17.0;
   double height_cm = 7.0;
 };
 
 struct DrawnFigure {
   std::string svg = {};
-  std::string
-      page_svg;  ///< A part of a page whose colors it takes by their CSS variables, so that it follows its theme.
+  /// SVG element to embed in an HTML page. Its colors are the CSS variables of the page, so that it follows the theme.
+  std::string page_svg = {};
   std::string pdf = {};
 };
 
-/// Draws by the program gnuplot (Debian: gnuplot-nox). The same figure gives the same SVG. Throws InputError when
-/// gnuplot is not there, std::runtime_error with its words when it refuses the commands.
+/// Draws a figure with the program gnuplot (Debian: gnuplot-nox). Equal figures give equal files. Throws InputError
+/// when gnuplot is not installed, std::runtime_error with the stderr output of gnuplot when it rejects the commands.
 DrawnFigure Draw(const Figure& figure);
 
 }  // namespace touchdown::report

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 FlightFiles ReadFlightFiles(const fs::path& folder) {
   const std::optional<std::string> result = util::ReadTextFileIfPresent(folder / "result.json");
   if (!result || result->find(kFlightSignature) == std::string::npos) {
-    throw InputError(fmt::format("{}: is no flight's folder (it has no result.json of a flight)", folder.string()));
+    throw InputError(fmt::format("{}: not a flight directory: it has no result.json of a flight", folder.string()));
   }
   FlightFiles files;
   files.folder = folder;

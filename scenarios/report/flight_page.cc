@@ -27,7 +27,7 @@ using kainjow::mustache::data;
 
 constexpr char kNone[] = "–";
 
-/// A JSON file whose every access says what is wrong with the file.
+/// A parsed JSON file. Every member throws InputError, naming file and key, when the content is not as expected.
 class JsonFile {
  public:
   JsonFile(const std::string& text, std::string name) : name_(std::move(name)) {
@@ -35,7 +35,7 @@ class JsonFile {
       json_ = Json::parse(text);
     } catch (const Json::parse_error& error) {
       const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-      throw InputError(fmt::format("{}:{}: is no JSON", name_, 1 + std::count(text.begin(), end, '\n')));
+      throw InputError(fmt::format("{}:{}: invalid JSON", name_, 1 + std::count(text.begin(), end, '\n')));
     }
   }
 
@@ -43,7 +43,7 @@ class JsonFile {
 
   std::string Text(const Json& object, const char* key) const {
     const Json& value = Member(object, key);
-    if (!value.is_string()) throw InputError(fmt::format("{}: {}: must be a text", name_, key));
+    if (!value.is_string()) throw InputError(fmt::format("{}: {}: must be a string", name_, key));
     return value.get<std::string>();
   }
   double Number(const Json& object, const char* key) const {
@@ -53,14 +53,17 @@ class JsonFile {
   }
   const Json& Member(const Json& object, const char* key) const {
     if (!object.is_object() || !object.contains(key)) {
-      throw InputError(fmt::format("{}: {}: no such key", name_, key));
+      throw InputError(fmt::format("{}: {}: missing key", name_, key));
     }
     return object.at(key);
   }
-  /// As many as there are, of a list or of an object's values.
+  /// The array or object at a key of the root. `type` is the required type.
   const Json& Members(const char* key, Json::value_t type) const {
     const Json& value = Member(json_, key);
-    if (value.type() != type) throw InputError(fmt::format("{}: {}: has another form", name_, key));
+    if (value.type() != type) {
+      throw InputError(
+          fmt::format("{}: {}: must be an {}", name_, key, type == Json::value_t::array ? "array" : "object"));
+    }
     return value;
   }
 
@@ -71,7 +74,7 @@ class JsonFile {
 
 std::string FourDigits(double value) { return fmt::format("{:.4g}", value); }
 
-std::string Doc(std::string_view metric) {
+std::string DescriptionOf(std::string_view metric) {
   const runner::MetricInfo* const info = runner::FindMetric(metric);
   return info == nullptr ? "" : std::string(info->doc);
 }
@@ -91,40 +94,40 @@ void PutVerdict(const JsonFile& result, data& page) {
 
 void PutChecks(const JsonFile& result, data& page) {
   data rows{data::type::list};
-  int kept = 0, all = 0;
+  int met = 0, all = 0;
   for (const Json& check : result.Members("checks", Json::value_t::array)) {
     const Json& value = result.Member(check, "value");
     const Json& pass = result.Member(check, "pass");
-    const bool is_kept = pass.is_boolean() && pass.get<bool>();
+    const bool is_met = pass.is_boolean() && pass.get<bool>();
     data row;
     row.set("name", result.Text(check, "name"));
-    row.set("doc", Doc(result.Text(check, "name")));
+    row.set("doc", DescriptionOf(result.Text(check, "name")));
     row.set("value", value.is_number() ? FourDigits(value) : value.is_string() ? util::Words(value) : kNone);
     row.set("unit", result.Text(check, "unit"));
     row.set("limit", util::WithSigns(util::Words(result.Text(check, "limit"))));
-    row.set("kept", is_kept ? data::type::bool_true : data::type::bool_false);
+    row.set("met", is_met ? data::type::bool_true : data::type::bool_false);
     rows << row;
-    kept += is_kept ? 1 : 0;
+    met += is_met ? 1 : 0;
     ++all;
   }
   page.set("checks", rows);
-  page.set("checks_kept", fmt::format("{} of {}", kept, all));
+  page.set("checks_met", fmt::format("{} of {}", met, all));
 }
 
-/// A metric, when the flight has it.
+/// Value of a metric; nullopt when the flight does not have it.
 std::optional<double> Find(const Json& metrics, std::string_view name) {
   const auto found = metrics.find(name);
   return found == metrics.end() || !found->is_number() ? std::nullopt : std::optional(found->get<double>());
 }
 
-/// nullopt for a flight that did not touch down.
+/// Touchdown from the metrics; nullopt when the vehicle did not touch down.
 std::optional<Touchdown> TouchdownOf(const Json& metrics) {
   const auto t_s = Find(metrics, "flight.touchdown_time_s");
   const auto x_m = Find(metrics, "flight.touchdown_x_m"), y_m = Find(metrics, "flight.touchdown_y_m");
   return t_s && x_m && y_m ? std::optional(Touchdown{*t_s, *x_m, *y_m}) : std::nullopt;
 }
 
-/// The flight at a glance: those of its figures that it has.
+/// Key values of the flight. Omits metrics that the flight does not have.
 void PutGlance(const Json& metrics, const JsonFile& timing, data& page) {
   struct Item {
     const char* label;
@@ -132,13 +135,13 @@ void PutGlance(const Json& metrics, const JsonFile& timing, data& page) {
     double scale;
     const char* unit;
   };
-  constexpr std::array<Item, 7> kItems = {{{"Touchdown off the center", "flight.touchdown_xy_error_m", 1e3, "mm"},
+  constexpr std::array<Item, 7> kItems = {{{"Touchdown distance from center", "flight.touchdown_xy_error_m", 1e3, "mm"},
                                            {"Touchdown speed", "flight.touchdown_speed_m_s", 1.0, "m/s"},
-                                           {"Hover, off the set-point, RMS", "flight.hover_xyz_rmse_m", 1e3, "mm"},
-                                           {"Vision, horizontal, RMSE", "estimate.xy_rmse_m", 1e3, "mm"},
-                                           {"Vision, vertical, RMSE", "estimate.z_rmse_m", 1e3, "mm"},
-                                           {"Pad found when in view", "estimate.availability", 100.0, "%"},
-                                           {"Flight", "flight.sim_time_s", 1.0, "s"}}};
+                                           {"Hover position error, RMS", "flight.hover_xyz_rmse_m", 1e3, "mm"},
+                                           {"Vision horizontal RMSE", "estimate.xy_rmse_m", 1e3, "mm"},
+                                           {"Vision vertical RMSE", "estimate.z_rmse_m", 1e3, "mm"},
+                                           {"Pad detected when in view", "estimate.availability", 100.0, "%"},
+                                           {"Flight duration", "flight.sim_time_s", 1.0, "s"}}};
   data items{data::type::list};
   const auto put = [&items](const char* label, double value, const char* unit) {
     data item;
@@ -150,11 +153,11 @@ void PutGlance(const Json& metrics, const JsonFile& timing, data& page) {
   for (const Item& item : kItems) {
     if (const auto value = Find(metrics, item.metric)) put(item.label, *value * item.scale, item.unit);
   }
-  put("Vision per frame, mean", timing.Number(timing.root(), "vision_ms_mean"), "ms");
+  put("Vision time per frame, mean", timing.Number(timing.root(), "vision_ms_mean"), "ms");
   page.set("glance", items);
 }
 
-/// Table I of the paper, RMSE: what it gives for hovering and for autonomous flight.
+/// RMSE of the flight with the values of Table I of the paper for hovering and for autonomous flight.
 void PutTableOne(const Json& metrics, data& page) {
   data rows{data::type::list};
   for (const TableOneRow& row : kTableOne) {
@@ -204,7 +207,7 @@ void PutPlatform(const JsonFile& result, data& page) {
   page.set("platform", rows);
 }
 
-/// JSON that neither ends the script element that it lies in nor breaks a line of it.
+/// JSON text that is safe inside an HTML script element: escapes `<` and the line separators U+2028 and U+2029.
 std::string Inlined(const Json& json) {
   const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string inlined;
@@ -225,7 +228,7 @@ std::string Inlined(const Json& json) {
 
 std::string Rendered(const data& page) {
   kainjow::mustache::mustache page_template{std::string(PageTemplate())};
-  if (!page_template.is_valid()) throw std::logic_error("the page's template: " + page_template.error_message());
+  if (!page_template.is_valid()) throw std::logic_error("flight report template: " + page_template.error_message());
   return page_template.render(page);
 }
 
@@ -239,7 +242,7 @@ std::string FlightPage(const FlightFiles& files) {
   const Json& metrics = result.Members("metrics", Json::value_t::object);
 
   data page;
-  page.set("mark", kFlightPageSignature);
+  page.set("signature", kFlightPageSignature);
   page.set("style", std::string(PageStyle()));
   page.set("script", std::string(PageScript()));
   PutVerdict(result, page);

@@ -6,12 +6,12 @@
 
 namespace touchdown::report {
 
-/// What every page of a flight holds.
+/// Signature that identifies the report page of a flight.
 inline constexpr char kFlightPageSignature[] = "<meta name=\"generator\" content=\"Touchdown flight report\">";
 
-/// A flight as one page of HTML that needs nothing but itself and, for the picture, the flight.mp4 beside it: verdict,
-/// criteria, the figures beside the paper's, plots over time, the way over the pad, the scenario (docs/report.md).
-/// Throws InputError, naming file, line and key or column, when a file is damaged.
+/// Builds the report page of a flight: verdict, criteria, comparison with the paper, plots over time, ground track and
+/// scenario (docs/report.md). The page is one HTML file without external references, except for the video flight.mp4 in
+/// the same directory. Throws InputError, naming file, line and key or column, when a file is invalid.
 std::string FlightPage(const FlightFiles& files);
 
 }  // namespace touchdown::report

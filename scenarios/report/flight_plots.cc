@@ -19,24 +19,24 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kBuckets = 1100;
 constexpr double kMillimeters = 1000.0;
 
-// From the first stage that can fail to a pose.
+// Result of a frame, in the order of the processing stages; `ok` is a pose.
 constexpr std::array<std::string_view, 7> kStages = {"no_component", "no_circle", "no_h", "no_pair",
                                                      "no_ellipse",   "outlier",   "ok"};
 
-/// A series under its name in the legend. The page gives each role its color and line.
+/// A series with its legend label. The role selects color and line style on the page.
 struct Curve {
   std::string label;
   std::string role;
   Series values;
 };
 
-/// Curves that share their times.
+/// Curves that share one time vector.
 struct Sheet {
   std::vector<double> t_s;
   std::vector<Curve> curves;
 };
 
-/// `digits` after the point.
+/// Rounds to `digits` decimals.
 Json Rounded(double value, int digits) {
   const double scale = std::pow(10.0, std::abs(digits));
   const double rounded = digits >= 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
@@ -45,6 +45,7 @@ Json Rounded(double value, int digits) {
 
 Json Time(double t_s) { return Rounded(t_s, 4); }
 
+/// Rounds to five significant digits; null for nullopt.
 Json Significant(std::optional<double> value) {
   constexpr int kDigits = 5;
   if (!value) return nullptr;
@@ -73,24 +74,24 @@ Json PlotJson(std::string_view section, std::string_view title, std::string_view
   return json;
 }
 
-/// `a` - `b` where both are there.
-Series Difference(const Series& a, const Series& b, double unit = 1.0) {
+/// (`a` - `b`) * `scale` where both have a value.
+Series Difference(const Series& a, const Series& b, double scale = 1.0) {
   Series difference(a.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a[i] && b[i]) difference[i] = (*a[i] - *b[i]) * unit;
+    if (a[i] && b[i]) difference[i] = (*a[i] - *b[i]) * scale;
   }
   return difference;
 }
 
-/// Of `values` those at whose times `other` is there.
-Series WhereThere(Series values, const Series& other) {
+/// Removes the values at which `mask` has no value.
+Series Masked(Series values, const Series& mask) {
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!other[i]) values[i] = std::nullopt;
+    if (!mask[i]) values[i] = std::nullopt;
   }
   return values;
 }
 
-/// The frames' sheet with an empty row wherever frames are missing, so that no line runs across.
+/// Inserts an empty row wherever frames are missing, so that no line crosses the gap.
 Sheet WithGaps(const Sheet& sheet, double period_s) {
   Sheet gapped;
   for (const Curve& curve : sheet.curves) gapped.curves.push_back({curve.label, curve.role, {}});
@@ -107,7 +108,7 @@ Sheet WithGaps(const Sheet& sheet, double period_s) {
   return gapped;
 }
 
-/// One coordinate as it was, as it was believed and as it was asked for.
+/// Plot of one coordinate: truth, set-point, estimate and vision.
 Json CoordinateJson(const FlightSeries& flight, std::string_view section, std::string_view title, std::string_view unit,
                     Series PoseSeries::*coordinate) {
   const Sheet frames{flight.frame_t_s, {{"vision", "vision", flight.vision.*coordinate}}};
@@ -118,19 +119,19 @@ Json CoordinateJson(const FlightSeries& flight, std::string_view section, std::s
   return PlotJson(section, title, unit, {frames, ticks});
 }
 
-std::vector<Curve> PositionErrors(const PoseSeries& of, const PoseSeries& from) {
-  return {{"x", "first", Difference(of.x_m, from.x_m, kMillimeters)},
-          {"y", "second", Difference(of.y_m, from.y_m, kMillimeters)},
-          {"z", "third", Difference(of.z_m, from.z_m, kMillimeters)}};
+std::vector<Curve> PositionErrors(const PoseSeries& pose, const PoseSeries& reference) {
+  return {{"x", "first", Difference(pose.x_m, reference.x_m, kMillimeters)},
+          {"y", "second", Difference(pose.y_m, reference.y_m, kMillimeters)},
+          {"z", "third", Difference(pose.z_m, reference.z_m, kMillimeters)}};
 }
 
-std::vector<Curve> AttitudeErrors(const PoseSeries& of, const PoseSeries& from) {
-  return {{"roll", "first", Difference(of.roll_deg, from.roll_deg)},
-          {"pitch", "second", Difference(of.pitch_deg, from.pitch_deg)},
-          {"yaw", "third", Difference(of.yaw_deg, from.yaw_deg)}};
+std::vector<Curve> AttitudeErrors(const PoseSeries& pose, const PoseSeries& reference) {
+  return {{"roll", "first", Difference(pose.roll_deg, reference.roll_deg)},
+          {"pitch", "second", Difference(pose.pitch_deg, reference.pitch_deg)},
+          {"yaw", "third", Difference(pose.yaw_deg, reference.yaw_deg)}};
 }
 
-/// A lane for each stage, "ok" on top, in which a bar lasts as long as the frames ended there.
+/// Lane plot with one lane per stage, "ok" on top. A bar spans the frames whose processing ended at that stage.
 Json StagesJson(const FlightSeries& flight) {
   Json json{{"section", "Vision"}, {"title", "Detection"}, {"lanes", Json::array()}};
   for (const std::string_view stage : kStages) {
@@ -148,21 +149,21 @@ Json VisionTimeJson(const FlightSeries& flight, double frame_period_s) {
   return PlotJson("Vision", "Vision time per frame", "ms", {WithGaps(sheet, frame_period_s)});
 }
 
-/// While the motors run: the 0 of before and after would hide what differs between them.
+/// Commands while the motors run. The zeros before and after would enlarge the range and hide the differences.
 Json RotorsJson(const FlightSeries& flight) {
   constexpr std::array<const char*, 4> kLineRoles = {"first", "second", "third", "fourth"};
   Sheet sheet{flight.t_s, {}};
   for (std::size_t i = 0; i < flight.command_rad_s.size(); ++i) {
     sheet.curves.push_back(
-        {fmt::format("rotor {}", i), kLineRoles[i], WhereThere(flight.command_rad_s[i], flight.set_point.z_m)});
+        {fmt::format("rotor {}", i), kLineRoles[i], Masked(flight.command_rad_s[i], flight.set_point.z_m)});
   }
   return PlotJson("Rotors", "Rotor commands", "rad/s", {sheet});
 }
 
-/// While the motors run: later nobody follows the estimate.
+/// Errors while the motors run. Afterwards the estimate is not used.
 std::vector<Curve> EstimateErrors(const FlightSeries& flight) {
   std::vector<Curve> errors = PositionErrors(flight.estimate, flight.truth);
-  for (Curve& curve : errors) curve.values = WhereThere(std::move(curve.values), flight.set_point.z_m);
+  for (Curve& curve : errors) curve.values = Masked(std::move(curve.values), flight.set_point.z_m);
   return errors;
 }
 
@@ -171,25 +172,25 @@ Json PlotsJson(const FlightSeries& flight, double frame_period_s) {
     return std::vector{WithGaps({flight.frame_t_s, std::move(curves)}, frame_period_s)};
   };
   const auto ticks = [&](std::vector<Curve> curves) { return std::vector{Sheet{flight.t_s, std::move(curves)}}; };
-  return {
-      CoordinateJson(flight, "Position", "x", "m", &PoseSeries::x_m),
-      CoordinateJson(flight, "Position", "y", "m", &PoseSeries::y_m),
-      CoordinateJson(flight, "Position", "z, height", "m", &PoseSeries::z_m),
-      CoordinateJson(flight, "Attitude", "Roll", "deg", &PoseSeries::roll_deg),
-      CoordinateJson(flight, "Attitude", "Pitch", "deg", &PoseSeries::pitch_deg),
-      CoordinateJson(flight, "Attitude", "Yaw", "deg", &PoseSeries::yaw_deg),
-      PlotJson("Errors", "Vision position, unfiltered, less truth", "mm",
-               frames(PositionErrors(flight.vision, flight.frame_truth))),
-      PlotJson("Errors", "Vision attitude, unfiltered, less truth", "deg",
-               frames(AttitudeErrors(flight.vision, flight.frame_truth))),
-      PlotJson("Errors", "Estimated position less truth", "mm", ticks(EstimateErrors(flight))),
-      PlotJson("Errors", "True position less set-point", "mm", ticks(PositionErrors(flight.truth, flight.set_point))),
-      StagesJson(flight),
-      VisionTimeJson(flight, frame_period_s),
-      RotorsJson(flight)};
+  return {CoordinateJson(flight, "Position", "x", "m", &PoseSeries::x_m),
+          CoordinateJson(flight, "Position", "y", "m", &PoseSeries::y_m),
+          CoordinateJson(flight, "Position", "z, height", "m", &PoseSeries::z_m),
+          CoordinateJson(flight, "Attitude", "Roll", "deg", &PoseSeries::roll_deg),
+          CoordinateJson(flight, "Attitude", "Pitch", "deg", &PoseSeries::pitch_deg),
+          CoordinateJson(flight, "Attitude", "Yaw", "deg", &PoseSeries::yaw_deg),
+          PlotJson("Errors", "Vision position error (unfiltered, vision minus truth)", "mm",
+                   frames(PositionErrors(flight.vision, flight.frame_truth))),
+          PlotJson("Errors", "Vision attitude error (unfiltered, vision minus truth)", "deg",
+                   frames(AttitudeErrors(flight.vision, flight.frame_truth))),
+          PlotJson("Errors", "Estimated position error (estimate minus truth)", "mm", ticks(EstimateErrors(flight))),
+          PlotJson("Errors", "Position control error (truth minus set-point)", "mm",
+                   ticks(PositionErrors(flight.truth, flight.set_point))),
+          StagesJson(flight),
+          VisionTimeJson(flight, frame_period_s),
+          RotorsJson(flight)};
 }
 
-/// The way over the pad, for the top view.
+/// Ground track for the top view: true position and yaw, set-point and vision position.
 Json TrackJson(const FlightSeries& flight) {
   return {{"ticks", SheetJson({flight.t_s,
                                {{"x", "truth", flight.truth.x_m},
@@ -224,7 +225,7 @@ std::string EventText(const runner::Event& event) {
   return "frames lost";
 }
 
-/// Those that came to pass.
+/// Events that began before the end of the flight.
 Json EventsJson(const std::vector<runner::Event>& events, double duration_s) {
   Json json = Json::array();
   for (const runner::Event& event : events) {
@@ -250,7 +251,7 @@ Json ShapeJson(const models::PadShape& shape) {
   return json;
 }
 
-/// The pad's shapes in W, in the order of drawing.
+/// Sheet size and shapes of the pad in W, in drawing order.
 Json PadJson(const models::LandingPad& pad) {
   Json json{{"sheet_length_m", pad.sheet_length_m}, {"sheet_width_m", pad.sheet_width_m}};
   const models::PadOutline outline(pad);

@@ -8,15 +8,16 @@
 
 namespace touchdown::report {
 
-/// The first contact of a landing: its time and the place of the body's origin in W, as the flight's metrics give it.
+/// First ground contact of the landing: time and position of the body origin in W, from the metrics of the flight.
 struct Touchdown {
   double t_s = 0.0;
   double x_m = 0.0;
   double y_m = 0.0;
 };
 
-/// A flight as its page draws it (scenarios/report/web/ reads it): phases, events and touchdown, the plots with their
-/// series thinned to what a screen can show, and the ground track. Values have five significant digits.
+/// Returns the plot data of the report page as JSON, for the scripts in scenarios/report/web/: phases, events,
+/// touchdown, plots, ground track and pad. Series are thinned to the resolution of a screen (ThinnedRows). Values have
+/// five significant digits. `touchdown` is nullopt when the vehicle did not touch down.
 nlohmann::ordered_json FlightPlots(const FlightSeries& flight, const std::optional<Touchdown>& touchdown,
                                    const runner::Scenario& scenario);
 

@@ -16,9 +16,9 @@ namespace {
 
 using Span = FlightSeries::Span;
 
-PoseSeries ReadPose(const util::CsvTable& table, const std::string& whose) {
-  return {table.Numbers(whose + "x_m"),      table.Numbers(whose + "y_m"),       table.Numbers(whose + "z_m"),
-          table.Numbers(whose + "roll_deg"), table.Numbers(whose + "pitch_deg"), table.Numbers(whose + "yaw_deg")};
+PoseSeries ReadPose(const util::CsvTable& table, const std::string& prefix) {
+  return {table.Numbers(prefix + "x_m"),      table.Numbers(prefix + "y_m"),       table.Numbers(prefix + "z_m"),
+          table.Numbers(prefix + "roll_deg"), table.Numbers(prefix + "pitch_deg"), table.Numbers(prefix + "yaw_deg")};
 }
 
 /// `angle` plus the multiple of `period` that brings it nearest to `target`.
@@ -26,7 +26,7 @@ double Nearest(double angle, double target, double period) {
   return angle + period * std::round((target - angle) / period);
 }
 
-/// Takes out the jumps by 360 degrees.
+/// Removes jumps by 360 degrees.
 void Unwrap(Series& yaw_deg) {
   std::optional<double> previous;
   for (std::optional<double>& yaw : yaw_deg) {
@@ -35,9 +35,9 @@ void Unwrap(Series& yaw_deg) {
   }
 }
 
-/// The same, by another series at the times before.
-void UnwrapBy(const std::vector<double>& other_t_s, const Series& other_deg, const std::vector<double>& t_s,
-              Series& yaw_deg) {
+/// Unwraps each yaw towards the latest preceding value of another, unwrapped series.
+void UnwrapTowards(const std::vector<double>& other_t_s, const Series& other_deg, const std::vector<double>& t_s,
+                   Series& yaw_deg) {
   for (std::size_t i = 0; i < t_s.size(); ++i) {
     const auto after = std::upper_bound(other_t_s.begin(), other_t_s.end(), t_s[i]);
     if (after == other_t_s.begin() || !yaw_deg[i]) continue;
@@ -51,30 +51,31 @@ void UnwrapBy(const std::vector<double>& other_t_s, const Series& other_deg, con
 void ResolveYawAmbiguities(PoseSeries& poses, const Series& true_yaw_deg) {
   for (std::size_t i = 0; i < true_yaw_deg.size(); ++i) {
     if (!poses.yaw_deg[i] || !true_yaw_deg[i]) continue;
-    const bool is_turned =
+    const bool rotate =
         models::HalfTurnIsNearer(models::DegToRad(*poses.yaw_deg[i]), models::DegToRad(*true_yaw_deg[i]));
-    poses.yaw_deg[i] = Nearest(*poses.yaw_deg[i] + (is_turned ? 180.0 : 0.0), *true_yaw_deg[i], 360.0);
-    if (is_turned && poses.x_m[i]) poses.x_m[i] = -*poses.x_m[i];
-    if (is_turned && poses.y_m[i]) poses.y_m[i] = -*poses.y_m[i];
+    poses.yaw_deg[i] = Nearest(*poses.yaw_deg[i] + (rotate ? 180.0 : 0.0), *true_yaw_deg[i], 360.0);
+    if (rotate && poses.x_m[i]) poses.x_m[i] = -*poses.x_m[i];
+    if (rotate && poses.y_m[i]) poses.y_m[i] = -*poses.y_m[i];
   }
 }
 
-/// Takes away the poses of the rows for which `is_void` says so of the name.
-template <typename IsVoid>
-void Remove(PoseSeries& poses, const std::vector<std::string_view>& names, const IsVoid& is_void) {
+/// Removes the poses of the rows for whose name `is_removed` returns true.
+template <typename IsRemoved>
+void Remove(PoseSeries& poses, const std::vector<std::string_view>& names, const IsRemoved& is_removed) {
   for (Series* series : poses.all()) {
     for (std::size_t i = 0; i < names.size(); ++i) {
-      if (is_void(names[i])) (*series)[i] = std::nullopt;
+      if (is_removed(names[i])) (*series)[i] = std::nullopt;
     }
   }
 }
 
-/// The spans of equal names; a span lasts until the next row, the last and one before a gap for `period_s`.
+/// Merges successive rows of equal name into spans. A span ends at the next row; the last span, and a span before a
+/// gap, ends `period_s` after its last row.
 std::vector<Span> SpansOf(const std::vector<std::string_view>& names, const std::vector<double>& t_s, double period_s) {
   std::vector<Span> spans;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const bool goes_on = i > 0 && names[i] == spans.back().name && t_s[i] - t_s[i - 1] <= kMissingFrame * period_s;
-    if (!goes_on) spans.push_back({std::string(names[i]), t_s[i], t_s[i]});
+    const bool continues = i > 0 && names[i] == spans.back().name && t_s[i] - t_s[i - 1] <= kMissingFrame * period_s;
+    if (!continues) spans.push_back({std::string(names[i]), t_s[i], t_s[i]});
     const bool next_is_near = i + 1 < names.size() && t_s[i + 1] - t_s[i] <= kMissingFrame * period_s;
     spans.back().to_s = next_is_near ? t_s[i + 1] : t_s[i] + period_s;
   }
@@ -107,7 +108,7 @@ Series ReadVisionTime(const FlightFiles& files, const std::vector<double>& frame
   const std::string name = files.NameOf("frame_timing.csv");
   const util::CsvTable table(files.frame_timing_csv, name);
   if (table.AllNumbers("tick") != frame_ticks) {
-    throw InputError(fmt::format("{}:1: tick: is not that of frames.csv beside it", name));
+    throw InputError(fmt::format("{}:1: tick: must equal the column tick of frames.csv", name));
   }
   return table.Numbers("vision_ms");
 }
@@ -117,7 +118,7 @@ void ReadFrames(const FlightFiles& files, double frame_period_s, FlightSeries& f
   flight.frame_t_s = table.Times("t_s");
   flight.frame_truth = ReadPose(table, "true_");
   flight.vision = ReadPose(table, "");
-  UnwrapBy(flight.t_s, flight.truth.yaw_deg, flight.frame_t_s, flight.frame_truth.yaw_deg);
+  UnwrapTowards(flight.t_s, flight.truth.yaw_deg, flight.frame_t_s, flight.frame_truth.yaw_deg);
   ResolveYawAmbiguities(flight.vision, flight.frame_truth.yaw_deg);
   const std::vector<std::string_view> statuses = table.Texts("status");
   Remove(flight.vision, statuses, [](std::string_view status) { return status != "ok"; });

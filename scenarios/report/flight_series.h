@@ -10,10 +10,10 @@
 
 namespace touchdown::report {
 
-/// Two frames more than this many camera periods apart have a missing one between them.
+/// Two successive frames that are farther apart than this, in camera periods, have a missing frame between them.
 inline constexpr double kMissingFrame = 1.5;
 
-/// A pose over time: position in W in m, Tait-Bryan angles in deg. Yaw runs on beyond +-180 degrees where it turns.
+/// Pose over time: position in W in m, Tait-Bryan angles in deg. Yaw is unwrapped and may exceed +-180 degrees.
 struct PoseSeries {
   Series x_m, y_m, z_m;
   Series roll_deg, pitch_deg, yaw_deg;
@@ -21,36 +21,36 @@ struct PoseSeries {
   std::array<Series*, 6> all() { return {&x_m, &y_m, &z_m, &roll_deg, &pitch_deg, &yaw_deg}; }
 };
 
-/// A flight's tables, as they are drawn.
+/// Time series of a flight, from its CSV tables, prepared for plotting.
 ///
-/// The pad looks the same turned by 180 degrees about Z: of the two poses that vision and the estimate may mean, the
-/// one whose yaw is nearer to the truth's is here, as in the metrics. So is the set-point's yaw.
+/// The pad looks the same after a rotation by 180 degrees about Z. The yaw ambiguity of the vision pose, the estimate
+/// and the set-point is resolved towards the true yaw, as in the metrics.
 struct FlightSeries {
-  /// A time in which a name held.
+  /// Time interval during which a name, of a phase or of a status, applies.
   struct Span {
     std::string name;
     double from_s = 0.0;
     double to_s = 0.0;
   };
 
-  double duration_s = 0.0;  ///< Of the last row.
+  double duration_s = 0.0;  ///< Time of the last row of flight.csv.
 
-  // On the IMU's ticks.
+  // At the IMU ticks.
   std::vector<double> t_s;
   PoseSeries truth, estimate;
-  PoseSeries set_point;  ///< While the motors run.
+  PoseSeries set_point;  ///< nullopt while the motors are off.
   std::array<Series, 4> command_rad_s;
   std::vector<Span> phases;
 
-  // At the mid-exposure of the frames that arrived.
+  // At the mid-exposure of each received frame.
   std::vector<double> frame_t_s;
-  PoseSeries vision, frame_truth;  ///< Vision's where the status is ok.
+  PoseSeries vision, frame_truth;  ///< Vision is nullopt unless the status is ok.
   Series vision_ms;
-  std::vector<Span> statuses;  ///< Of frames that follow upon each other; a span ends where frames are missing.
+  std::vector<Span> statuses;  ///< One per run of frames of equal status. A span ends where frames are missing.
 };
 
-/// Reads the tables. `frame_period_s` is the camera's. Throws InputError, naming file, line and column, for a table
-/// that is damaged.
+/// Reads the time series from the CSV tables. `frame_period_s` is the camera period. Throws InputError, naming file,
+/// line and column, when a table is invalid.
 FlightSeries ReadFlightSeries(const FlightFiles& files, double frame_period_s);
 
 }  // namespace touchdown::report

@@ -15,16 +15,16 @@
 
 namespace touchdown::report {
 
-/// A flight as a film, written while it is flown: the onboard camera with what the estimator saw and the pose that it
-/// found drawn into it, beside the vehicle from outside, both 480 px high, and below them time, phase, status and the
-/// true height.
+/// Observer that writes a video of the flight: the frame of the onboard camera, annotated with the overlay of the
+/// estimator and the estimated pose, next to a view of the vehicle from outside, both 480 px high. The caption below
+/// gives time, phase, status and true height.
 ///
-/// The film's time is the flight's: picture k of F a second shows the frame taken at k / F, the vehicle at that moment.
-/// F is the camera's rate, or the largest fraction of it that is at most 30. A frame that was lost leaves the last
-/// picture standing, to the flight's end.
+/// Video time equals flight time: at F frames/s, video frame k shows the camera frame with mid-exposure at k / F s. F
+/// is the camera rate divided by the smallest integer for which F is at most 30. The last video frame is repeated where
+/// camera frames are missing, and until the end of the flight.
 class FlightVideo final : public runner::FlightObserver {
  public:
-  /// The file is made with the first frame.
+  /// Stores the settings. The first call of OnFrame creates `file`.
   FlightVideo(const runner::Scenario& scenario, const std::filesystem::path& file);
 
   void OnStart(const sim::World& world) override;
@@ -33,11 +33,11 @@ class FlightVideo final : public runner::FlightObserver {
   void OnFrame(const models::CameraFrame& frame, const estimator::FrameResult& estimate,
                const runner::FrameRecord& record) override;
 
-  /// Completes the file; there is none when there were no frames. Throws InputError as OnFrame does.
+  /// Completes the file; no file exists when there were no frames. Throws InputError when the file cannot be written.
   void Finish();
 
  private:
-  void HoldUntil(models::Tick tick);
+  void RepeatFrameUntil(models::Tick tick);
   void DrawOnboard(const models::ImageView& image, const estimator::Overlay& overlay,
                    const runner::FrameRecord& record);
 
@@ -45,12 +45,12 @@ class FlightVideo final : public runner::FlightObserver {
   models::CameraModel camera_;
   models::LandingPad pad_;
   models::Vehicle vehicle_;
-  Eigen::Isometry3d X_BC_;  ///< As the estimator is told.
+  Eigen::Isometry3d X_BC_;  ///< Assumed extrinsics, as the estimator uses them.
   models::TimeBase time_;
-  models::Tick period_;  ///< From picture to picture.
+  models::Tick period_;  ///< Period of the video frames.
   FrameRate rate_;
-  models::Tick newest_ = 0;
-  cv::Mat3b picture_;  ///< The last one.
+  models::Tick last_tick_ = 0;
+  cv::Mat3b video_frame_;  ///< The most recent one.
   std::unique_ptr<sim::ChaseView> chase_;
   std::optional<VideoWriter> writer_;
 };

@@ -9,18 +9,19 @@
 
 namespace touchdown::report {
 
-/// A film of footage with what the estimator saw drawn into it, and a line that tells the frame, its time and its
-/// status.
+/// Writes a video of recorded footage. Each frame is annotated with the overlay of the estimator and the estimated
+/// pose, and has a caption with time, source and status.
 class FootageVideo {
  public:
-  /// Poses are of the body when `setup` has a mounting, of the camera otherwise. Throws as VideoWriter does.
+  /// The estimated poses are body poses when `setup` has a mounting, and camera poses otherwise. Throws the exceptions
+  /// of VideoWriter.
   FootageVideo(const std::filesystem::path& file, const datasets::FootageSetup& setup,
-               const datasets::FootageFacts& facts);
+               const datasets::FootageMetadata& metadata);
 
-  /// The next frame, of the camera's size. Throws InputError when it cannot be written.
+  /// Appends a frame, which must have the size of the camera. Throws InputError when it cannot be written.
   void Add(const datasets::FootageFrame& frame, const datasets::FootageEstimate& estimate);
 
-  /// Completes the film.
+  /// Completes the file. Throws InputError when it cannot be written.
   void Finish() { writer_.Finish(); }
 
  private:

@@ -31,10 +31,10 @@ void PutCounts(pugi::xml_node node, const Counts& counts) {
   node.append_attribute("time") = fmt::format("{}", counts.time_s).c_str();
 }
 
-/// "is 0.12 m, must be <= 0.06".
+/// Message of a failed check: "is 0.12 m, must be <= 0.06".
 std::string Explain(const runner::Check& check) {
   const std::string value =
-      check.value ? fmt::format("{} {}", *check.value, check.unit) : (check.text.empty() ? "not there" : check.text);
+      check.value ? fmt::format("{} {}", *check.value, check.unit) : (check.text.empty() ? "missing" : check.text);
   return fmt::format("is {}, must be {}", value, check.limit);
 }
 

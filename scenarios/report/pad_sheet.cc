@@ -19,7 +19,7 @@ namespace {
 
 using models::LandingPad;
 
-// The page's lengths are in mm, x to the right and y down.
+// Lengths on the page are in mm, with x to the right and y down.
 constexpr double kPointsPerMm = 72.0 / 25.4;
 constexpr double kMmPerMeter = 1000.0;
 constexpr double kRuler_mm = 100.0;
@@ -28,7 +28,7 @@ constexpr double kLegendHeight_mm = 24.0;
 constexpr double kTextSize_mm = 3.2;
 constexpr double kHairline_mm = 0.15;
 constexpr double kLegendGray = 0.35;
-/// How far a curve may deviate.
+/// Largest deviation of a drawn curve from the true curve.
 constexpr double kTolerance_mm = 0.001;
 
 struct Page {
@@ -50,7 +50,7 @@ Page PageFor(const LandingPad& pad) {
           sheet_height_mm + kMargin_mm, true};
 }
 
-/// One drawing for both formats.
+/// Draws the page, independent of the file format.
 class Drawing {
  public:
   Drawing(const LandingPad& pad, const Page& page, cairo_surface_t* surface)
@@ -65,8 +65,7 @@ class Drawing {
     DrawLegend();
     cairo_show_page(cairo());
     if (cairo_status(cairo()) != CAIRO_STATUS_SUCCESS) {
-      throw std::runtime_error(std::string("the pad cannot be drawn: ") +
-                               cairo_status_to_string(cairo_status(cairo())));
+      throw std::runtime_error(std::string("cannot draw the pad: ") + cairo_status_to_string(cairo_status(cairo())));
     }
   }
 
@@ -74,8 +73,8 @@ class Drawing {
   cairo_t* cairo() { return cairo_.get(); }
   double Mm(double length_m) const { return kMmPerMeter * length_m; }
 
-  /// Black on the white of the page. All shapes make one path, so that no seam shows where two black ones touch: the
-  /// white ones go round the other way and cut holes.
+  /// Fills the black shapes on the white page. All shapes form one path, so that no seam appears where two black shapes
+  /// touch. White shapes have the opposite orientation and cut holes.
   void DrawPad() {
     cairo_save(cairo());
     const cairo_matrix_t page_from_W = {.xx = 0.0,
@@ -92,7 +91,7 @@ class Drawing {
     cairo_restore(cairo());
   }
 
-  /// To the path, in W.
+  /// Adds a shape to the path, in W.
   void Add(const models::PadShape& shape) {
     const bool is_black = shape.color == models::PadShape::Color::kBlack;
     cairo_new_sub_path(cairo());
@@ -122,7 +121,7 @@ class Drawing {
   void DrawLegend() {
     SetPen();
     DrawRuler(page_.legend_top_mm + 4.0);
-    Write(fmt::format("Print at 100 %: this ruler measures {:g} mm.", kRuler_mm), page_.legend_top_mm + 14.0);
+    Write(fmt::format("Print at 100 %. This ruler must measure {:g} mm.", kRuler_mm), page_.legend_top_mm + 14.0);
     Write(fmt::format(
               "Ring: outer radius {:g} mm, width {:g} mm. H: {:g} x {:g} mm, stroke {:g} mm. Sheet: {:g} x {:g} mm.",
               Mm(pad_.outer_radius_m), Mm(pad_.ring_width_m), Mm(pad_.h_height_m), Mm(pad_.h_width_m),
@@ -146,7 +145,7 @@ class Drawing {
     cairo_stroke(cairo());
   }
 
-  /// Centered, and smaller where the page is too narrow.
+  /// Draws centered text. Reduces the text size when the page is too narrow.
   void Write(const std::string& text, double baseline) {
     cairo_select_font_face(cairo(), "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(cairo(), kTextSize_mm);

@@ -4,24 +4,25 @@
 
 namespace touchdown::report {
 
-// The parts of the pages that every page has, from scenarios/report/web/. The build puts them into the program.
+// Templates, style sheet and script of the HTML pages, from scenarios/report/web/. The build embeds them in the
+// library.
 
-/// The page as a mustache template.
+/// Mustache template of the flight report.
 std::string_view PageTemplate();
 
-/// The page of the paper's experiments as a mustache template; its style sheet is the same.
+/// Mustache template of the report on the experiments of the paper.
 std::string_view PaperPageTemplate();
 
-/// The page of a sweep, likewise.
+/// Mustache template of the sweep report.
 std::string_view SweepPageTemplate();
 
-/// A section of these two pages as a mustache template.
+/// Mustache template of a section of the paper report and of the sweep report.
 std::string_view SectionTemplate();
 
-/// Its style sheet.
+/// Style sheet of all pages.
 std::string_view PageStyle();
 
-/// Its script, with uPlot.
+/// Script of the flight report, bundled with uPlot.
 std::string_view PageScript();
 
 }  // namespace touchdown::report

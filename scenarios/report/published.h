@@ -5,14 +5,14 @@
 
 namespace touchdown::report {
 
-/// A row of the paper's Table I: RMSE of vision's pose.
+/// A row of Table I of the paper: RMSE of one coordinate of the vision pose.
 struct TableOneRow {
   std::string_view label;
-  std::string_view metric;  ///< Of a flight, in SI.
-  std::string_view key;     ///< The same in the row's unit, short.
-  double scale;             ///< From the metric's unit to the row's.
+  std::string_view metric;  ///< Name of the corresponding flight metric.
+  std::string_view key;     ///< Short name of the same quantity in the unit of the row.
+  double scale;             ///< Factor from the unit of the metric to the unit of the row.
   std::string_view unit;
-  std::array<double, 3> published;  ///< Hand-held, hovering, autonomous.
+  std::array<double, 3> published;  ///< Published values: hand-held, hovering, autonomous.
 };
 
 inline constexpr std::array<TableOneRow, 6> kTableOne = {

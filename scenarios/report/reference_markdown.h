@@ -4,10 +4,10 @@
 
 namespace touchdown::report {
 
-/// Every key of a scenario with unit, default, range and meaning, as a Markdown table.
+/// Markdown table of all scenario keys: unit, default, allowed range and meaning.
 std::string KeysMarkdown();
 
-/// Every metric with its unit and meaning, as a Markdown table.
+/// Markdown table of all metrics: unit and meaning.
 std::string MetricsMarkdown();
 
 }  // namespace touchdown::report

@@ -8,28 +8,28 @@
 namespace touchdown::report {
 
 struct ReportTable {
-  std::string name = {};     ///< Of its CSV file.
+  std::string name = {};     ///< Base name of its CSV file.
   std::string caption = {};  ///< HTML.
   std::vector<std::string> head = {};
   std::vector<std::vector<std::string>> rows = {};
 };
 
-/// A picture, as it is, beside the drawn figures.
-struct ReportPicture {
-  std::string name = {};  ///< Of its file, without ending.
+/// JPEG image of a report, included unchanged.
+struct ReportImage {
+  std::string name = {};  ///< Base name of its files.
   std::string title = {};
   std::string caption = {};
   std::string jpeg = {};
-  std::string csv = {};  ///< What is drawn into it, as numbers.
+  std::string csv = {};  ///< Data that is drawn in the image.
 };
 
-/// A section of a page: words, figures, pictures and tables.
+/// Section of a report page: paragraphs, figures, images and tables.
 struct ReportSection {
   std::string id = {};
   std::string title = {};
   std::vector<std::string> paragraphs = {};  ///< HTML.
   std::vector<Figure> figures = {};
-  std::vector<ReportPicture> pictures = {};
+  std::vector<ReportImage> images = {};
   std::vector<ReportTable> tables = {};
 };
 

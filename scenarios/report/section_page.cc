@@ -3,8 +3,8 @@
 #include <kainjow/mustache.hpp>
 #include <stdexcept>
 
+#include "scenarios/report/jpeg_pdf.h"
 #include "scenarios/report/page_assets.h"
-#include "scenarios/report/picture_pdf.h"
 #include "scenarios/util/base64.h"
 #include "scenarios/util/csv_writer.h"
 
@@ -15,7 +15,7 @@ using kainjow::mustache::data;
 using Files = std::map<std::string, std::string>;
 
 constexpr double kPagePxPerCm = 56.0;
-constexpr double kPictureWidth_cm = 17.0;
+constexpr double kImageWidth_cm = 17.0;
 
 data TableData(const ReportTable& table) {
   data head{data::type::list}, rows{data::type::list};
@@ -46,12 +46,12 @@ data FigureData(const Figure& figure, const DrawnFigure& drawn) {
   return result;
 }
 
-data PictureData(const ReportPicture& picture) {
+data ImageData(const ReportImage& image) {
   data result;
-  result.set("name", picture.name);
-  result.set("title", picture.title);
-  result.set("caption", picture.caption);
-  result.set("base64", util::Base64(picture.jpeg));
+  result.set("name", image.name);
+  result.set("title", image.title);
+  result.set("caption", image.caption);
+  result.set("base64", util::Base64(image.jpeg));
   return result;
 }
 
@@ -61,10 +61,10 @@ void AddFiles(const Figure& figure, const DrawnFigure& drawn, Files& files) {
   files["figures/" + figure.name + ".svg"] = drawn.svg;
 }
 
-void AddFiles(const ReportPicture& picture, Files& files) {
-  files["figures/" + picture.name + ".jpg"] = picture.jpeg;
-  files["figures/" + picture.name + ".pdf"] = PicturePdf(picture.jpeg, kPictureWidth_cm);
-  files["figures/" + picture.name + ".csv"] = picture.csv;
+void AddFiles(const ReportImage& image, Files& files) {
+  files["figures/" + image.name + ".jpg"] = image.jpeg;
+  files["figures/" + image.name + ".pdf"] = JpegPdf(image.jpeg, kImageWidth_cm);
+  files["figures/" + image.name + ".csv"] = image.csv;
 }
 
 void AddFiles(const ReportTable& table, Files& files) {
@@ -74,21 +74,21 @@ void AddFiles(const ReportTable& table, Files& files) {
 }
 
 std::string Html(const ReportSection& section, const std::vector<DrawnFigure>& drawn, bool has_files) {
-  data paragraphs{data::type::list}, figures{data::type::list}, pictures{data::type::list}, tables{data::type::list};
+  data paragraphs{data::type::list}, figures{data::type::list}, images{data::type::list}, tables{data::type::list};
   for (const std::string& paragraph : section.paragraphs) paragraphs << data{"html", paragraph};
   for (std::size_t i = 0; i < drawn.size(); ++i) figures << FigureData(section.figures[i], drawn[i]);
-  for (const ReportPicture& picture : section.pictures) pictures << PictureData(picture);
+  for (const ReportImage& image : section.images) images << ImageData(image);
   for (const ReportTable& table : section.tables) tables << TableData(table);
   data part;
   part.set("id", section.id);
   part.set("title", section.title);
   part.set("paragraphs", paragraphs);
   part.set("figures", figures);
-  part.set("pictures", pictures);
+  part.set("images", images);
   part.set("tables", tables);
   part.set("has_files", has_files ? data::type::bool_true : data::type::bool_false);
   kainjow::mustache::mustache part_template{std::string(SectionTemplate())};
-  if (!part_template.is_valid()) throw std::logic_error("the section's template: " + part_template.error_message());
+  if (!part_template.is_valid()) throw std::logic_error("section template: " + part_template.error_message());
   return part_template.render(part);
 }
 
@@ -106,7 +106,7 @@ SectionWithFiles DrawSection(const ReportSection& section) {
   const std::vector<DrawnFigure> drawn = DrawAll(section.figures);
   SectionWithFiles result{.html = Html(section, drawn, true), .files = {}};
   for (std::size_t i = 0; i < drawn.size(); ++i) AddFiles(section.figures[i], drawn[i], result.files);
-  for (const ReportPicture& picture : section.pictures) AddFiles(picture, result.files);
+  for (const ReportImage& image : section.images) AddFiles(image, result.files);
   for (const ReportTable& table : section.tables) AddFiles(table, result.files);
   return result;
 }

@@ -7,18 +7,18 @@
 
 namespace touchdown::report {
 
-/// A section as a part of a page.
+/// Renders a section as HTML, without links to files. Throws the exceptions of Draw.
 std::string SectionHtml(const ReportSection& section);
 
-/// A section as a part of a page with files beside it.
+/// HTML of a section and the files to which it links.
 struct SectionWithFiles {
-  std::string html = {};  ///< It links to the files.
-  /// By their names within the page's folder, in figures/: each figure as CSV, PDF and SVG, each picture as JPEG, PDF
-  /// and CSV, each table as CSV.
+  std::string html = {};
+  /// File contents by path relative to the page, all in figures/: each figure as CSV, PDF and SVG, each image as JPEG,
+  /// PDF and CSV, each table as CSV.
   std::map<std::string, std::string> files = {};
 };
 
-/// Both throw as Draw does.
+/// Renders a section with its files. Throws the exceptions of Draw.
 SectionWithFiles DrawSection(const ReportSection& section);
 
 }  // namespace touchdown::report

@@ -25,10 +25,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLargestSide_px = 4096;
-/// Of any ten seconds, the rate leaves 9.25 Mbit / 10 and the buffer may add its 0.37: together 972,500 bytes. The rest
-/// is the container's, some 20 bytes a picture.
-constexpr std::int64_t kMostBits_s = 741'000;
+constexpr int kMaxSide_px = 4096;
+/// In any 10 s, the encoder writes at most 7.41 Mbit at this rate plus 0.37 Mbit from the buffer, together 972,500
+/// bytes. The container adds about 20 bytes per frame.
+constexpr std::int64_t kMaxBitRate_bps = 741'000;
 constexpr int kBufferBits = 370'000;
 
 struct Deleter {
@@ -44,26 +44,26 @@ struct Deleter {
 template <typename T>
 using Owned = std::unique_ptr<T, Deleter>;
 
-/// Takes what a library's function allocated.
+/// Takes ownership of an object that a library function allocated. Throws std::bad_alloc for null.
 template <typename T>
-Owned<T> Own(T* made) {
-  if (made == nullptr) throw std::bad_alloc();
-  return Owned<T>(made);
+Owned<T> Own(T* allocated) {
+  if (allocated == nullptr) throw std::bad_alloc();
+  return Owned<T>(allocated);
 }
 
 }  // namespace
 
-cv::Size VideoSize(const cv::Size& picture, const cv::Size& most) {
+cv::Size VideoSize(const cv::Size& frame, const cv::Size& max_size) {
   const double scale = std::min(
-      {1.0, static_cast<double>(most.width) / picture.width, static_cast<double>(most.height) / picture.height});
+      {1.0, static_cast<double>(max_size.width) / frame.width, static_cast<double>(max_size.height) / frame.height});
   const auto even = [scale](int px) { return std::max(2, 2 * static_cast<int>(std::lround(0.5 * scale * px))); };
-  return {std::min(even(picture.width), most.width / 2 * 2), std::min(even(picture.height), most.height / 2 * 2)};
+  return {std::min(even(frame.width), max_size.width / 2 * 2), std::min(even(frame.height), max_size.height / 2 * 2)};
 }
 
 struct VideoWriter::Impl {
-  Impl(const fs::path& place, const cv::Size& film_size, const FrameRate& rate)
-      : file(place), size(film_size), picture_period{rate.seconds, rate.pictures} {
-    av_log_set_level(AV_LOG_QUIET);  // What goes wrong is thrown.
+  Impl(const fs::path& output_file, const cv::Size& frame_size, const FrameRate& rate)
+      : file(output_file), size(frame_size), frame_period{rate.seconds, rate.frames} {
+    av_log_set_level(AV_LOG_QUIET);  // Errors are thrown.
   }
 
   void Open() {
@@ -90,7 +90,7 @@ struct VideoWriter::Impl {
     throw InputError(fmt::format("video {}: {}", file.filename().string(), why));
   }
 
-  /// `code` is what a function of the library returned.
+  /// Throws InputError for a negative return value of a library function; returns the value otherwise.
   int Check(int code) const {
     if (code >= 0) return code;
     std::array<char, AV_ERROR_MAX_STRING_SIZE> why{};
@@ -109,15 +109,15 @@ struct VideoWriter::Impl {
     encoder->colorspace = AVCOL_SPC_SMPTE170M;
     encoder->color_primaries = AVCOL_PRI_SMPTE170M;
     encoder->color_trc = AVCOL_TRC_SMPTE170M;
-    encoder->time_base = picture_period;
-    encoder->framerate = av_inv_q(picture_period);
-    encoder->gop_size = std::max(1, picture_period.den / picture_period.num);
+    encoder->time_base = frame_period;
+    encoder->framerate = av_inv_q(frame_period);
+    encoder->gop_size = std::max(1, frame_period.den / frame_period.num);
     encoder->thread_count = 1;
-    encoder->rc_max_rate = kMostBits_s;
+    encoder->rc_max_rate = kMaxBitRate_bps;
     encoder->rc_buffer_size = kBufferBits;
     encoder->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
-    // Superfast leaves out what the rate control needs to keep a noisy picture sharp within the bound: nearly as fast
-    // with it, and as good as veryfast.
+    // The preset superfast disables mbtree and lookahead, which the rate control needs for sharp frames within the bit
+    // rate bound. With both enabled it is nearly as fast as superfast and as good as veryfast.
     Check(av_opt_set(encoder->priv_data, "preset", "superfast", 0));
     Check(av_opt_set(encoder->priv_data, "x264-params", "mbtree=1:rc-lookahead=12", 0));
     Check(av_opt_set(encoder->priv_data, "crf", "24", 0));
@@ -126,9 +126,9 @@ struct VideoWriter::Impl {
 
   void OpenFile() {
     const std::string url = "file:" + file.string();
-    AVFormatContext* made = nullptr;
-    Check(avformat_alloc_output_context2(&made, nullptr, "mp4", url.c_str()));
-    Owned<AVFormatContext> opened = Own(made);
+    AVFormatContext* allocated = nullptr;
+    Check(avformat_alloc_output_context2(&allocated, nullptr, "mp4", url.c_str()));
+    Owned<AVFormatContext> opened = Own(allocated);
     stream = avformat_new_stream(opened.get(), nullptr);
     if (stream == nullptr) throw std::bad_alloc();
     stream->time_base = encoder->time_base;
@@ -136,14 +136,14 @@ struct VideoWriter::Impl {
     Check(avcodec_parameters_from_context(stream->codecpar, encoder.get()));
     Check(avio_open(&opened->pb, url.c_str(), AVIO_FLAG_WRITE));
     container = std::move(opened);
-    AVDictionary* index_at_the_front = nullptr;
-    av_dict_set(&index_at_the_front, "movflags", "+faststart", 0);
-    const int code = avformat_write_header(container.get(), &index_at_the_front);
-    av_dict_free(&index_at_the_front);
+    AVDictionary* header_options = nullptr;
+    av_dict_set(&header_options, "movflags", "+faststart", 0);
+    const int code = avformat_write_header(container.get(), &header_options);
+    av_dict_free(&header_options);
     Check(code);
   }
 
-  /// Encodes a frame, or with null what is left.
+  /// Encodes a frame and writes the available packets. Null flushes the encoder.
   void Encode(const AVFrame* frame) {
     Check(avcodec_send_frame(encoder.get(), frame));
     for (;;) {
@@ -158,11 +158,11 @@ struct VideoWriter::Impl {
     }
   }
 
-  void Write(const cv::Mat3b& picture) {
-    if (picture.size() != size) throw std::logic_error("a picture is not of its film's size");
+  void Write(const cv::Mat3b& frame) {
+    if (frame.size() != size) throw std::logic_error("frame size differs from the video size");
     Check(av_frame_make_writable(yuv.get()));
-    const std::array<const std::uint8_t*, 1> rows = {picture.data};
-    const std::array<int, 1> strides = {static_cast<int>(picture.step)};
+    const std::array<const std::uint8_t*, 1> rows = {frame.data};
+    const std::array<int, 1> strides = {static_cast<int>(frame.step)};
     sws_scale(converter.get(), rows.data(), strides.data(), 0, size.height, yuv->data, yuv->linesize);
     yuv->pts = count;
     Encode(yuv.get());
@@ -179,7 +179,7 @@ struct VideoWriter::Impl {
 
   fs::path file;
   cv::Size size;
-  AVRational picture_period;
+  AVRational frame_period;
   Owned<AVCodecContext> encoder;
   Owned<AVFormatContext> container;
   AVStream* stream = nullptr;
@@ -191,16 +191,22 @@ struct VideoWriter::Impl {
 };
 
 VideoWriter::VideoWriter(const fs::path& file, const cv::Size& size, const FrameRate& rate) {
-  const auto fits = [](int px) { return px >= 2 && px <= kLargestSide_px && px % 2 == 0; };
-  if (!fits(size.width) || !fits(size.height)) throw std::invalid_argument("a film has no such size");
-  if (rate.pictures < 1 || rate.seconds < 1) throw std::invalid_argument("a film has no such rate");
+  const auto fits = [](int px) { return px >= 2 && px <= kMaxSide_px && px % 2 == 0; };
+  if (!fits(size.width) || !fits(size.height)) {
+    throw std::invalid_argument(
+        fmt::format("video size is {} x {}; both must be even and 2 to {}", size.width, size.height, kMaxSide_px));
+  }
+  if (rate.frames < 1 || rate.seconds < 1) {
+    throw std::invalid_argument(
+        fmt::format("video frame rate is {}/{}; both must be positive", rate.frames, rate.seconds));
+  }
   impl_ = std::make_unique<Impl>(file, size, rate);
   impl_->Open();
 }
 
 VideoWriter::~VideoWriter() = default;
 
-void VideoWriter::Write(const cv::Mat3b& picture) { impl_->Write(picture); }
+void VideoWriter::Write(const cv::Mat3b& frame) { impl_->Write(frame); }
 
 std::int64_t VideoWriter::count() const { return impl_->count; }
 

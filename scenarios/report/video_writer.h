@@ -8,40 +8,41 @@
 
 namespace touchdown::report {
 
-/// `pictures` in `seconds`: {30, 1} is 30 a second, {100, 7} about 14.3.
+/// Frame rate as a fraction, `frames` per `seconds`: {30, 1} is 30 frames/s, {100, 7} is about 14.3 frames/s.
 struct FrameRate {
-  int pictures = 30;
+  int frames = 30;
   int seconds = 1;
 };
 
-/// The largest size that a film of such pictures can have within `most`, no larger than the pictures themselves: of
-/// their shape, rounded to even numbers.
-cv::Size VideoSize(const cv::Size& picture, const cv::Size& most);
+/// Largest video size, in px, that has the aspect ratio of `frame` and does not exceed `max_size` and, except for
+/// rounding, `frame`. Width and height are rounded to even numbers, at least 2.
+cv::Size VideoSize(const cv::Size& frame, const cv::Size& max_size);
 
-/// An MP4 file with H.264 that a browser plays, also while it loads: index at the front, a key frame at least once a
-/// second, and in any ten seconds at most 1,000,000 bytes, whatever the pictures hold (where they are busy, sharpness
-/// gives way). It encodes in the calling thread.
+/// Writes an MP4 file with H.264 video for streaming playback in a browser. The index is at the front, there is at
+/// least one key frame per second, and any 10 s of video take at most 1,000,000 bytes (detailed frames lose sharpness).
+/// Encoding runs in the calling thread.
 ///
-/// libavcodec is used as it is, not through OpenCV's VideoWriter: that one has no bound on the bit rate (10 s of a
-/// flight's film were 1.7 MB), makes a key frame every 8 s, puts the index at the end, takes all cores and says nothing
-/// of a full disk; and a pipe to the program ffmpeg would need it at run time.
+/// The class calls libavcodec directly. OpenCV's VideoWriter does not bound the bit rate (10 s of a flight took 1.7
+/// MB), writes a key frame only every 8 s, puts the index at the end, uses all cores and does not report a full disk. A
+/// pipe to the program ffmpeg would require ffmpeg at run time.
 class VideoWriter {
  public:
-  /// `size` has even numbers from 2 to 4096 (throws std::invalid_argument otherwise). Throws InputError, as everything
-  /// below, when the file cannot be written or there is no encoder: one line that names the file.
+  /// Opens the file. Width and height must be even, 2 to 4096 px, and the frame rate positive; throws
+  /// std::invalid_argument otherwise. The constructor, Write and Finish throw InputError, with a one-line message that
+  /// names the file, when the file cannot be written or the encoder is not available.
   VideoWriter(const std::filesystem::path& file, const cv::Size& size, const FrameRate& rate);
-  /// Removes the file unless it is finished.
+  /// Removes the file unless Finish completed it.
   ~VideoWriter();
   VideoWriter(const VideoWriter&) = delete;
   VideoWriter& operator=(const VideoWriter&) = delete;
 
-  /// The next picture: of the film's size, blue, green, red.
-  void Write(const cv::Mat3b& picture);
+  /// Appends a frame (BGR), which must have the size of the video.
+  void Write(const cv::Mat3b& frame);
 
-  /// How many pictures there are.
+  /// Number of frames written.
   std::int64_t count() const;
 
-  /// Completes the file: nothing can be written after it.
+  /// Completes the file. No frame may be written afterwards.
   void Finish();
 
  private:

@@ -13,7 +13,7 @@ namespace {
 constexpr double kTimestep_s = 1.0 / 1200.0;
 constexpr double kFineLevels = 256.0;
 
-sim::MujocoModel Painted(const sim::Scene& scene) {
+sim::MujocoModel TexturedModel(const sim::Scene& scene) {
   sim::MujocoModel model = sim::LoadModel(sim::SceneMjcf(scene, "", kTimestep_s));
   sim::PaintTextures(scene, *model);
   return model;
@@ -24,7 +24,7 @@ sim::MujocoModel Painted(const sim::Scene& scene) {
 struct SceneCamera::Impl {
   Impl(const sim::Scene& scene, const sim::CameraOptics& optics, std::span<const double> noise_sigmas,
        std::uint64_t seed)
-      : model(Painted(scene)),
+      : model(TexturedModel(scene)),
         data(sim::MakeData(*model)),
         imager(*model, optics, {noise_sigmas.begin(), noise_sigmas.end()}, seed) {}
 
@@ -41,7 +41,7 @@ SceneCamera::SceneCamera(const sim::Scene& scene, const sim::CameraOptics& optic
 
 SceneCamera::~SceneCamera() = default;
 
-models::Image SceneCamera::Take(const View& view) {
+models::Image SceneCamera::Capture(const View& view) {
   const double half_s = 0.5 * view.exposure_s;
   const std::array<Eigen::Isometry3d, 3> path{view.PoseAt(-half_s), view.X_WC, view.PoseAt(half_s)};
   sim::FineImage& frame = impl_->exposed;
@@ -50,10 +50,10 @@ models::Image SceneCamera::Take(const View& view) {
   if (view.defocus_px > 0.0) cv::GaussianBlur(levels, levels, {}, view.defocus_px);
   levels.convertTo(levels, CV_16U, view.contrast, view.brightness * kFineLevels);
   impl_->noise_level = view.noise_level;
-  return TakeAgain();
+  return CaptureAgain();
 }
 
-models::Image SceneCamera::TakeAgain() {
+models::Image SceneCamera::CaptureAgain() {
   if (impl_->noise_level < 0) throw std::logic_error("no view was taken before");
   return impl_->imager.AddNoise(impl_->exposed, static_cast<std::size_t>(impl_->noise_level));
 }

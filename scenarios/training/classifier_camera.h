@@ -23,10 +23,10 @@ class SceneCamera {
   SceneCamera(const SceneCamera&) = delete;
   SceneCamera& operator=(const SceneCamera&) = delete;
 
-  models::Image Take(const View& view);
+  models::Image Capture(const View& view);
   /// Another frame of the view taken last, from which its noise alone tells it. Throws std::logic_error when there was
   /// none.
-  models::Image TakeAgain();
+  models::Image CaptureAgain();
 
  private:
   struct Impl;

@@ -22,21 +22,21 @@ std::string PatternFile(ComponentClass label, PadLetter letter) {
   return std::string(ClassName(label, letter)) + ".png";
 }
 
-std::string Png(const cv::Mat& picture) {
+std::string Png(const cv::Mat& image) {
   std::vector<unsigned char> bytes;
-  cv::imencode(".png", picture, bytes);
+  cv::imencode(".png", image, bytes);
   return {bytes.begin(), bytes.end()};
 }
 
-/// The pictures at half size, side by side.
-cv::Mat3b ContactSheet(const std::vector<cv::Mat3b>& pictures) {
+/// The images at half size, side by side.
+cv::Mat3b ContactSheet(const std::vector<cv::Mat3b>& images) {
   constexpr int kColumns = 3;
-  const cv::Size size = pictures.front().size() / 2;
-  const int rows = (static_cast<int>(pictures.size()) + kColumns - 1) / kColumns;
+  const cv::Size size = images.front().size() / 2;
+  const int rows = (static_cast<int>(images.size()) + kColumns - 1) / kColumns;
   cv::Mat3b sheet(rows * size.height, kColumns * size.width, cv::Vec3b(128, 128, 128));
-  for (int i = 0; i < static_cast<int>(pictures.size()); ++i) {
-    const cv::Rect place(cv::Point((i % kColumns) * size.width, (i / kColumns) * size.height), size);
-    cv::resize(pictures[static_cast<std::size_t>(i)], sheet(place), size, 0, 0, cv::INTER_AREA);
+  for (int i = 0; i < static_cast<int>(images.size()); ++i) {
+    const cv::Rect cell(cv::Point((i % kColumns) * size.width, (i / kColumns) * size.height), size);
+    cv::resize(images[static_cast<std::size_t>(i)], sheet(cell), size, 0, 0, cv::INTER_AREA);
   }
   return sheet;
 }
@@ -47,11 +47,11 @@ std::vector<std::pair<std::string, std::string>> Provenance(const ClassifierStud
   return provenance;
 }
 
-cv::Mat1b MistakenSheet(const ClassifierStudy& study) {
+cv::Mat1b MisclassifiedSheet(const ClassifierStudy& study) {
   constexpr int kColumns = 24;
   cv::Mat sheet;
   for (const auto label : kLabels) {
-    const cv::Mat1b part = PatternSheet(study.mistaken, label, kColumns, 4);
+    const cv::Mat1b part = PatternSheet(study.misclassified, label, kColumns, 4);
     sheet.empty() ? part.copyTo(sheet) : cv::vconcat(sheet, part, sheet);
     sheet.push_back(cv::Mat(4, sheet.cols, CV_8U, cv::Scalar(0)));
   }
@@ -66,12 +66,12 @@ std::vector<StudyFile> ClassifierFiles(const ClassifierStudy& study) {
       {"confusion.txt", "Scenes never trained on\n" + ToText(study.test, study.letter) + "\nTraining set\n" +
                             ToText(study.training, study.letter)},
       {WeightsFile(study.letter), ClassifierCode(study.network, study.letter, Provenance(study))},
-      {"mistaken.png", Png(MistakenSheet(study))},
+      {"mistaken.png", Png(MisclassifiedSheet(study))},
   };
   for (const auto label : kLabels) {
     files.push_back({PatternFile(label, study.letter), Png(PatternSheet(study.test_patterns, label, 24, 12))});
   }
-  if (!study.pictures.empty()) files.push_back({"frames.png", Png(ContactSheet(study.pictures))});
+  if (!study.annotated_frames.empty()) files.push_back({"frames.png", Png(ContactSheet(study.annotated_frames))});
   return files;
 }
 

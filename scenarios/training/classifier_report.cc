@@ -23,7 +23,7 @@ std::string_view ClassName(ComponentClass label, PadLetter letter) {
   return NamesFor(letter)[static_cast<std::size_t>(label)];
 }
 
-ComponentClass LabelOf(const Perceptron& network, const estimator::paper::Pattern& pattern) {
+ComponentClass PredictLabel(const Perceptron& network, const estimator::paper::Pattern& pattern) {
   const std::vector<double> posterior = network.Posteriors(pattern);
   return static_cast<ComponentClass>(std::max_element(posterior.begin(), posterior.end()) - posterior.begin());
 }
@@ -52,7 +52,7 @@ double ConfusionMatrix::FalsePositiveRate(int given_class) const {
 ConfusionMatrix Confuse(const Perceptron& network, std::span<const LabeledPattern> patterns) {
   ConfusionMatrix matrix;
   for (const LabeledPattern& sample : patterns) {
-    const auto given = static_cast<std::size_t>(LabelOf(network, sample.pattern));
+    const auto given = static_cast<std::size_t>(PredictLabel(network, sample.pattern));
     ++matrix.count[static_cast<std::size_t>(sample.label)][given];
   }
   return matrix;

@@ -18,7 +18,7 @@ inline constexpr int kClasses = 3;
 std::string_view ClassName(estimator::paper::ComponentClass label, models::PadLetter letter);
 
 /// The class of the network's largest posterior.
-estimator::paper::ComponentClass LabelOf(const Perceptron& network, const estimator::paper::Pattern& pattern);
+estimator::paper::ComponentClass PredictLabel(const Perceptron& network, const estimator::paper::Pattern& pattern);
 
 /// How many patterns of each true class (row) were given each class (column), in the order of ComponentClass.
 struct ConfusionMatrix {

@@ -39,8 +39,8 @@ struct SceneSamplesConfig {
 
 struct SceneSamples {
   std::vector<LabeledPattern> patterns;
-  int unclear = 0;                  ///< Components left out since their truth is unclear.
-  std::vector<cv::Mat3b> pictures;  ///< The first frames, with each component's box in its label's color.
+  int unclear = 0;                          ///< Components left out since their truth is unclear.
+  std::vector<cv::Mat3b> annotated_frames;  ///< The first frames, with each component's box in its label's color.
 };
 
 /// A landing pad of this letter, of proportions that somebody might print: half the time those of the default one.
@@ -51,6 +51,6 @@ models::LandingPad DrawPad(models::PadLetter letter, models::RandomStream& rando
 /// is an H instead: clutter. The same seed gives the same samples. `optics` are config.camera's. `pictures` is how many
 /// annotated frames to keep.
 SceneSamples CollectSceneSamples(const SceneSamplesConfig& config, const sim::CameraOptics& optics, std::uint64_t seed,
-                                 int pictures);
+                                 int annotated_count);
 
 }  // namespace touchdown::training

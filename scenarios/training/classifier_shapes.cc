@@ -32,7 +32,7 @@ cv::Size Texels(const Eigen::Vector2d& size_m) {
           static_cast<int>(std::ceil(size_m.y() * kTexelsPerMeter))};
 }
 
-cv::Mat1b WhiteWithin(const std::vector<cv::Point>& hull, const cv::Mat1b& ink) {
+cv::Mat1b WhiteInsideHull(const std::vector<cv::Point>& hull, const cv::Mat1b& ink) {
   cv::Mat1b white = cv::Mat1b::zeros(ink.size());
   cv::fillConvexPoly(white, hull, cv::Scalar(255));
   white &= ~ink;
@@ -40,7 +40,7 @@ cv::Mat1b WhiteWithin(const std::vector<cv::Point>& hull, const cv::Mat1b& ink) 
 }
 
 /// Diameter of the largest disc that fits into the texels that are not 0, m.
-double LargestDisc(const cv::Mat1b& texels) {
+double LargestDiscDiameter(const cv::Mat1b& texels) {
   cv::Mat1f distance;
   cv::distanceTransform(texels, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
   double largest = 0.0;
@@ -48,15 +48,15 @@ double LargestDisc(const cv::Mat1b& texels) {
   return 2.0 * largest / kTexelsPerMeter;
 }
 
-GroundShape ShapeOf(ComponentClass label, const Sheet& sheet) {
+GroundShape MakeGroundShape(ComponentClass label, const Sheet& sheet) {
   std::vector<cv::Point> texels, hull;
   cv::findNonZero(sheet.ink, texels);
   cv::convexHull(texels, hull);
   GroundShape shape;
   shape.label = label;
   shape.yaw = sheet.yaw;
-  shape.ink_share = std::min(1.0, static_cast<double>(texels.size()) / std::max(1.0, cv::contourArea(hull)));
-  shape.gap_m = LargestDisc(shape.ink_share < 1.0 ? WhiteWithin(hull, sheet.ink) : sheet.ink);
+  shape.ink_fraction = std::min(1.0, static_cast<double>(texels.size()) / std::max(1.0, cv::contourArea(hull)));
+  shape.gap_m = LargestDiscDiameter(shape.ink_fraction < 1.0 ? WhiteInsideHull(hull, sheet.ink) : sheet.ink);
   const cv::Rect box = cv::boundingRect(hull);
   shape.position_m = sheet.PointAt(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
   for (const cv::Point& texel : hull) {
@@ -82,7 +82,7 @@ Sheet PadSheet(const models::LandingPad& pad, bool ring) {
   return sheet;
 }
 
-Sheet LoneSheet(const sim::SceneItem& item) {
+Sheet ItemSheet(const sim::SceneItem& item) {
   Sheet sheet;
   sheet.position_m = item.position_m;
   sheet.yaw = item.yaw;
@@ -97,18 +97,18 @@ Sheet LoneSheet(const sim::SceneItem& item) {
 
 }  // namespace
 
-std::vector<GroundShape> ShapesOf(const sim::Scene& scene) {
+std::vector<GroundShape> FindGroundShapes(const sim::Scene& scene) {
   std::vector<GroundShape> shapes;
   if (scene.config.pad) {
-    shapes.push_back(ShapeOf(ComponentClass::kCircle, PadSheet(scene.pad, true)));
-    shapes.push_back(ShapeOf(ComponentClass::kH, PadSheet(scene.pad, false)));
+    shapes.push_back(MakeGroundShape(ComponentClass::kCircle, PadSheet(scene.pad, true)));
+    shapes.push_back(MakeGroundShape(ComponentClass::kH, PadSheet(scene.pad, false)));
   }
   const bool solid = scene.pad.letter() == models::PadLetter::kRectangle;
   const auto letter_kind = solid ? sim::SceneItem::Kind::kRectangle : sim::SceneItem::Kind::kLetterH;
   for (const sim::SceneItem& item : scene.items) {
     const bool ring = item.kind == sim::SceneItem::Kind::kRing;
     if (!ring && item.kind != letter_kind) continue;
-    shapes.push_back(ShapeOf(ring ? ComponentClass::kCircle : ComponentClass::kH, LoneSheet(item)));
+    shapes.push_back(MakeGroundShape(ring ? ComponentClass::kCircle : ComponentClass::kH, ItemSheet(item)));
   }
   return shapes;
 }
@@ -133,7 +133,7 @@ std::optional<ProjectedShape> Project(const GroundShape& shape, const models::Ca
   result.obliquity = std::acos(std::clamp(-ray_W.z() / ray_W.norm(), -1.0, 1.0));
   result.gap = shape.gap_m * camera.fx_px * std::pow(std::cos(result.obliquity), 2) / ray_W.norm();
   result.hull_area = cv::contourArea(outline);
-  result.ink_area = shape.ink_share * result.hull_area;
+  result.ink_area = shape.ink_fraction * result.hull_area;
   return result;
 }
 

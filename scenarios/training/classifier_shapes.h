@@ -19,12 +19,12 @@ struct GroundShape {
   double yaw = 0.0;                                      ///< Of its axes, from W's.
   double radius_m = 0.0;                                 ///< From there to the farthest ink.
   std::vector<Eigen::Vector2d> hull_m;                   ///< Convex hull of its ink, in W.
-  double ink_share = 0.0;                                ///< Ink's area over the hull's.
+  double ink_fraction = 0.0;                             ///< Ink's area over the hull's.
   double gap_m = 0.0;  ///< Diameter of the largest disc of white within the hull; of ink where the shape is solid.
 };
 
 /// Every ring and letter of the scene: the pad's two, and the lone ones of the same kinds as they are printed.
-std::vector<GroundShape> ShapesOf(const sim::Scene& scene);
+std::vector<GroundShape> FindGroundShapes(const sim::Scene& scene);
 
 /// Where a shape appears in the image.
 struct ProjectedShape {

@@ -16,7 +16,7 @@ using estimator::paper::ComponentClass;
 using models::RandomStream;
 using Patterns = std::vector<LabeledPattern>;
 
-constexpr int kPictures = 12;
+constexpr int kAnnotatedFrames = 12;
 
 std::uint64_t SceneSeed(std::uint64_t seed, const std::string& part, int scene) {
   return RandomStream(seed, fmt::format("classifier.{}.{}", part, scene)).Bits();
@@ -26,47 +26,48 @@ std::uint64_t SceneSeed(std::uint64_t seed, const std::string& part, int scene) 
 constexpr double kScenesPerEpoch = 0.2;
 
 /// Counts what is done of a study.
-class Count {
+class ProgressCounter {
  public:
-  Count(const ClassifierStudyConfig& config, const StudyProgress& progress)
-      : whole_(config.training_scenes + config.validation_scenes + config.test_scenes +
+  ProgressCounter(const ClassifierStudyConfig& config, const StudyProgress& progress)
+      : total_(config.training_scenes + config.validation_scenes + config.test_scenes +
                kScenesPerEpoch * config.training.max_epochs),
         progress_(progress) {}
 
   void Add(double scenes, const std::string& text) {
     done_ += scenes;
-    if (progress_) progress_(text, std::min(1.0, done_ / whole_));
+    if (progress_) progress_(text, std::min(1.0, done_ / total_));
   }
 
  private:
-  double whole_;
+  double total_;
   double done_ = 0.0;
   const StudyProgress& progress_;
 };
 
 struct Pool {
   Patterns patterns;
-  std::vector<cv::Mat3b> pictures;
+  std::vector<cv::Mat3b> annotated_frames;
   int unclear = 0;
 };
 
 /// What the part's scenes give, the first frame of each of the first scenes kept as a picture.
 Pool Collect(const ClassifierStudyConfig& config, std::uint64_t seed, const std::string& part, int scenes,
-             Count& count) {
+             ProgressCounter& counter) {
   const sim::CameraOptics optics(config.scene.camera);
   Pool pool;
   for (int scene = 0; scene < scenes; ++scene) {
-    const int pictures = scene < kPictures ? 1 : 0;
-    SceneSamples samples = CollectSceneSamples(config.scene, optics, SceneSeed(seed, part, scene), pictures);
+    const int annotated_frames = scene < kAnnotatedFrames ? 1 : 0;
+    SceneSamples samples = CollectSceneSamples(config.scene, optics, SceneSeed(seed, part, scene), annotated_frames);
     std::move(samples.patterns.begin(), samples.patterns.end(), std::back_inserter(pool.patterns));
-    std::move(samples.pictures.begin(), samples.pictures.end(), std::back_inserter(pool.pictures));
+    std::move(samples.annotated_frames.begin(), samples.annotated_frames.end(),
+              std::back_inserter(pool.annotated_frames));
     pool.unclear += samples.unclear;
-    count.Add(1.0, fmt::format("{} scene {} of {}, {} components", part, scene + 1, scenes, pool.patterns.size()));
+    counter.Add(1.0, fmt::format("{} scene {} of {}, {} components", part, scene + 1, scenes, pool.patterns.size()));
   }
   return pool;
 }
 
-Patterns OfClass(const Patterns& patterns, ComponentClass label) {
+Patterns FilterByClass(const Patterns& patterns, ComponentClass label) {
   Patterns result;
   std::copy_if(patterns.begin(), patterns.end(), std::back_inserter(result),
                [&](const LabeledPattern& each) { return each.label == label; });
@@ -74,7 +75,7 @@ Patterns OfClass(const Patterns& patterns, ComponentClass label) {
 }
 
 /// `count` of the patterns, or all when there are fewer, drawn at random.
-Patterns Some(Patterns patterns, int count, RandomStream& random) {
+Patterns RandomSubset(Patterns patterns, int count, RandomStream& random) {
   const std::size_t wanted = std::min(patterns.size(), static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < wanted; ++i) {
     const int last = static_cast<int>(patterns.size() - 1);
@@ -95,7 +96,7 @@ std::vector<TrainingSample> SamplesOf(const Patterns& patterns) {
 }
 
 /// The clutter that `network` finds least like clutter comes first.
-void SortByHardness(Patterns& clutter, const Perceptron& network) {
+void SortHardestFirst(Patterns& clutter, const Perceptron& network) {
   constexpr auto kOther = static_cast<std::size_t>(ComponentClass::kOther);
   std::vector<double> posterior;
   for (const LabeledPattern& each : clutter) posterior.push_back(network.Posteriors(each.pattern)[kOther]);
@@ -112,22 +113,22 @@ void SortByHardness(Patterns& clutter, const Perceptron& network) {
 Patterns ChooseTrainingSet(const ClassifierStudyConfig& config, const Patterns& pool, const Patterns& validation,
                            std::uint64_t seed) {
   RandomStream random(seed, "classifier.choice");
-  Patterns shapes = Some(OfClass(pool, ComponentClass::kCircle), config.circles, random);
-  Append(shapes, Some(OfClass(pool, ComponentClass::kH), config.letters, random));
-  Patterns clutter = OfClass(pool, ComponentClass::kOther);
+  Patterns shapes = RandomSubset(FilterByClass(pool, ComponentClass::kCircle), config.circles, random);
+  Append(shapes, RandomSubset(FilterByClass(pool, ComponentClass::kH), config.letters, random));
+  Patterns clutter = FilterByClass(pool, ComponentClass::kOther);
 
   Patterns first = shapes;
-  Append(first, Some(clutter, config.clutter, random));
-  TrainingConfig brief = config.training;
-  brief.max_epochs = config.first_network_epochs;
+  Append(first, RandomSubset(clutter, config.clutter, random));
+  TrainingConfig first_config = config.training;
+  first_config.max_epochs = config.first_network_epochs;
   const TrainingResult result =
-      Train(SamplesOf(first), SamplesOf(validation), brief, seed, {.vary = VaryPattern, .progress = {}});
+      Train(SamplesOf(first), SamplesOf(validation), first_config, seed, {.vary = VaryPattern, .progress = {}});
 
-  SortByHardness(clutter, result.network);
+  SortHardestFirst(clutter, result.network);
   const auto hardest = std::min(clutter.size(), static_cast<std::size_t>(config.hard_clutter * config.clutter));
   Append(shapes, {clutter.begin(), clutter.begin() + static_cast<std::ptrdiff_t>(hardest)});
   clutter.erase(clutter.begin(), clutter.begin() + static_cast<std::ptrdiff_t>(hardest));
-  Append(shapes, Some(std::move(clutter), config.clutter - static_cast<int>(hardest), random));
+  Append(shapes, RandomSubset(std::move(clutter), config.clutter - static_cast<int>(hardest), random));
   return shapes;
 }
 
@@ -158,29 +159,30 @@ void ClassifierStudyConfig::Validate() const {
 ClassifierStudy StudyClassifier(const ClassifierStudyConfig& config, std::uint64_t seed,
                                 const StudyProgress& progress) {
   config.Validate();
-  Count count(config, progress);
-  const Pool pool = Collect(config, seed, "training", config.training_scenes, count);
-  const Pool validation = Collect(config, seed, "validation", config.validation_scenes, count);
+  ProgressCounter counter(config, progress);
+  const Pool pool = Collect(config, seed, "training", config.training_scenes, counter);
+  const Pool validation = Collect(config, seed, "validation", config.validation_scenes, counter);
   const Patterns set = ChooseTrainingSet(config, pool.patterns, validation.patterns, seed);
   const auto report = [&](const EpochReport& epoch) {
-    count.Add(kScenesPerEpoch, fmt::format("epoch {} of {}, training loss {:.4f}, validation loss {:.4f}", epoch.epoch,
-                                           config.training.max_epochs, epoch.training_loss, epoch.validation_loss));
+    counter.Add(kScenesPerEpoch,
+                fmt::format("epoch {} of {}, training loss {:.4f}, validation loss {:.4f}", epoch.epoch,
+                            config.training.max_epochs, epoch.training_loss, epoch.validation_loss));
   };
   const TrainingResult result = Train(SamplesOf(set), SamplesOf(validation.patterns), config.training, seed,
                                       {.vary = VaryPattern, .progress = report});
 
-  Pool test = Collect(config, seed, "test", config.test_scenes, count);
+  Pool test = Collect(config, seed, "test", config.test_scenes, counter);
   ClassifierStudy study{.letter = config.scene.letter,
                         .seed = seed,
                         .network = result.network,
                         .training = Confuse(result.network, set),
                         .test = Confuse(result.network, test.patterns),
                         .test_patterns = std::move(test.patterns),
-                        .mistaken = {},
-                        .pictures = std::move(test.pictures),
+                        .misclassified = {},
+                        .annotated_frames = std::move(test.annotated_frames),
                         .unclear = test.unclear};
-  std::copy_if(study.test_patterns.begin(), study.test_patterns.end(), std::back_inserter(study.mistaken),
-               [&](const LabeledPattern& each) { return LabelOf(study.network, each.pattern) != each.label; });
+  std::copy_if(study.test_patterns.begin(), study.test_patterns.end(), std::back_inserter(study.misclassified),
+               [&](const LabeledPattern& each) { return PredictLabel(study.network, each.pattern) != each.label; });
   return study;
 }
 

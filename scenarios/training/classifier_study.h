@@ -33,7 +33,7 @@ struct ClassifierStudyConfig {
 };
 
 /// Told after each scene and each epoch: what was done, and the share of the whole that is done with it, in [0, 1].
-using StudyProgress = std::function<void(const std::string& text, double share)>;
+using StudyProgress = std::function<void(const std::string& text, double fraction)>;
 
 struct ClassifierStudy {
   models::PadLetter letter = models::PadLetter::kH;
@@ -42,9 +42,9 @@ struct ClassifierStudy {
   ConfusionMatrix training;
   ConfusionMatrix test;
   std::vector<LabeledPattern> test_patterns;
-  std::vector<LabeledPattern> mistaken;  ///< Those of the test that the network gets wrong.
-  std::vector<cv::Mat3b> pictures;       ///< Frames of the test scenes, boxes colored by the truth.
-  int unclear = 0;                       ///< Test components left out since their truth is unclear.
+  std::vector<LabeledPattern> misclassified;  ///< Those of the test that the network gets wrong.
+  std::vector<cv::Mat3b> annotated_frames;    ///< Frames of the test scenes, boxes colored by the truth.
+  int unclear = 0;                            ///< Test components left out since their truth is unclear.
 };
 
 /// Renders, trains and tests. The same config and seed give the same network, bit for bit, on the same type of CPU.

@@ -12,10 +12,10 @@
 namespace touchdown::training {
 namespace {
 
-constexpr double kLastRate = 0.02;
+constexpr double kFinalRateFactor = 0.02;
 
-Perceptron::Shape ShapeOf(std::span<const TrainingSample> training, std::span<const TrainingSample> validation,
-                          int hidden_units) {
+Perceptron::Shape NetworkShape(std::span<const TrainingSample> training, std::span<const TrainingSample> validation,
+                               int hidden_units) {
   if (training.empty() || validation.empty()) throw std::invalid_argument("training and validation need samples");
   Perceptron::Shape shape{
       .inputs = static_cast<int>(training.front().input.size()), .hidden = hidden_units, .outputs = 0};
@@ -133,7 +133,7 @@ double BalancedLoss(const Perceptron& network, std::span<const TrainingSample> s
 TrainingResult Train(std::span<const TrainingSample> training, std::span<const TrainingSample> validation,
                      const TrainingConfig& config, std::uint64_t seed, const TrainingHooks& hooks) {
   config.Validate();
-  Perceptron network = Perceptron::Random(ShapeOf(training, validation, config.hidden_units), seed);
+  Perceptron network = Perceptron::Random(NetworkShape(training, validation, config.hidden_units), seed);
   Descent descent(network, ClassWeights(training, network.shape().outputs), config, hooks, seed);
   models::RandomStream random(seed, "classifier.order");
   std::vector<std::size_t> order(training.size());
@@ -143,7 +143,7 @@ TrainingResult Train(std::span<const TrainingSample> training, std::span<const T
       .network = network.Rounded(), .best_epoch = 0, .validation_loss = BalancedLoss(network, validation)};
   for (int epoch = 1; epoch <= config.max_epochs && epoch - best.best_epoch <= config.patience_epochs; ++epoch) {
     const double done = static_cast<double>(epoch - 1) / config.max_epochs;
-    const double learning_rate = config.learning_rate * std::pow(kLastRate, done);
+    const double learning_rate = config.learning_rate * std::pow(kFinalRateFactor, done);
     Shuffle(order, random);
     double loss = 0.0;
     for (std::size_t begin = 0; begin < order.size(); begin += static_cast<std::size_t>(config.batch_size)) {

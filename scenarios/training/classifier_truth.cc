@@ -15,17 +15,17 @@ using estimator::paper::ComponentSet;
 enum class Match { kNone, kUnclear, kFragment, kShape };
 
 /// The component's box in the same continuous coordinates as ProjectedShape::box.
-cv::Rect2d BoxOf(const Component& component) {
+cv::Rect2d ComponentBox(const Component& component) {
   return {component.u - 0.5, component.v - 0.5, static_cast<double>(component.width),
           static_cast<double>(component.height)};
 }
 
-double OverlapOf(const cv::Rect2d& a, const cv::Rect2d& b) {
+double IntersectionOverUnion(const cv::Rect2d& a, const cv::Rect2d& b) {
   const double both = (a & b).area();
   return both / (a.area() + b.area() - both);
 }
 
-double LargestEdgeError(const cv::Rect2d& a, const cv::Rect2d& b) {
+double MaxEdgeError(const cv::Rect2d& a, const cv::Rect2d& b) {
   return std::max(
       {std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.br().x - b.br().x), std::abs(a.br().y - b.br().y)});
 }
@@ -36,16 +36,16 @@ bool TouchesBorder(const Component& component, const cv::Size& image) {
 }
 
 /// Whether as much of the shape is ink, and as much of what it encloses is white, if any of it is, as should be.
-bool InkFits(const Component& component, const ProjectedShape& shape, const TruthConfig& config) {
+bool HasExpectedInk(const Component& component, const ProjectedShape& shape, const TruthConfig& config) {
   const double ink = component.area / shape.ink_area;
   const double white_area = shape.hull_area - shape.ink_area;
-  const bool as_white = white_area <= 0.0 || (shape.hull_area - component.area) / white_area >= config.least_white;
-  return ink >= config.least_ink && ink <= config.most_ink && as_white;
+  const bool has_white = white_area <= 0.0 || (shape.hull_area - component.area) / white_area >= config.min_white;
+  return ink >= config.min_ink && ink <= config.max_ink && has_white;
 }
 
 /// Whether the middle ninth of the component's box is all but free of it: a ring's must be, or it has melted together
 /// with the letter inside.
-bool Hollow(const ComponentSet& set, const Component& component) {
+bool IsHollow(const ComponentSet& set, const Component& component) {
   const int left = component.u + component.width / 3, right = component.u + component.width - component.width / 3;
   const int top = component.v + component.height / 3, bottom = component.v + component.height - component.height / 3;
   int inside = 0;
@@ -55,26 +55,25 @@ bool Hollow(const ComponentSet& set, const Component& component) {
   return inside <= 0.1 * (right - left) * (bottom - top);
 }
 
-bool Legible(const ProjectedShape& shape, double blur_px, const TruthConfig& config) {
-  return shape.gap >= config.least_gap_px + blur_px &&
-         shape.obliquity <= models::DegToRad(config.largest_obliquity_deg);
+bool IsLegible(const ProjectedShape& shape, double blur_px, const TruthConfig& config) {
+  return shape.gap >= config.min_gap_px + blur_px && shape.obliquity <= models::DegToRad(config.max_obliquity_deg);
 }
 
-Match MatchOf(const Component& component, const ProjectedShape& shape, const cv::Size& image, double blur_px,
-              const TruthConfig& config) {
+Match MatchComponent(const Component& component, const ProjectedShape& shape, const cv::Size& image, double blur_px,
+                     const TruthConfig& config) {
   if (shape.visible_box.empty()) return Match::kNone;
-  const cv::Rect2d box = BoxOf(component);
+  const cv::Rect2d box = ComponentBox(component);
   const bool whole = shape.visible_box.area() >= shape.box.area() * (1.0 - 1e-9);
   const double tolerance = config.edge_tolerance_px + 0.5 * blur_px +
-                           config.edge_tolerance_share * std::max(shape.box.width, shape.box.height);
-  if (whole && !TouchesBorder(component, image) && LargestEdgeError(box, shape.box) <= tolerance &&
-      InkFits(component, shape, config)) {
-    return Legible(shape, blur_px, config) ? Match::kShape : Match::kUnclear;
+                           config.edge_tolerance_fraction * std::max(shape.box.width, shape.box.height);
+  if (whole && !TouchesBorder(component, image) && MaxEdgeError(box, shape.box) <= tolerance &&
+      HasExpectedInk(component, shape, config)) {
+    return IsLegible(shape, blur_px, config) ? Match::kShape : Match::kUnclear;
   }
-  const double overlap = OverlapOf(box, shape.visible_box);
+  const double overlap = IntersectionOverUnion(box, shape.visible_box);
   if (overlap < config.unclear_overlap) return Match::kNone;
   const double visible = shape.visible_box.area() / shape.box.area();
-  return visible < config.fragment_share ? Match::kFragment : Match::kUnclear;
+  return visible < config.fragment_fraction ? Match::kFragment : Match::kUnclear;
 }
 
 }  // namespace
@@ -87,10 +86,11 @@ std::vector<std::optional<ComponentClass>> LabelComponents(const ComponentSet& s
   for (const Component& component : set.components) {
     std::optional<ComponentClass> label = ComponentClass::kOther;
     for (std::size_t i = 0; i < shapes.size(); ++i) {
-      const Match match = projections[i] ? MatchOf(component, *projections[i], image, blur_px, config) : Match::kNone;
+      const Match match =
+          projections[i] ? MatchComponent(component, *projections[i], image, blur_px, config) : Match::kNone;
       if (match == Match::kUnclear) label.reset();
       if (match == Match::kShape) {
-        const bool melted = shapes[i].label == ComponentClass::kCircle && !Hollow(set, component);
+        const bool melted = shapes[i].label == ComponentClass::kCircle && !IsHollow(set, component);
         label = melted ? std::nullopt : std::optional(shapes[i].label);
         break;
       }

@@ -10,25 +10,25 @@ namespace {
 
 using models::RandomStream;
 
-constexpr double kLargestShear = 0.2;
-constexpr double kLargestKeystone = 0.15;
+constexpr double kMaxShear = 0.2;
+constexpr double kMaxKeystone = 0.15;
 constexpr int kSide = estimator::paper::kPatternSide;
-constexpr int kFineness = 2;  ///< Samples of a cell along each side.
+constexpr int kOversampling = 2;  ///< Samples of a cell along each side.
 
-cv::Mat1f Turned(const cv::Mat1f& pattern, RandomStream& random) {
+cv::Mat1f RandomSymmetry(const cv::Mat1f& pattern, RandomStream& random) {
   const int symmetry = random.UniformInt(0, 7);
-  cv::Mat1f turned = pattern.clone();
-  if ((symmetry & 1) != 0) cv::flip(turned, turned, 0);
-  if ((symmetry & 2) != 0) cv::flip(turned, turned, 1);
-  if ((symmetry & 4) != 0) cv::transpose(turned, turned);
-  return turned;
+  cv::Mat1f transformed = pattern.clone();
+  if ((symmetry & 1) != 0) cv::flip(transformed, transformed, 0);
+  if ((symmetry & 2) != 0) cv::flip(transformed, transformed, 1);
+  if ((symmetry & 4) != 0) cv::transpose(transformed, transformed);
+  return transformed;
 }
 
 /// A homography of coordinates that run from -1 to 1 over the pattern.
 cv::Matx33d DrawHomography(RandomStream& random) {
-  const double shear_x = kLargestShear * random.Uniform(-1.0, 1.0), shear_y = kLargestShear * random.Uniform(-1.0, 1.0);
-  const double tilt_x = kLargestKeystone * random.Uniform(-1.0, 1.0);
-  const double tilt_y = kLargestKeystone * random.Uniform(-1.0, 1.0);
+  const double shear_x = kMaxShear * random.Uniform(-1.0, 1.0), shear_y = kMaxShear * random.Uniform(-1.0, 1.0);
+  const double tilt_x = kMaxKeystone * random.Uniform(-1.0, 1.0);
+  const double tilt_y = kMaxKeystone * random.Uniform(-1.0, 1.0);
   return {1.0, shear_x, 0.0, shear_y, 1.0, 0.0, tilt_x, tilt_y, 1.0};
 }
 
@@ -38,7 +38,7 @@ cv::Matx33d Normalized(int side) {
 }
 
 /// Where the corners of all cells with ink go.
-std::vector<cv::Point2d> InkUnder(const cv::Matx33d& homography, const cv::Mat1f& pattern) {
+std::vector<cv::Point2d> WarpedInkCorners(const cv::Matx33d& homography, const cv::Mat1f& pattern) {
   std::vector<cv::Point> cells;
   cv::findNonZero(pattern > 0.0f, cells);
   if (cells.empty()) return {};
@@ -52,20 +52,20 @@ std::vector<cv::Point2d> InkUnder(const cv::Matx33d& homography, const cv::Mat1f
   return moved;
 }
 
-cv::Mat1f SeenThrough(const cv::Matx33d& homography, const cv::Mat1f& pattern) {
+cv::Mat1f Warped(const cv::Matx33d& homography, const cv::Mat1f& pattern) {
   const cv::Matx33d from_cells = homography * Normalized(kSide);
-  const std::vector<cv::Point2d> ink = InkUnder(from_cells, pattern);
+  const std::vector<cv::Point2d> ink = WarpedInkCorners(from_cells, pattern);
   if (ink.empty()) return pattern;
   const auto [left, right] =
       std::minmax_element(ink.begin(), ink.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
   const auto [top, bottom] =
       std::minmax_element(ink.begin(), ink.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
-  constexpr int kFineSide = kFineness * kSide;
-  const double scale_x = kFineSide / (right->x - left->x), scale_y = kFineSide / (bottom->y - top->y);
+  constexpr int kOversampledSide = kOversampling * kSide;
+  const double scale_x = kOversampledSide / (right->x - left->x), scale_y = kOversampledSide / (bottom->y - top->y);
   const cv::Matx33d to_box(scale_x, 0.0, -scale_x * left->x - 0.5, 0.0, scale_y, -scale_y * top->y - 0.5, 0.0, 0.0,
                            1.0);
   cv::Mat1f fine, cells;
-  cv::warpPerspective(pattern, fine, to_box * from_cells, {kFineSide, kFineSide}, cv::INTER_LINEAR);
+  cv::warpPerspective(pattern, fine, to_box * from_cells, {kOversampledSide, kOversampledSide}, cv::INTER_LINEAR);
   cv::resize(fine, cells, {kSide, kSide}, 0, 0, cv::INTER_AREA);
   return cells;
 }
@@ -73,8 +73,8 @@ cv::Mat1f SeenThrough(const cv::Matx33d& homography, const cv::Mat1f& pattern) {
 }  // namespace
 
 std::vector<float> VaryPattern(const std::vector<float>& pattern, RandomStream& random) {
-  const cv::Mat1f turned = Turned(cv::Mat1f(pattern).reshape(1, kSide), random);
-  const cv::Mat1f varied = random.Chance(0.5) ? SeenThrough(DrawHomography(random), turned) : turned;
+  const cv::Mat1f transformed = RandomSymmetry(cv::Mat1f(pattern).reshape(1, kSide), random);
+  const cv::Mat1f varied = random.Chance(0.5) ? Warped(DrawHomography(random), transformed) : transformed;
   return {varied.begin(), varied.end()};
 }
 

@@ -11,10 +11,10 @@ namespace {
 
 using models::RandomStream;
 
-constexpr double kLeastHeight_m = 0.06;
-constexpr double kWeakContrast = 0.6;
+constexpr double kMinHeight_m = 0.06;
+constexpr double kLowContrast = 0.6;
 constexpr double kClearance_m = 0.05;
-constexpr double kFlattestRay = 0.35;  ///< Cosine, against the floor's normal, of the ray to the target.
+constexpr double kMinRayCosine = 0.35;  ///< Cosine, against the floor's normal, of the ray to the target.
 
 /// A camera that looks down, turned by `yaw`, then tilted by `tilt` about the horizontal axis at `direction`.
 Eigen::Matrix3d LookDown(double yaw, double tilt, double direction) {
@@ -23,7 +23,7 @@ Eigen::Matrix3d LookDown(double yaw, double tilt, double direction) {
   return models::RotationExp(tilt * axis) * models::RotationExp(yaw * Eigen::Vector3d::UnitZ()) * R_down;
 }
 
-bool InsideSolid(const sim::Scene& scene, const Eigen::Vector3d& p_W) {
+bool IsInsideSolid(const sim::Scene& scene, const Eigen::Vector3d& p_W) {
   return std::any_of(scene.items.begin(), scene.items.end(), [&](const sim::SceneItem& item) {
     if (item.IsFlat() || p_W.z() > item.size_m.z() + kClearance_m) return false;
     return (p_W.head<2>() - item.position_m).norm() < 0.5 * item.size_m.head<2>().norm() + kClearance_m;
@@ -44,7 +44,7 @@ Eigen::Vector2d DrawPixel(const models::CameraModel& camera, double radius_px, R
 }
 
 /// R_WC of a camera that hovers over the target, along one of its axes.
-Eigen::Matrix3d DrawHover(const GroundShape& target, RandomStream& random) {
+Eigen::Matrix3d DrawHoverRotation(const GroundShape& target, RandomStream& random) {
   constexpr double kAlong_deg = 1.5, kLevel_deg = 3.0;
   const double yaw =
       target.yaw + random.UniformInt(0, 3) * models::kPi / 2.0 + models::DegToRad(kAlong_deg) * random.Normal();
@@ -53,8 +53,8 @@ Eigen::Matrix3d DrawHover(const GroundShape& target, RandomStream& random) {
 }
 
 /// R_WC of a camera that looks down at any heading and tilt.
-Eigen::Matrix3d DrawTilt(double largest_tilt_deg, RandomStream& random) {
-  const double tilt = models::DegToRad(largest_tilt_deg) * random.Uniform();
+Eigen::Matrix3d DrawTiltedRotation(double max_tilt_deg, RandomStream& random) {
+  const double tilt = models::DegToRad(max_tilt_deg) * random.Uniform();
   const double yaw = random.Uniform(-models::kPi, models::kPi), direction = random.Uniform(-models::kPi, models::kPi);
   return LookDown(yaw, tilt, direction);
 }
@@ -62,14 +62,15 @@ Eigen::Matrix3d DrawTilt(double largest_tilt_deg, RandomStream& random) {
 Eigen::Isometry3d DrawPose(const ViewConfig& config, bool hovering, const sim::Scene& scene, const GroundShape& target,
                            const models::CameraModel& camera, RandomStream& random) {
   while (true) {
-    const double distance = LogUniform(config.nearest_m, config.farthest_m, random);
-    const Eigen::Matrix3d R_WC = hovering ? DrawHover(target, random) : DrawTilt(config.largest_tilt_deg, random);
+    const double distance = LogUniform(config.min_distance_m, config.max_distance_m, random);
+    const Eigen::Matrix3d R_WC =
+        hovering ? DrawHoverRotation(target, random) : DrawTiltedRotation(config.max_tilt_deg, random);
     const Eigen::Vector2d pixel = DrawPixel(camera, camera.fx_px * target.radius_m / distance, random);
     const std::optional<Eigen::Vector3d> ray_C = camera.Ray(pixel);
     if (!ray_C) continue;
     const Eigen::Vector3d ray_W = R_WC * *ray_C;
     const Eigen::Vector3d p_WC = Eigen::Vector3d(target.position_m.x(), target.position_m.y(), 0.0) - distance * ray_W;
-    if (-ray_W.z() < kFlattestRay || p_WC.z() < kLeastHeight_m || InsideSolid(scene, p_WC)) continue;
+    if (-ray_W.z() < kMinRayCosine || p_WC.z() < kMinHeight_m || IsInsideSolid(scene, p_WC)) continue;
     Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();
     X_WC.linear() = R_WC;
     X_WC.translation() = p_WC;
@@ -80,12 +81,12 @@ Eigen::Isometry3d DrawPose(const ViewConfig& config, bool hovering, const sim::S
 }  // namespace
 
 void ViewConfig::Validate() const {
-  const bool ranges = nearest_m > 0.0 && farthest_m >= nearest_m && std::isfinite(farthest_m) &&
-                      largest_tilt_deg >= 0.0 && largest_tilt_deg < 80.0 && shortest_exposure_s > 0.0 &&
-                      longest_exposure_s >= shortest_exposure_s && std::isfinite(longest_exposure_s);
-  const bool effects = hovering_share >= 0.0 && hovering_share <= 1.0 && fastest_m_s >= 0.0 && fastest_rad_s >= 0.0 &&
-                       largest_defocus_px >= 0.0 && !noise_sigmas.empty() && weakest_contrast > 0.0 &&
-                       weakest_contrast <= 1.0;
+  const bool ranges = min_distance_m > 0.0 && max_distance_m >= min_distance_m && std::isfinite(max_distance_m) &&
+                      max_tilt_deg >= 0.0 && max_tilt_deg < 80.0 && min_exposure_s > 0.0 &&
+                      max_exposure_s >= min_exposure_s && std::isfinite(max_exposure_s);
+  const bool effects = hovering_fraction >= 0.0 && hovering_fraction <= 1.0 && max_speed_m_s >= 0.0 &&
+                       max_rate_rad_s >= 0.0 && max_defocus_px >= 0.0 && !noise_sigmas.empty() && min_contrast > 0.0 &&
+                       min_contrast <= 1.0;
   if (!ranges || !effects) throw InputError("the training set's views have an empty range");
 }
 
@@ -98,17 +99,17 @@ Eigen::Isometry3d View::PoseAt(double offset_s) const {
 
 View DrawView(const ViewConfig& config, const sim::Scene& scene, const GroundShape& target,
               const models::CameraModel& camera, RandomStream& random) {
-  const bool hovering = random.Chance(config.hovering_share);
+  const bool hovering = random.Chance(config.hovering_fraction);
   View view{.X_WC = DrawPose(config, hovering, scene, target, camera, random)};
-  view.exposure_s = LogUniform(config.shortest_exposure_s, config.longest_exposure_s, random);
+  view.exposure_s = LogUniform(config.min_exposure_s, config.max_exposure_s, random);
   if (!hovering) {
-    view.v_WC = random.Uniform() * config.fastest_m_s * random.NormalVector3() / std::sqrt(3.0);
-    view.w_WC_C = random.Uniform() * config.fastest_rad_s * random.NormalVector3() / std::sqrt(3.0);
-    view.defocus_px = random.Chance(0.5) ? config.largest_defocus_px * random.Uniform() : 0.0;
+    view.v_WC = random.Uniform() * config.max_speed_m_s * random.NormalVector3() / std::sqrt(3.0);
+    view.w_WC_C = random.Uniform() * config.max_rate_rad_s * random.NormalVector3() / std::sqrt(3.0);
+    view.defocus_px = random.Chance(0.5) ? config.max_defocus_px * random.Uniform() : 0.0;
   }
-  view.contrast = random.Chance(0.5) ? random.Uniform(config.weakest_contrast, 1.0) : 1.0;
+  view.contrast = random.Chance(0.5) ? random.Uniform(config.min_contrast, 1.0) : 1.0;
   const int levels = static_cast<int>(config.noise_sigmas.size());
-  view.noise_level = random.UniformInt(0, view.contrast < kWeakContrast && levels > 1 ? levels - 2 : levels - 1);
+  view.noise_level = random.UniformInt(0, view.contrast < kLowContrast && levels > 1 ? levels - 2 : levels - 1);
   view.brightness = random.Uniform(0.0, 120.0) * (1.0 - view.contrast);
   return view;
 }

@@ -14,17 +14,18 @@ namespace touchdown::training {
 
 /// From where, and how well, the training set sees its shapes.
 struct ViewConfig {
-  double nearest_m = 0.12;  ///< Distance of the camera from the shape looked at ...
-  double farthest_m = 3.0;  ///< ... drawn evenly on a logarithmic scale.
-  double largest_tilt_deg = 55.0;
-  double hovering_share = 0.35;  ///< Of views: level, at rest, in focus and along the shape's axes, as in a calm hover.
-  double fastest_m_s = 1.5;      ///< Of the camera during the exposure, when it moves.
-  double fastest_rad_s = 1.0;
-  double shortest_exposure_s = 0.001;
-  double longest_exposure_s = 0.012;
-  double largest_defocus_px = 1.5;                  ///< 1-sigma of the lens's blur.
+  double min_distance_m = 0.12;  ///< Distance of the camera from the shape looked at ...
+  double max_distance_m = 3.0;   ///< ... drawn evenly on a logarithmic scale.
+  double max_tilt_deg = 55.0;
+  double hovering_fraction =
+      0.35;                    ///< Of views: level, at rest, in focus and along the shape's axes, as in a calm hover.
+  double max_speed_m_s = 1.5;  ///< Of the camera during the exposure, when it moves.
+  double max_rate_rad_s = 1.0;
+  double min_exposure_s = 0.001;
+  double max_exposure_s = 0.012;
+  double max_defocus_px = 1.5;                      ///< 1-sigma of the lens's blur.
   std::vector<double> noise_sigmas{0.5, 3.0, 7.0};  ///< Of 255. At weak contrast the last is left out.
-  double weakest_contrast = 0.45;                   ///< Of 1, the renderer's own.
+  double min_contrast = 0.45;                       ///< Of 1, the renderer's own.
 
   /// Throws InputError when a range is empty or a number is not finite.
   void Validate() const;

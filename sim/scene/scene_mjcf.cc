@@ -67,7 +67,7 @@ std::string Glowing(const std::string& name, const std::string& rgba, double emi
 
 std::string Assets(const Scene& scene) {
   std::string assets =
-      Texture("floor", FloorTexture(scene.config)) + Texture("floor_centre", FloorCenterTexture(scene.config));
+      Texture("floor", FloorTexture(scene.config)) + Texture("floor_center", FloorCenterTexture(scene.config));
   if (scene.config.IsOutdoor())
     assets += Glowing("sky", "0.62 0.78 1 1", 1.0) + Glowing("hedge", "0.16 0.28 0.11 1", 0.6);
   if (scene.config.pad) assets += Texture("pad", PadTextureSize(scene.pad));
@@ -130,7 +130,7 @@ std::string Things(const Scene& scene) {
                                     fmt::format("material='{}'", name))
                             : SolidGeom(name, item);
   }
-  things += Sheet("floor_centre", Eigen::Vector2d::Zero(), -kCenterDepth_m, 0.0,
+  things += Sheet("floor_center", Eigen::Vector2d::Zero(), -kCenterDepth_m, 0.0,
                   Eigen::Vector2d::Constant(kFloorCenterSize_m), "material='floor_center'");
   things += Sheet("floor_print", Eigen::Vector2d::Zero(), -kFloorDepth_m, 0.0,
                   Eigen::Vector2d::Constant(scene.config.floor_size_m),

@@ -222,11 +222,11 @@ void PaintTextures(const Scene& scene, mjModel_& model) {
   if (scene.config.IsOutdoor()) {
     const GrassPattern grass(scene.floor_seed, scene.pad);
     painter.PaintGrass("floor", floor, scene.config.floor_size_m, grass);
-    painter.PaintGrass("floor_centre", center, kFloorCenterSize_m, grass);
+    painter.PaintGrass("floor_center", center, kFloorCenterSize_m, grass);
   } else {
     const FloorPattern pattern(scene.floor_seed);
     painter.PaintFloor("floor", floor, scene.config.floor_size_m, pattern);
-    painter.PaintFloor("floor_centre", center, kFloorCenterSize_m, pattern);
+    painter.PaintFloor("floor_center", center, kFloorCenterSize_m, pattern);
   }
   if (scene.config.pad) {
     const TextureSize size = PadTextureSize(scene.pad);

@@ -11,7 +11,7 @@ namespace {
 
 EstimatorSetup NominalSetup() { return {.camera = {}, .pad = {}, .X_BC = models::Vehicle().X_BC(), .time = {}}; }
 
-TEST(MakeEstimator, MakesEveryEstimatorThatItNames) {
+TEST(MakeEstimator, CreatesEveryNamedEstimator) {
   EXPECT_THAT(EstimatorNames(), testing::Contains("paper"));
   for (const std::string& name : EstimatorNames()) {
     EstimatorConfig config;
@@ -20,19 +20,19 @@ TEST(MakeEstimator, MakesEveryEstimatorThatItNames) {
   }
 }
 
-TEST(MakeEstimator, RefusesAnUnknownNameAndTellsTheKnownOnes) {
+TEST(MakeEstimator, RejectsAnUnknownNameAndListsTheAllowedNames) {
   EstimatorConfig config;
   config.name = "papyrus";
   try {
     MakeEstimator(config, NominalSetup());
-    FAIL() << "made an estimator of an unknown name";
+    FAIL() << "created an estimator with an unknown name";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("papyrus"));
     for (const std::string& name : EstimatorNames()) EXPECT_THAT(error.what(), testing::HasSubstr(name));
   }
 }
 
-TEST(MakeEstimator, RefusesACameraAndAPadThatCannotBe) {
+TEST(MakeEstimator, RejectsAnInvalidCameraAndAnInvalidPad) {
   EstimatorSetup no_camera = NominalSetup();
   no_camera.camera.width_px = 0;
   EXPECT_THROW(MakeEstimator({}, no_camera), InputError);
@@ -41,7 +41,7 @@ TEST(MakeEstimator, RefusesACameraAndAPadThatCannotBe) {
   EXPECT_THROW(MakeEstimator({}, no_pad), InputError);
 }
 
-TEST(MakeEstimator, RefusesASquareHWhereNothingButItsEllipseGivesItsDirection) {
+TEST(MakeEstimator, RejectsASquareHWithoutTemplateVerification) {
   EstimatorSetup square = NominalSetup();
   square.pad.h_width_m = square.pad.h_height_m;
   EstimatorConfig config;
@@ -56,7 +56,7 @@ TEST(FrameStatus, HasANameForEveryValue) {
   EXPECT_EQ(Name(FrameStatus::kRejected), "rejected");
 }
 
-TEST(FrameStatus, GivesWayToTheStrategysReasonInTables) {
+TEST(FrameStatus, IsReplacedByTheReasonInTables) {
   EXPECT_EQ(ReasonOrStatus(FrameStatus::kOk, ""), "ok");
   EXPECT_EQ(ReasonOrStatus(FrameStatus::kNotFound, "no_circle"), "no_circle");
   EXPECT_EQ(ReasonOrStatus(FrameStatus::kRejected, ""), "rejected");

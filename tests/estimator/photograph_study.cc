@@ -1,6 +1,8 @@
-// How much of what it is shown the estimator `paper` finds in synthetic photographs: photograph_study [--pads N]
-// [--look-alikes N] [--seed FIRST] [--save FOLDER] [--sheet FILE] prints a table for each factor; --save leaves what
-// went wrong as pictures, --sheet draws the first photographs side by side.
+// Recognition rates of the estimator `paper` on synthetic photographs.
+//
+// Usage: photograph_study [--pads N] [--look-alikes N] [--seed FIRST] [--save FOLDER] [--sheet FILE]
+// Prints a table for each factor. --look-alikes is the number of distractors. --save writes the photographs with wrong
+// results as images, --sheet writes the first photographs side by side to one image.
 #include <algorithm>
 #include <cstdio>
 #include <functional>
@@ -50,25 +52,25 @@ std::map<std::string, std::string> FactorsOf(const Photograph& photo) {
           {"image", std::to_string(photo.camera.width_px) + "x" + std::to_string(photo.camera.height_px)}};
 }
 
-cv::Mat3b Picture(const Photograph& photo) {
+cv::Mat3b ToColor(const Photograph& photo) {
   cv::Mat1b gray(photo.image.height, photo.image.width, const_cast<std::uint8_t*>(photo.image.pixels.data()));
-  cv::Mat3b picture;
-  cv::cvtColor(gray, picture, cv::COLOR_GRAY2BGR);
-  return picture;
+  cv::Mat3b canvas;
+  cv::cvtColor(gray, canvas, cv::COLOR_GRAY2BGR);
+  return canvas;
 }
 
 void Save(const std::string& folder, std::uint64_t seed, const Photograph& photo, const tests::PhotoScore& score) {
-  cv::Mat3b picture = Picture(photo);
+  cv::Mat3b canvas = ToColor(photo);
   for (const auto& c : score.estimate.overlay.boxes) {
     const cv::Scalar color = c.name == "circle" ? cv::Scalar(0, 200, 0)
                              : c.name == "h"    ? cv::Scalar(255, 80, 0)
                                                 : cv::Scalar(0, 0, 230);
-    cv::rectangle(picture, cv::Rect(c.box.u, c.box.v, c.box.width, c.box.height), color);
+    cv::rectangle(canvas, cv::Rect(c.box.u, c.box.v, c.box.width, c.box.height), color);
   }
   const std::string status(estimator::ReasonOrStatus(score.estimate.status, score.estimate.reason));
   std::string subject = photo.subject;
   std::replace(subject.begin(), subject.end(), ' ', '_');
-  cv::imwrite(folder + "/" + subject + "_" + std::to_string(seed) + "_" + status + ".png", picture);
+  cv::imwrite(folder + "/" + subject + "_" + std::to_string(seed) + "_" + status + ".png", canvas);
 }
 
 void DrawSheet(const std::string& path, const std::function<Photograph(int)>& take, int count) {
@@ -76,11 +78,11 @@ void DrawSheet(const std::string& path, const std::function<Photograph(int)>& ta
   cv::Mat3b sheet((count + kColumns - 1) / kColumns * kSide, kColumns * kSide, cv::Vec3b(255, 255, 255));
   for (int i = 0; i < count; ++i) {
     const Photograph photo = take(i);
-    cv::Mat3b picture = Picture(photo);
-    const double scale = (kSide - 6.0) / std::max(picture.cols, picture.rows);
-    cv::resize(picture, picture, {}, scale, scale, cv::INTER_AREA);
-    cv::putText(picture, photo.subject, {4, 14}, cv::FONT_HERSHEY_SIMPLEX, 0.45, {0, 0, 255}, 1, cv::LINE_AA);
-    picture.copyTo(sheet(cv::Rect(i % kColumns * kSide, i / kColumns * kSide, picture.cols, picture.rows)));
+    cv::Mat3b canvas = ToColor(photo);
+    const double scale = (kSide - 6.0) / std::max(canvas.cols, canvas.rows);
+    cv::resize(canvas, canvas, {}, scale, scale, cv::INTER_AREA);
+    cv::putText(canvas, photo.subject, {4, 14}, cv::FONT_HERSHEY_SIMPLEX, 0.45, {0, 0, 255}, 1, cv::LINE_AA);
+    canvas.copyTo(sheet(cv::Rect(i % kColumns * kSide, i / kColumns * kSide, canvas.cols, canvas.rows)));
   }
   cv::imwrite(path, sheet);
 }
@@ -145,7 +147,7 @@ int main(int argc, char** argv) {
     if (score.claims_pad && !folder.empty()) Save(folder, first + i, photo, score);
   }
   Print("Pads found", by_factor);
-  Print("Look-alikes left alone", by_kind);
+  Print("Distractors rejected", by_kind);
   std::sort(distance_errors.begin(), distance_errors.end());
   if (!distance_errors.empty()) {
     std::printf("\nDistance, relative error: median %.4f, 95 %% %.4f\n", distance_errors[distance_errors.size() / 2],

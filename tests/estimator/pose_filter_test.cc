@@ -15,16 +15,16 @@ using Eigen::Vector3d;
 using Motion = models::VehicleEstimate::Motion;
 using tests::kTime;
 
-PoseFilter FreshFilter() { return {PoseFilterConfig{}, kTime}; }
+PoseFilter DefaultFilter() { return {PoseFilterConfig{}, kTime}; }
 
-TEST(PoseFilter, KnowsNothingBeforeTheFirstPosition) {
-  const PoseFilter filter = FreshFilter();
+TEST(PoseFilter, HasNoStateBeforeTheFirstPosition) {
+  const PoseFilter filter = DefaultFilter();
   EXPECT_FALSE(filter.At(100).has_value());
   EXPECT_FALSE(filter.newest().has_value());
 }
 
-TEST(PoseFilter, TakesTheFirstPositionAsItIs) {
-  PoseFilter filter = FreshFilter();
+TEST(PoseFilter, StartsAtTheFirstPositionWithZeroVelocity) {
+  PoseFilter filter = DefaultFilter();
   filter.Update(40, {1.0, 2.0, 3.0});
   const auto motion = filter.At(60);
   ASSERT_TRUE(motion.has_value());
@@ -33,8 +33,8 @@ TEST(PoseFilter, TakesTheFirstPositionAsItIs) {
   EXPECT_EQ(filter.newest(), 40);
 }
 
-TEST(PoseFilter, ConvergesToAConstantVelocityAtAnySpacingOfTheFrames) {
-  PoseFilter filter = FreshFilter();
+TEST(PoseFilter, ConvergesToAConstantVelocityForIrregularFrames) {
+  PoseFilter filter = DefaultFilter();
   models::RandomStream random(1, "pose_filter_test");
   const Vector3d p0(0.3, -0.2, 1.0), v(0.2, -0.1, 0.05);
   models::Tick tick = 0;
@@ -48,9 +48,9 @@ TEST(PoseFilter, ConvergesToAConstantVelocityAtAnySpacingOfTheFrames) {
   EXPECT_NEAR((motion.p_WB - (p0 + kTime.ToSeconds(later) * v)).norm(), 0.0, 1e-4);
 }
 
-/// RMSE of (position, velocity) when positions with white noise come at 60 Hz.
+/// RMSE of (position, velocity) for positions at 60 Hz with white noise.
 Eigen::Vector2d ErrorsAtRest(double height_m, const Vector3d& noise) {
-  PoseFilter filter = FreshFilter();
+  PoseFilter filter = DefaultFilter();
   models::RandomStream random(7, "pose_filter_test.noise");
   double p_sum = 0.0, v_sum = 0.0;
   constexpr int kFrames = 4000, kWarmUp = 100;
@@ -64,19 +64,19 @@ Eigen::Vector2d ErrorsAtRest(double height_m, const Vector3d& noise) {
   return Eigen::Vector2d(p_sum, v_sum).cwiseSqrt() / std::sqrt(kFrames - kWarmUp);
 }
 
-TEST(PoseFilter, TakesMostOfTheNoiseOut) {
+TEST(PoseFilter, ReducesTheNoise) {
   const Eigen::Vector2d errors = ErrorsAtRest(1.0, {0.02, 0.02, 0.005});
   EXPECT_LT(errors[0], 0.013);
   EXPECT_LT(errors[1], 0.10);
 }
 
-TEST(PoseFilter, TrustsHorizontalPositionsTheMoreTheLowerTheVehicleIs) {
+TEST(PoseFilter, WeightsHorizontalPositionsMoreAtLowHeight) {
   const Vector3d noise(0.01, 0.01, 0.002);
   EXPECT_LT(ErrorsAtRest(1.5, noise)[1], 0.7 * ErrorsAtRest(0.25, noise)[1]);
 }
 
 TEST(PoseFilter, FollowsAnAccelerationWithASmallLag) {
-  PoseFilter filter = FreshFilter();
+  PoseFilter filter = DefaultFilter();
   const double a = 1.0;
   for (int i = 0; i <= 120; ++i) {
     const double t = i / 60.0;
@@ -87,8 +87,8 @@ TEST(PoseFilter, FollowsAnAccelerationWithASmallLag) {
   EXPECT_NEAR(motion.p_WB.x(), 2.0 * a, 0.03 * a);
 }
 
-TEST(PoseFilter, RegainsAVehicleThatMovedWhileUnseen) {
-  PoseFilter filter = FreshFilter();
+TEST(PoseFilter, ConvergesAfterAGapInTheFrames) {
+  PoseFilter filter = DefaultFilter();
   for (int i = 0; i < 60; ++i) filter.Update(20 * i, {0.0, 0.0, 1.0});
   const models::Tick again = 20 * 60 + 2400;
   for (int i = 0; i < 30; ++i) filter.Update(again + 20 * i, {0.6, 0.0, 1.2});
@@ -97,7 +97,7 @@ TEST(PoseFilter, RegainsAVehicleThatMovedWhileUnseen) {
 }
 
 TEST(PoseFilter, IgnoresAFrameThatIsNotNewer) {
-  PoseFilter filter = FreshFilter();
+  PoseFilter filter = DefaultFilter();
   filter.Update(40, {0.0, 0.0, 1.0});
   filter.Update(40, {5.0, 0.0, 1.0});
   filter.Update(20, {5.0, 0.0, 1.0});
@@ -105,7 +105,7 @@ TEST(PoseFilter, IgnoresAFrameThatIsNotNewer) {
   EXPECT_EQ(filter.newest(), 40);
 }
 
-TEST(PoseFilterConfig, RefusesNumbersThatMakeNoFilter) {
+TEST(PoseFilterConfig, RejectsInvalidValues) {
   EXPECT_NO_THROW(PoseFilterConfig{}.Validate());
   PoseFilterConfig config;
   config.min_z_noise_m = 0.0;

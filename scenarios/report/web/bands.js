@@ -1,10 +1,10 @@
-// Phases and events as bands behind a plot, the touchdown as a line.
+// Draws phases and events as bands behind a plot, and the touchdown as a line.
 import { color, phaseColor, tint } from "./colors.js";
 
 const PHASE_OPACITY = 0.07;
 const EVENT_OPACITY = 0.22;
 
-/** A hook of uPlot that draws them behind the curves. */
+/** Returns a uPlot hook that draws the bands and the line behind the curves. */
 export function bandsOf(flight) {
   return (chart) => {
     const { ctx, bbox } = chart;

@@ -1,7 +1,8 @@
-# cmake -D NODE=node -D MODULES=node_modules -D OUT=folder -P bundle.cmake: the script and the style sheet of the page,
-# bundled by esbuild from the files here and from uPlot, and the license of uPlot, as files of OUT.
+# cmake -D NODE=node -D MODULES=node_modules -D OUT=folder -P bundle.cmake
+# Bundles the script and the style sheet of the page with esbuild, from the files in this folder and from uPlot. Writes
+# the bundle and the license of uPlot to OUT.
 if(NOT NODE)
-  message(FATAL_ERROR "node is missing, which bundles the page. On Debian: apt-get install nodejs npm")
+  message(FATAL_ERROR "node is missing; it is required to bundle the page. On Debian: apt-get install nodejs npm")
 endif()
 execute_process(
   COMMAND ${CMAKE_COMMAND} -E env NODE_PATH=${MODULES} ${NODE} ${MODULES}/esbuild/bin/esbuild main.js page.css

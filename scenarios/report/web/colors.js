@@ -1,22 +1,22 @@
-// Colors are custom properties of the style sheet, so that they change with the theme.
+// Colors are CSS variables of the style sheet, so that they change with the theme.
 
-/** What the style sheet says of --`name` now. */
+/** Current value of the CSS variable --`name`. */
 export function color(name) {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 }
 
-/** The same with an opacity. */
+/** Current value of the CSS variable --`name`, with an opacity from 0 to 1. */
 export function tint(name, opacity) {
   const percent = Math.round(opacity * 100);
   return `color-mix(in srgb, ${color(name)} ${percent}%, transparent)`;
 }
 
-/** The name of a phase's color. */
+/** Name of the CSS variable with the color of a phase, without the leading hyphens. */
 export function phaseColor(phase) {
   return `phase-${phase.replaceAll("_", "-")}`;
 }
 
-/** "blind_climb" as "blind climb". */
+/** Replaces underscores by spaces: "blind_climb" becomes "blind climb". */
 export function words(name) {
   return name.replaceAll("_", " ");
 }

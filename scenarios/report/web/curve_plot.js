@@ -1,4 +1,4 @@
-// A plot of curves over time.
+// Plot of curves over time.
 import uPlot from "uplot";
 import { color } from "./colors.js";
 import { html } from "./dom.js";
@@ -8,9 +8,9 @@ import { makeTimeChart, timeAxis, valueAxis } from "./time_chart.js";
 const HEIGHT_PX = 168;
 const WIDTHS = { truth: 2, estimate: 1.5, "set-point": 1.5 };
 const DASHES = { "set-point": [6, 4] };
-const LEAST_SPAN = { m: 0.02, mm: 2, deg: 0.5, ms: 1, "rad/s": 20 }; // Less is not drawn as if it were much.
-const FROM_ZERO = ["ms"];
-const NAMED_FIRST = ["truth", "estimate", "set-point", "vision"];
+const MIN_SPAN = { m: 0.02, mm: 2, deg: 0.5, ms: 1, "rad/s": 20 }; // Smallest range of the value axis, by unit.
+const UNITS_FROM_ZERO = ["ms"];
+const LEGEND_ORDER = ["truth", "estimate", "set-point", "vision"];
 
 function styled(curve) {
   const stroke = () => color(curve.role);
@@ -22,17 +22,18 @@ function styled(curve) {
 
 function valueRange(unit) {
   return (chart, min, max) => {
-    if (min === null || max === null) return [0, LEAST_SPAN[unit]];
-    const margin = Math.max(0.06 * (max - min), (LEAST_SPAN[unit] - (max - min)) / 2);
-    return [FROM_ZERO.includes(unit) ? Math.min(0, min) : min - margin, max + margin];
+    if (min === null || max === null) return [0, MIN_SPAN[unit]];
+    const margin = Math.max(0.06 * (max - min), (MIN_SPAN[unit] - (max - min)) / 2);
+    return [UNITS_FROM_ZERO.includes(unit) ? Math.min(0, min) : min - margin, max + margin];
   };
 }
 
-/** Draws `spec` as the program wrote it: sheets of series that share their times. */
+/** Draws the plot `spec`, a list of sheets. The series of a sheet share their times. */
 export function drawCurves(figure, spec, flight, view) {
   const curves = spec.sheets.flatMap((sheet) => sheet.series.map((series) => ({ ...series, times: sheet.t_s })));
-  const named = [...curves].sort((a, b) => NAMED_FIRST.indexOf(a.role) - NAMED_FIRST.indexOf(b.role));
-  const legend = makeLegend(named, (index, seen) => chart.setSeries(curves.indexOf(named[index]) + 1, { show: seen }));
+  const ordered = [...curves].sort((a, b) => LEGEND_ORDER.indexOf(a.role) - LEGEND_ORDER.indexOf(b.role));
+  const legend = makeLegend(ordered, (index, visible) =>
+    chart.setSeries(curves.indexOf(ordered[index]) + 1, { show: visible }));
   figure.append(html("figcaption", {}, html("span", { class: "title" }, spec.title), legend.element));
   const chart = makeTimeChart(
     figure,

@@ -1,4 +1,4 @@
-// Making elements.
+// Creates DOM elements.
 
 const SVG = "http://www.w3.org/2000/svg";
 
@@ -11,12 +11,12 @@ function filled(node, attributes, children) {
   return node;
 }
 
-/** An HTML element; attributes that begin with "on" are listeners. */
+/** Creates an HTML element. Attributes that begin with "on" are event listeners. */
 export function html(tag, attributes = {}, ...children) {
   return filled(document.createElement(tag), attributes, children);
 }
 
-/** The same of SVG. */
+/** Creates an SVG element. Attributes that begin with "on" are event listeners. */
 export function svg(tag, attributes = {}, ...children) {
   return filled(document.createElementNS(SVG, tag), attributes, children);
 }

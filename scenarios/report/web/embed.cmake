@@ -1,6 +1,7 @@
 # cmake -D TEMPLATE=file -D PAPER_TEMPLATE=file -D SWEEP_TEMPLATE=file -D SECTION_TEMPLATE=file -D STYLE=file
-# -D SCRIPT=file -D LICENSE=file -D OUT=file.cc -P embed.cmake: the files as the functions that
-# scenarios/report/page_assets.h declares. LICENSE is uPlot's, which must go where uPlot goes.
+# -D SCRIPT=file -D LICENSE=file -D OUT=file.cc -P embed.cmake
+# Writes a C++ file with the functions of scenarios/report/page_assets.h, which return the contents of the input files.
+# LICENSE is the license of uPlot, which must be distributed with uPlot.
 function(define name bytes)
   string(REGEX REPLACE "(..)" "'\\\\x\\1'," bytes "${bytes}")
   set(code "${code}\nstd::string_view ${name}() {\n  static constexpr char kBytes[] = {${bytes}};\n  return {kBytes, sizeof(kBytes)};\n}\n" PARENT_SCOPE)

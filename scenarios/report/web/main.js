@@ -1,4 +1,4 @@
-// The page of a flight: reads the data that the program left in it, and draws.
+// Entry point of the flight report: reads the embedded flight data and draws the page.
 import { drawPlots } from "./plots.js";
 import { prepareForPrint } from "./print.js";
 import { TimeView } from "./time_view.js";
@@ -17,5 +17,5 @@ connectVideo(document.getElementById("video"), view);
 followTheme(document.getElementById("theme"), () => plots.redraw());
 prepareForPrint(plots);
 
-// For whoever wants to look closer in the browser's console, and for the tests.
+// For inspection in the browser console and for the tests.
 window.touchdown = { flight, view, plots: plots.charts };

@@ -1,17 +1,17 @@
-// Writing numbers.
+// Formats numbers.
 
-const MOST_DECIMALS = 6;
+const MAX_DECIMALS = 6;
 
-/** How many decimals the multiples of `step` need. */
+/** Number of decimals that the multiples of `step` require. */
 export function decimals(step) {
-  for (let count = 0; count < MOST_DECIMALS; ++count) {
+  for (let count = 0; count < MAX_DECIMALS; ++count) {
     const shifted = step * 10 ** count;
     if (Math.abs(shifted - Math.round(shifted)) < 1e-6 * shifted) return count;
   }
-  return MOST_DECIMALS;
+  return MAX_DECIMALS;
 }
 
-/** With a minus sign for the hyphen. */
+/** Replaces the hyphen of a negative number by a minus sign. */
 export function withMinus(text) {
   return text.replace("-", "−");
 }

@@ -1,6 +1,6 @@
-// Looking things up in rising times.
+// Look-ups in ascending times.
 
-/** The index of the time nearest to `t`; -1 when there is none. */
+/** Index of the time nearest to `t`; -1 when `times` is empty. */
 export function nearestIndex(times, t) {
   if (times.length === 0) return -1;
   let low = 0;
@@ -13,13 +13,13 @@ export function nearestIndex(times, t) {
   return t - times[low] <= times[high] - t ? low : high;
 }
 
-/** The value of the row nearest to `t`; null where there is none, and further from a row than `reach_s`. */
-export function valueAt(times, values, t, reach_s) {
+/** Value at the time nearest to `t`; null when it has no value or is more than `max_distance_s` away from `t`. */
+export function valueAt(times, values, t, max_distance_s) {
   const index = nearestIndex(times, t);
-  return index < 0 || Math.abs(times[index] - t) > reach_s ? null : values[index];
+  return index < 0 || Math.abs(times[index] - t) > max_distance_s ? null : values[index];
 }
 
-/** The span of `spans` that `t` lies in, or undefined. */
+/** First span that contains `t`; undefined when there is none. */
 export function spanAt(spans, t) {
   return spans.find((span) => span.from_s <= t && t <= span.to_s);
 }

@@ -1,4 +1,4 @@
-// Light and dark: as the system has it, until the button says otherwise.
+// Light or dark theme. It follows the system; the button switches it.
 
 const root = document.documentElement;
 
@@ -6,7 +6,7 @@ export function setTheme(name) {
   root.dataset.theme = name;
 }
 
-/** Calls `redraw` after each change. */
+/** Changes the theme with the system and with `button`. Calls `redraw` after each change. */
 export function followTheme(button, redraw) {
   const change = (name) => {
     setTheme(name);

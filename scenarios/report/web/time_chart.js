@@ -1,4 +1,4 @@
-// A uPlot over the flight's time, tied to the others through the TimeView: zoom, cursor, the played time, the keyboard.
+// A uPlot chart over flight time. All charts share range, cursor and video time through a TimeView.
 import uPlot from "uplot";
 import { bandsOf } from "./bands.js";
 import { color } from "./colors.js";
@@ -6,9 +6,9 @@ import { html } from "./dom.js";
 import { decimals, withMinus } from "./numbers.js";
 
 const AXIS_FONT = '11px system-ui, -apple-system, "Segoe UI", sans-serif';
-const LEFT_PX = 90; // Of every plot, and of the timeline: --axis in the style sheet.
+const LEFT_PX = 90; // Left margin of every plot and of the timeline; equals --axis in the style sheet.
 const RIGHT_PX = 14;
-const LEAST_DRAG_PX = 4;
+const MIN_DRAG_PX = 4;
 
 const tick = (value, step) => withMinus(value.toFixed(decimals(step)));
 
@@ -33,12 +33,12 @@ export const valueAxis = (unit) =>
 export { axis, LEFT_PX };
 
 /**
- * Makes the chart in `figure`. `options` are uPlot's: series, axes, the scale y, height; `label` names it for those who
- * cannot see it.
+ * Creates the chart in `figure`. `options` are options of uPlot: series, axes, the scale y, height. `label` is the
+ * accessible name of the chart.
  */
 export function makeTimeChart(figure, { label, data, options }, flight, view) {
-  const frame = html("div", { class: "chart", tabindex: 0, role: "group", "aria-label": `${label}, over time` });
-  figure.append(frame);
+  const container = html("div", { class: "chart", tabindex: 0, role: "group", "aria-label": `${label}, over time` });
+  figure.append(container);
   const chart = new uPlot(
     {
       width: figure.clientWidth || 600,
@@ -49,7 +49,7 @@ export function makeTimeChart(figure, { label, data, options }, flight, view) {
       cursor: {
         y: false,
         points: { show: false },
-        drag: { x: true, y: false, dist: LEAST_DRAG_PX, setScale: false },
+        drag: { x: true, y: false, dist: MIN_DRAG_PX, setScale: false },
         bind: { dblclick: () => () => view.reset() },
       },
       hooks: {
@@ -59,37 +59,37 @@ export function makeTimeChart(figure, { label, data, options }, flight, view) {
       },
     },
     data,
-    frame,
+    container,
   );
   follow(chart, view);
   chart.over.addEventListener("click", (event) => {
     view.seek(chart.posToVal(event.clientX - chart.over.getBoundingClientRect().left, "x"));
   });
-  listenToKeys(frame, view);
+  listenToKeys(container, view);
   return chart;
 }
 
 function zoomToSelection(chart, view) {
   const { left, width } = chart.select;
-  if (width < LEAST_DRAG_PX) return;
+  if (width < MIN_DRAG_PX) return;
   chart.setSelect({ left: 0, width: 0, top: 0, height: 0 }, false);
   view.zoom(chart.posToVal(left, "x"), chart.posToVal(left + width, "x"));
 }
 
-/** Keeps the chart at the view's range, cursor and played time. */
+/** Updates range, cursor and video time of the chart when the view changes. */
 function follow(chart, view) {
   const played = html("div", { class: "played", hidden: true });
   chart.over.append(played);
   const showPlayed = () => {
-    const inside = view.played !== null && view.played >= view.range.from && view.played <= view.range.to;
-    played.hidden = !inside;
-    if (inside) played.style.left = `${chart.valToPos(view.played, "x")}px`;
+    const visible = view.played !== null && view.played >= view.range.from && view.played <= view.range.to;
+    played.hidden = !visible;
+    if (visible) played.style.left = `${chart.valToPos(view.played, "x")}px`;
   };
   view.on("range", () => {
     chart.setScale("x", { min: view.range.from, max: view.range.to });
     showPlayed();
   });
-  let pressed = false; // While it is dragged on, the cursor is the hand's.
+  let pressed = false; // While the user drags, the mouse controls the cursor.
   chart.over.addEventListener("mousedown", () => (pressed = true), { capture: true });
   addEventListener("mouseup", () => (pressed = false));
   view.on("pointed", () => {
@@ -101,24 +101,24 @@ function follow(chart, view) {
   new ResizeObserver(showPlayed).observe(chart.over);
 }
 
-function listenToKeys(frame, view) {
+function listenToKeys(container, view) {
   const step = (event) => (view.span / 100) * (event.shiftKey ? 10 : 1);
-  const here = () => view.current ?? (view.range.from + view.range.to) / 2;
+  const cursor = () => view.current ?? (view.range.from + view.range.to) / 2;
   const actions = {
-    ArrowLeft: (event) => view.point(here() - step(event)),
-    ArrowRight: (event) => view.point(here() + step(event)),
-    "+": () => view.scale(0.5, here()),
-    "=": () => view.scale(0.5, here()),
-    "-": () => view.scale(2, here()),
-    Enter: () => view.seek(here()),
+    ArrowLeft: (event) => view.point(cursor() - step(event)),
+    ArrowRight: (event) => view.point(cursor() + step(event)),
+    "+": () => view.scale(0.5, cursor()),
+    "=": () => view.scale(0.5, cursor()),
+    "-": () => view.scale(2, cursor()),
+    Enter: () => view.seek(cursor()),
     " ": () => view.toggle(),
     Escape: () => view.reset(),
   };
-  frame.addEventListener("keydown", (event) => {
+  container.addEventListener("keydown", (event) => {
     const action = actions[event.key];
     if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     action(event);
   });
-  frame.addEventListener("blur", () => view.point(null));
+  container.addEventListener("blur", () => view.point(null));
 }

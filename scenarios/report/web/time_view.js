@@ -1,10 +1,10 @@
-// What all drawings have in common: which part of the flight they show, the time that is pointed at, and the time
-// that is played. Whoever draws listens for "range", "pointed" and "played"; "sought" asks the video to follow.
+// State that all drawings share: the visible time range, the time under the cursor and the time of the video. Drawings
+// listen to "range", "pointed" and "played". The video listens to "seek" and "toggle".
 
-const SHORTEST_S = 0.02;
+const MIN_SPAN_S = 0.02;
 
 export class TimeView {
-  #listeners = { range: [], pointed: [], played: [], sought: [], toggled: [] };
+  #listeners = { range: [], pointed: [], played: [], seek: [], toggle: [] };
 
   constructor(duration_s) {
     this.whole = { from: 0, to: duration_s > 0 ? duration_s : 1 };
@@ -21,19 +21,19 @@ export class TimeView {
     return this.range.to - this.range.from;
   }
 
-  /** The time to tell about: what is pointed at, else what is played. */
+  /** Time of the displayed values: the time under the cursor, otherwise the time of the video. */
   get current() {
     return this.pointed ?? this.played;
   }
 
   zoom(from, to) {
-    const span = Math.min(Math.max(to - from, SHORTEST_S), this.whole.to - this.whole.from);
+    const span = Math.min(Math.max(to - from, MIN_SPAN_S), this.whole.to - this.whole.from);
     const start = Math.min(Math.max(from, this.whole.from), this.whole.to - span);
     this.range = { from: start, to: start + span };
-    this.#tell("range");
+    this.#notify("range");
   }
 
-  /** Makes the span `factor` times as long; the time `around` stays where it is. */
+  /** Multiplies the span by `factor`. The time `around` stays in place. */
   scale(factor, around) {
     this.zoom(around - (around - this.range.from) * factor, around + (this.range.to - around) * factor);
   }
@@ -42,34 +42,34 @@ export class TimeView {
     this.zoom(this.whole.from, this.whole.to);
   }
 
-  /** `t_s` is null when nothing is pointed at. */
+  /** Sets the time under the cursor; null when there is none. */
   point(t_s) {
-    this.pointed = t_s === null ? null : this.#within(t_s);
-    this.#tell("pointed");
+    this.pointed = t_s === null ? null : this.#clamp(t_s);
+    this.#notify("pointed");
   }
 
-  /** Tells that the video is at a time. */
+  /** Sets the time of the video. */
   play(t_s) {
-    this.played = this.#within(t_s);
-    this.#tell("played");
+    this.played = this.#clamp(t_s);
+    this.#notify("played");
   }
 
-  /** Goes to a time, and takes the video along. */
+  /** Sets the time of the video and moves the video there. */
   seek(t_s) {
     this.play(t_s);
-    this.#tell("sought");
+    this.#notify("seek");
   }
 
-  /** Starts or stops the video. */
+  /** Plays or pauses the video. */
   toggle() {
-    this.#tell("toggled");
+    this.#notify("toggle");
   }
 
-  #within(t_s) {
+  #clamp(t_s) {
     return Math.min(Math.max(t_s, this.whole.from), this.whole.to);
   }
 
-  #tell(event) {
+  #notify(event) {
     for (const listener of this.#listeners[event]) listener(this);
   }
 }

@@ -1,25 +1,25 @@
-// The strip over the plots: phases and events by name; each button zooms to what it names.
+// Timeline above the plots: a button for each phase and event, which zooms to its time span.
 import { phaseColor, words } from "./colors.js";
 import { html } from "./dom.js";
 import { spanAt } from "./search.js";
 
-const LAST_RIGHTWARD = 85; // Per cent of the strip: names of later events are written to the left of them.
-const AROUND = 0.08; // Of a phase's length, that is shown on both sides of it.
+const MAX_RIGHTWARD = 85; // In percent of the width. The labels of later events are to the left of the event.
+const MARGIN_FRACTION = 0.08; // Margin on both sides after zooming to a span, as a fraction of its duration.
 
 function zoomTo(view, span) {
-  const margin = Math.max(span.to_s - span.from_s, 0.2) * AROUND;
+  const margin = Math.max(span.to_s - span.from_s, 0.2) * MARGIN_FRACTION;
   view.zoom(span.from_s - margin, span.to_s + margin);
 }
 
 function blockOf(span, kind, style, view) {
   const name = words(span.name);
-  const title = `${name}, ${span.from_s.toFixed(2)} to ${span.to_s.toFixed(2)} s: zoom there`;
+  const title = `${name}, ${span.from_s.toFixed(2)} to ${span.to_s.toFixed(2)} s. Click to zoom.`;
   const block = html("button", { type: "button", class: kind, title, style, onclick: () => zoomTo(view, span) }, html("span", {}, name));
   return { block, span };
 }
 
-/** Draws the strip, and keeps it at the view's range and time. */
-export function drawTimeline(place, flight, view) {
+/** Draws the timeline and updates it when the view changes. */
+export function drawTimeline(container, flight, view) {
   const touchdown = flight.touchdown && { name: "touchdown point", from_s: flight.touchdown.t_s, to_s: flight.touchdown.t_s };
   const phases = flight.phases.map((span) => blockOf(span, "phase", `--phase: var(--${phaseColor(span.name)})`, view));
   const events = flight.events.map((span) => blockOf(span, "event", null, view));
@@ -30,7 +30,7 @@ export function drawTimeline(place, flight, view) {
   const phaseRow = html("div", { class: "row" }, ...phases.map(({ block }) => block));
   const eventRow = html("div", { class: "row events" }, ...events.map(({ block }) => block));
   const track = html("div", { class: "track" }, phaseRow, ...(events.length > 0 ? [eventRow] : []), pointer);
-  place.append(html("div", { class: "timeline-head" }, clock, reset), track);
+  container.append(html("div", { class: "timeline-head" }, clock, reset), track);
 
   const percent = (t_s) => ((t_s - view.range.from) / view.span) * 100;
   const showRange = () => {
@@ -39,7 +39,7 @@ export function drawTimeline(place, flight, view) {
       const to = Math.min(percent(span.to_s), 100);
       block.hidden = to < from;
       if (block.classList.contains("phase")) block.style.width = `${to - from}%`;
-      block.classList.toggle("leftward", block.classList.contains("event") && from > LAST_RIGHTWARD);
+      block.classList.toggle("leftward", block.classList.contains("event") && from > MAX_RIGHTWARD);
       block.style.left = block.classList.contains("leftward") ? null : `${from}%`;
       block.style.right = block.classList.contains("leftward") ? `${100 - from}%` : null;
     }

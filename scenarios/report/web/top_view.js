@@ -1,32 +1,32 @@
-// The way of the vehicle over the pad, seen from above: X to the right, Y up, the same scale for both.
+// Ground track of the vehicle, seen from above: X to the right, Y up, equal scales.
 import { phaseColor, words } from "./colors.js";
 import { html, svg } from "./dom.js";
 import { decimals, withMinus } from "./numbers.js";
 import { nearestIndex, spanAt } from "./search.js";
 
-const MARGIN = 0.08; // Of the drawing's width, around what it shows.
-const GRID_LINES = 5; // About as many.
+const MARGIN = 0.08; // Margin around the content, as a fraction of its size.
+const GRID_LINES = 5; // Approximate number per axis.
 
 const number = (value) => Number(value.toFixed(4));
 
-/** The square, in meters, that shows the pad and the true way. */
+/** Square, in meters, that contains the pad and the true ground track. */
 function extent(pad, xs, ys) {
-  const reach = pad ? [pad.sheet_length_m / 2, pad.sheet_width_m / 2] : [0.15, 0.15];
-  const points = (values, least) => [-least, least, ...values.filter((value) => value !== null)];
-  const [x, y] = [points(xs, reach[0]), points(ys, reach[1])];
+  const half_size = pad ? [pad.sheet_length_m / 2, pad.sheet_width_m / 2] : [0.15, 0.15];
+  const points = (values, half) => [-half, half, ...values.filter((value) => value !== null)];
+  const [x, y] = [points(xs, half_size[0]), points(ys, half_size[1])];
   const [left, right] = [Math.min(...x), Math.max(...x)];
   const [bottom, top] = [Math.min(...y), Math.max(...y)];
   const size = Math.max(right - left, top - bottom) * (1 + 2 * MARGIN);
   return { left: (left + right - size) / 2, bottom: (bottom + top - size) / 2, size };
 }
 
-/** A step of 1, 2 or 5 times a power of ten. */
+/** Smallest step of 1, 2 or 5 times a power of ten that is at least `rough`. */
 function roundStep(rough) {
   const power = 10 ** Math.floor(Math.log10(rough));
   return power * [1, 2, 5, 10].find((factor) => factor * power >= rough);
 }
 
-/** A path through points; a null coordinate leaves a gap. */
+/** SVG path through points. A null coordinate makes a gap. */
 function pathThrough(xs, ys, from = 0, to = xs.length) {
   let path = "";
   let pen = "M";
@@ -41,23 +41,23 @@ function pathThrough(xs, ys, from = 0, to = xs.length) {
   return path;
 }
 
-/** A path of round dots. */
+/** SVG path of dots. */
 function dotsAt(xs, ys) {
   return xs.map((x, i) => (x === null ? "" : `M${number(x)} ${number(ys[i])}h0`)).join("");
 }
 
-/** A circle or a polygon of the pad, black or white. */
+/** Circle or polygon of the pad, black or white. */
 function padShape({ color, center_m: center, radius_m: radius, corners_m: corners }) {
   if (center) return svg("circle", { class: color, cx: center[0], cy: center[1], r: radius });
   return svg("polygon", { class: color, points: corners.join(" ") });
 }
 
-/** The true way, a path for each phase. */
-function waysOf(phases, times, xs, ys) {
+/** True ground track, one path per phase. */
+function groundTracksOf(phases, times, xs, ys) {
   return phases.map((phase) => {
     const from = nearestIndex(times, phase.from_s);
     const to = nearestIndex(times, phase.to_s) + 1;
-    return svg("path", { class: "way", style: `--phase: var(--${phaseColor(phase.name)})`, d: pathThrough(xs, ys, from, to) });
+    return svg("path", { class: "ground-track", style: `--phase: var(--${phaseColor(phase.name)})`, d: pathThrough(xs, ys, from, to) });
   });
 }
 
@@ -82,29 +82,29 @@ function gridOf({ left, bottom, size }) {
   return svg("g", { class: "grid" }, ...parts);
 }
 
-function cross(x, y, reach) {
-  return svg("path", { class: "contact", d: `M${x - reach} ${y - reach}L${x + reach} ${y + reach}M${x - reach} ${y + reach}L${x + reach} ${y - reach}` },
+function cross(x, y, size) {
+  return svg("path", { class: "contact", d: `M${x - size} ${y - size}L${x + size} ${y + size}M${x - size} ${y + size}L${x + size} ${y - size}` },
     svg("title", {}, "touchdown point"));
 }
 
 function keyOf(flight) {
-  const item = (mark, text) => html("li", {}, mark, text);
+  const item = (symbol, text) => html("li", {}, symbol, text);
   const swatch = (name, kind) => html("span", { class: `swatch ${kind}`, style: `--phase: var(--${name})` });
-  const seen = [...new Set(flight.phases.map((phase) => phase.name))];
-  const items = seen.map((name) => item(swatch(phaseColor(name), "line"), words(name)));
+  const names = [...new Set(flight.phases.map((phase) => phase.name))];
+  const items = names.map((name) => item(swatch(phaseColor(name), "line"), words(name)));
   items.push(item(swatch("vision", "dot"), "vision"), item(swatch("set-point", "ringed"), "set-point"));
   if (flight.touchdown) {
     const { x_m, y_m } = flight.touchdown;
-    items.push(item(html("span", { class: "swatch crossed" }, "×"), `touchdown, ${(Math.hypot(x_m, y_m) * 1000).toFixed(1)} mm off the center`));
+    items.push(item(html("span", { class: "swatch crossed" }, "×"), `touchdown, ${(Math.hypot(x_m, y_m) * 1000).toFixed(1)} mm from the center`));
   }
   return html("ul", { class: "key" }, ...items);
 }
 
-/** Draws the view, and keeps the vehicle in it at the view's time. */
-export function drawTopView(place, flight, view) {
+/** Draws the top view and moves the vehicle in it to the current time of `view`. */
+export function drawTopView(container, flight, view) {
   const { ticks, frames } = flight.track;
   const [xs, ys, yaws, set_xs, set_ys] = ticks.series.map((series) => series.values);
-  const [seen_xs, seen_ys] = frames.series.map((series) => series.values);
+  const [vision_xs, vision_ys] = frames.series.map((series) => series.values);
   const box = extent(flight.pad, xs, ys);
   const arrow = box.size / 28;
   const vehicle = svg("path", { class: "vehicle", d: `M${arrow} 0L${-0.7 * arrow} ${0.6 * arrow}L${-0.35 * arrow} 0L${-0.7 * arrow} ${-0.6 * arrow}Z`, visibility: "hidden" });
@@ -112,23 +112,23 @@ export function drawTopView(place, flight, view) {
   const scene = svg("g", { transform: "scale(1 -1)" },
     ...(flight.pad ? flight.pad.shapes.map(padShape) : []),
     gridOf(box),
-    svg("path", { class: "vision", d: dotsAt(seen_xs, seen_ys) }),
+    svg("path", { class: "vision", d: dotsAt(vision_xs, vision_ys) }),
     svg("path", { class: "set-point", d: pathThrough(set_xs, set_ys) }),
-    ...waysOf(flight.phases, ticks.t_s, xs, ys),
+    ...groundTracksOf(flight.phases, ticks.t_s, xs, ys),
     ...(start < 0 ? [] : [svg("circle", { class: "start", cx: xs[start], cy: ys[start], r: box.size / 90 }, svg("title", {}, "start"))]),
     ...(flight.touchdown ? [cross(flight.touchdown.x_m, flight.touchdown.y_m, box.size / 45)] : []),
     vehicle);
-  const picture = svg("svg", {
-    class: "top-view", role: "img", "aria-label": "The way of the vehicle over the pad, from above",
+  const drawing = svg("svg", {
+    class: "top-view", role: "img", "aria-label": "Ground track of the vehicle, top view",
     viewBox: `${box.left} ${-box.bottom - box.size} ${box.size} ${box.size}`,
   }, scene);
-  place.append(picture, keyOf(flight));
+  container.append(drawing, keyOf(flight));
 
   const showVehicle = () => {
     const i = view.current === null ? -1 : nearestIndex(ticks.t_s, view.current);
-    const there = i >= 0 && xs[i] !== null && ys[i] !== null;
-    vehicle.setAttribute("visibility", there ? "visible" : "hidden");
-    if (!there) return;
+    const known = i >= 0 && xs[i] !== null && ys[i] !== null;
+    vehicle.setAttribute("visibility", known ? "visible" : "hidden");
+    if (!known) return;
     vehicle.style.setProperty("--phase", `var(--${phaseColor(spanAt(flight.phases, view.current)?.name ?? "standby")})`);
     vehicle.setAttribute("transform", `translate(${xs[i]} ${ys[i]}) rotate(${yaws[i] ?? 0})`);
   };

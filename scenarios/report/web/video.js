@@ -1,24 +1,24 @@
-// The video beside the plots. Its time is the flight's time.
+// The video next to the plots. Video time equals flight time.
 
-/** Ties it to the view both ways; `video` is null when the flight has none. */
+/** Synchronizes the video with the view in both directions. `video` is null when the flight has no video. */
 export function connectVideo(video, view) {
   if (!video) return;
-  const tell = () => view.play(video.currentTime);
-  const tellWhilePlaying = () => {
+  const updateView = () => view.play(video.currentTime);
+  const updateWhilePlaying = () => {
     if (video.paused || video.ended) return;
-    tell();
-    requestAnimationFrame(tellWhilePlaying);
+    updateView();
+    requestAnimationFrame(updateWhilePlaying);
   };
-  video.addEventListener("play", tellWhilePlaying);
-  video.addEventListener("pause", tell);
+  video.addEventListener("play", updateWhilePlaying);
+  video.addEventListener("pause", updateView);
   video.addEventListener("seeking", () => {
-    // What the view asked for comes back rounded to the video's clock: it stays where it was asked for.
-    if (Math.abs(video.currentTime - (view.played ?? -1)) > 1e-3) tell();
+    // The video rounds the time to which the view moved it. The view keeps its own, exact time.
+    if (Math.abs(video.currentTime - (view.played ?? -1)) > 1e-3) updateView();
   });
   video.addEventListener("error", () => {
     video.hidden = true;
     document.getElementById("no-video").hidden = false;
   });
-  view.on("sought", () => (video.currentTime = view.played));
-  view.on("toggled", () => (video.paused ? video.play() : video.pause()));
+  view.on("seek", () => (video.currentTime = view.played));
+  view.on("toggle", () => (video.paused ? video.play() : video.pause()));
 }

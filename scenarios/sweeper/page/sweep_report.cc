@@ -138,7 +138,7 @@ void PutSections(const std::vector<report::ReportSection>& sections, data& page)
 
 std::string SweepPage(const SweepOutcome& sweep, const SweepSummary& summary, const fs::path& folder) {
   data page;
-  page.set("mark", kSweepPageSignature);
+  page.set("signature", kSweepPageSignature);
   page.set("style", std::string(report::PageStyle()));
   page.set("name", sweep.terms.name);
   page.set("description", sweep.terms.description);

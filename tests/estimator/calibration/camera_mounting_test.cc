@@ -23,26 +23,26 @@ Isometry3d RandomMounting(models::RandomStream& random) {
   return vehicle.X_BC();
 }
 
-void Shake(Isometry3d& X, double position_m, double rotation_rad, models::RandomStream& random) {
+void Perturb(Isometry3d& X, double position_m, double rotation_rad, models::RandomStream& random) {
   X.translation() += position_m * random.NormalVector3();
   X.linear() = X.linear() * models::RotationExp(rotation_rad * random.NormalVector3());
 }
 
-/// Views of a pattern from about half a meter, measured with an error if there is one.
+/// Views of a pattern from half a meter. `error` scales the measurement errors; 0 means exact measurements.
 std::vector<PatternView> Views(const Isometry3d& X_BC, int count, double error, models::RandomStream& random) {
   std::vector<PatternView> views;
   for (int i = 0; i < count; ++i) {
     PatternView view{.X_WE = tests::RandomPose(random), .X_EC = tests::RandomPose(random)};
     view.X_EC.translation() = 0.5 * view.X_EC.translation().normalized();
     view.X_WB = view.X_WE * view.X_EC * X_BC.inverse();
-    Shake(view.X_WB, 0.002 * error, 0.0087 * error, random);
-    Shake(view.X_WE, 0.002 * error, 0.0087 * error, random);
+    Perturb(view.X_WB, 0.002 * error, 0.0087 * error, random);
+    Perturb(view.X_WE, 0.002 * error, 0.0087 * error, random);
     views.push_back(view);
   }
   return views;
 }
 
-TEST(CameraMounting, FollowsFromAnyViewWithoutErrors) {
+TEST(CameraMounting, IsExactForViewsWithoutErrors) {
   models::RandomStream random(1, "test");
   for (int i = 0; i < 100; ++i) {
     const Isometry3d X_BC = RandomMounting(random);
@@ -52,16 +52,17 @@ TEST(CameraMounting, FollowsFromAnyViewWithoutErrors) {
   }
 }
 
-TEST(CameraMounting, ErrsTheLessTheMoreViewsThereAre) {
+TEST(CameraMounting, HasAnErrorThatDecreasesWithTheNumberOfViews) {
   models::RandomStream random(2, "test");
   constexpr int kRuns = 40;
   const auto typical_error = [&](int views) {
     Eigen::Vector2d squared(0.0, 0.0);
     for (int run = 0; run < kRuns; ++run) {
       const Isometry3d X_BC = RandomMounting(random);
-      const PoseMean found = FindCameraMounting(Views(X_BC, views, 1.0, random));
-      squared += Eigen::Vector2d((found.X_AB.translation() - X_BC.translation()).squaredNorm(),
-                                 models::RotationLog(found.X_AB.linear() * X_BC.linear().transpose()).squaredNorm());
+      const PoseMean estimated = FindCameraMounting(Views(X_BC, views, 1.0, random));
+      squared +=
+          Eigen::Vector2d((estimated.X_AB.translation() - X_BC.translation()).squaredNorm(),
+                          models::RotationLog(estimated.X_AB.linear() * X_BC.linear().transpose()).squaredNorm());
     }
     return Eigen::Vector2d((squared / kRuns).cwiseSqrt());
   };
@@ -71,7 +72,7 @@ TEST(CameraMounting, ErrsTheLessTheMoreViewsThereAre) {
   EXPECT_LT(many.x(), 0.003);
 }
 
-TEST(CameraMounting, NeedsAView) { EXPECT_THROW(FindCameraMounting({}), InputError); }
+TEST(CameraMounting, RequiresAView) { EXPECT_THROW(FindCameraMounting({}), InputError); }
 
 }  // namespace
 }  // namespace touchdown::estimator::calibration

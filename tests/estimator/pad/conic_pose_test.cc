@@ -14,7 +14,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// The normalized conic of a circle: with H = [e1 e2 t] from the plane to the image, Q = H^-T diag(1, 1, -r^2) H^-1.
+/// Normalized conic of a circle: Q = H^-T diag(1, 1, -r^2) H^-1, where H = [e1 e2 t] maps the plane to the image.
 Matrix3d ConicOfCircle(const Vector3d& n_C, const Vector3d& p_CW, double radius_m) {
   const Vector3d e1 = n_C.unitOrthogonal();
   Matrix3d image_from_plane;
@@ -23,7 +23,7 @@ Matrix3d ConicOfCircle(const Vector3d& n_C, const Vector3d& p_CW, double radius_
   return plane_from_image.transpose() * Vector3d(1.0, 1.0, -radius_m * radius_m).asDiagonal() * plane_from_image;
 }
 
-/// Largest of the distances of both vectors of a pose.
+/// The larger of the errors of both vectors of a pose.
 double Error(const CirclePose& pose, const Vector3d& n_C, const Vector3d& p_CW) {
   return std::max((pose.n_C - n_C).norm(), (pose.p_CW - p_CW).norm());
 }
@@ -46,15 +46,15 @@ TEST(ConicPose, ReturnsBothBranchesOfAnObliqueCircle) {
       EXPECT_NEAR(pose.n_C.norm(), 1.0, 1e-12);
       EXPECT_LT(pose.n_C.z(), 0.0);   // Eq. 10.
       EXPECT_GT(pose.p_CW.z(), 0.0);  // Eq. 11.
-      // Either branch looks like the same ellipse.
+      // Both branches project to the same ellipse.
       const Matrix3d again = ConicOfCircle(pose.n_C, pose.p_CW, kRadius);
       EXPECT_LT((again / again.norm() - conic / conic.norm()).norm(), 1e-7);
     }
   }
 }
 
-TEST(ConicPose, KeepsTheBranchesApartByTwiceTheAngleToTheLineOfSight) {
-  // A circle on the optical axis tilted by a: its two solutions are tilted by a to either side.
+TEST(ConicPose, SeparatesTheBranchesByTwiceTheTilt) {
+  // The two poses of a circle on the optical axis that is tilted by an angle are tilted by this angle to either side.
   const double tilt = models::DegToRad(25.0);
   const auto poses =
       PosesOfCircle(ConicOfCircle({std::sin(tilt), 0.0, -std::cos(tilt)}, {0.0, 0.0, 100.0}, 0.09), 0.09);
@@ -63,7 +63,7 @@ TEST(ConicPose, KeepsTheBranchesApartByTwiceTheAngleToTheLineOfSight) {
   EXPECT_NEAR(models::RadToDeg(between), 50.0, 0.1);
 }
 
-TEST(ConicPose, HasOneSolutionStraightAbove) {
+TEST(ConicPose, ReturnsEqualPosesFromStraightAbove) {
   const auto poses = PosesOfCircle(ConicOfCircle(-Vector3d::UnitZ(), {0.0, 0.0, 1.3}, 0.09), 0.09);
   ASSERT_TRUE(poses);
   for (const CirclePose& pose : *poses) {
@@ -72,7 +72,7 @@ TEST(ConicPose, HasOneSolutionStraightAbove) {
   }
 }
 
-TEST(ConicPose, DoesNotDependOnTheConicsScaleAndSign) {
+TEST(ConicPose, DoesNotDependOnScaleAndSignOfTheConic) {
   const Matrix3d conic = ConicOfCircle(Vector3d(0.2, -0.1, -1.0).normalized(), {0.1, 0.2, 0.8}, 0.09);
   const auto expected = PosesOfCircle(conic, 0.09);
   ASSERT_TRUE(expected);
@@ -94,7 +94,7 @@ TEST(ConicPose, ScalesWithTheRadius) {
   EXPECT_LT(((*twice)[0].p_CW - 2.0 * (*once)[0].p_CW).norm(), 1e-12);
 }
 
-TEST(ConicPose, RefusesWhatIsNoCone) {
+TEST(ConicPose, ReturnsNulloptForAConicThatIsNotACone) {
   EXPECT_FALSE(PosesOfCircle(Matrix3d::Identity(), 0.09));
   EXPECT_FALSE(PosesOfCircle(Matrix3d::Zero(), 0.09));
   EXPECT_FALSE(PosesOfCircle(Vector3d(1.0, 0.0, -1.0).asDiagonal(), 0.09));

@@ -37,10 +37,10 @@ Ellipse RandomEllipse(models::RandomStream& random) {
           random.Uniform(-1.5, 1.5)};
 }
 
-void ExpectNear(const Ellipse& seen, const Ellipse& expected, double tolerance_px, double tolerance_rad) {
-  EXPECT_LT((seen.center - expected.center).norm(), tolerance_px);
-  EXPECT_LT((seen.semi_axes - expected.semi_axes).norm(), tolerance_px);
-  EXPECT_LT(std::abs(models::WrapToHalfPi(seen.angle - expected.angle)), tolerance_rad);
+void ExpectNear(const Ellipse& actual, const Ellipse& expected, double tolerance_px, double tolerance_rad) {
+  EXPECT_LT((actual.center - expected.center).norm(), tolerance_px);
+  EXPECT_LT((actual.semi_axes - expected.semi_axes).norm(), tolerance_px);
+  EXPECT_LT(std::abs(models::WrapToHalfPi(actual.angle - expected.angle)), tolerance_rad);
 }
 
 TEST(EllipseFit, IsExactOnExactPoints) {
@@ -68,7 +68,7 @@ TEST(EllipseFit, IsExactOnAnArcOfAnEllipse) {
   ExpectNear(*fit, truth, 1e-4, 1e-5);
 }
 
-TEST(EllipseFit, AveragesNoiseOut) {
+TEST(EllipseFit, AveragesNoise) {
   models::RandomStream random(2, "tests.ellipse_fit");
   const Ellipse truth{{320.0, 240.0}, {60.0, 40.0}, 0.5};
   Vector2d center_error = Vector2d::Zero(), axes_error = Vector2d::Zero();
@@ -76,7 +76,7 @@ TEST(EllipseFit, AveragesNoiseOut) {
   for (int i = 0; i < kFits; ++i) {
     const auto fit = FitEllipse(PointsOn(truth, 300, 0.3, &random));
     ASSERT_TRUE(fit);
-    // 0.3 px over sqrt(300) points, times some 2 for what each parameter takes of them; five sigma.
+    // 5 sigma: 0.3 px / sqrt(300 points), times about 2 for the sensitivity of each parameter.
     ExpectNear(*fit, truth, 0.25, 0.02);
     center_error += (fit->center - truth.center) / kFits;
     axes_error += (fit->semi_axes - truth.semi_axes) / kFits;
@@ -105,7 +105,7 @@ TEST(EllipseFit, AgreesWithOpenCvsDirectFit) {
   }
 }
 
-TEST(EllipseFit, GivesAnEllipseEvenForThePointsOfARectangle) {
+TEST(EllipseFit, FitsAnEllipseToThePointsOfARectangle) {
   std::vector<Vector2d> points;
   for (int i = 0; i <= 20; ++i) {
     for (const double side : {-1.0, 1.0}) {
@@ -120,7 +120,7 @@ TEST(EllipseFit, GivesAnEllipseEvenForThePointsOfARectangle) {
   EXPECT_GT(fit->semi_axes.x(), 1.5 * fit->semi_axes.y());
 }
 
-TEST(EllipseFit, RefusesPointsThatFixNoEllipse) {
+TEST(EllipseFit, ReturnsNulloptForPointsThatDetermineNoEllipse) {
   EXPECT_FALSE(FitEllipse({}));
   EXPECT_FALSE(FitEllipse(std::vector<Vector2d>{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 1.2}}));
   EXPECT_FALSE(FitEllipse(std::vector<Vector2d>(20, Vector2d(3.0, 4.0))));
@@ -148,20 +148,20 @@ TEST(Ellipse, ConicAndEllipseAreInversesOfEachOther) {
   }
 }
 
-TEST(Ellipse, RefusesConicsThatAreNone) {
+TEST(Ellipse, ReturnsNulloptForOtherConics) {
   EXPECT_FALSE(Ellipse::FromConic(Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal()));  // A hyperbola.
   EXPECT_FALSE(Ellipse::FromConic(Eigen::Vector3d(1.0, 1.0, 1.0).asDiagonal()));    // Empty.
   EXPECT_FALSE(Ellipse::FromConic(Eigen::Matrix3d::Zero()));
 }
 
-TEST(Ellipse, MeasuresDistancesOfNearbyPointsAcrossIt) {
+TEST(Ellipse, MeasuresTheDistanceOfNearbyPoints) {
   const Ellipse ellipse{{10.0, 20.0}, {40.0, 25.0}, 0.0};
   EXPECT_NEAR(DistanceFrom(ellipse, {50.1, 20.0}), 0.1, 1e-3);
   EXPECT_NEAR(DistanceFrom(ellipse, {10.0, 44.8}), -0.2, 2e-3);
   EXPECT_NEAR(RmsDistance(ellipse, std::vector<Vector2d>{{50.1, 20.0}, {10.0, 44.9}}), 0.1, 1e-3);
 }
 
-/// Points on the outer boundary of a ring of 50 px, from one direction to another, that waves by `wave_px`.
+/// Points on the outer boundary of a ring of radius 50 px between two directions, with a wave of amplitude `wave_px`.
 std::vector<Vector2d> RingPoints(double from_deg, double to_deg, double wave_px = 0.0) {
   std::vector<Vector2d> points;
   for (double deg = from_deg; deg < to_deg; deg += 1.0) {
@@ -171,7 +171,7 @@ std::vector<Vector2d> RingPoints(double from_deg, double to_deg, double wave_px 
   return points;
 }
 
-TEST(FitRing, LeavesOutPointsThatAreNotOnTheRing) {
+TEST(FitRing, RemovesOutliers) {
   std::vector<Vector2d> points = RingPoints(0.0, 360.0);
   for (int i = 0; i < 40; ++i) points.emplace_back(110.0 + 0.5 * i, 80.0 + 0.3 * i);
   const auto ring = FitRing(points);
@@ -181,21 +181,21 @@ TEST(FitRing, LeavesOutPointsThatAreNotOnTheRing) {
   EXPECT_LT((ring->center - Vector2d(100.0, 80.0)).norm(), 1e-6);
 }
 
-TEST(FitRing, TakesCurledPaperButNotAnyOutline) {
+TEST(FitRing, AcceptsCurledPaperButNotAnyOutline) {
   std::vector<Vector2d> curled = RingPoints(0.0, 360.0, 1.5), wild = RingPoints(0.0, 360.0, 8.0);
   EXPECT_TRUE(FitRing(curled));
   EXPECT_FALSE(FitRing(wild));
 }
 
-TEST(FitRing, RefusesARingOfWhichPartIsHidden) {
+TEST(FitRing, RejectsAPartlyOccludedRing) {
   std::vector<Vector2d> most = RingPoints(0.0, 330.0, 1.0), part = RingPoints(0.0, 270.0, 1.0);
   EXPECT_TRUE(FitRing(most));
   EXPECT_FALSE(FitRing(part));
 }
 
-TEST(FitRing, LeavesOutPointsBesideAGapWhereACoverBendsTheEdge) {
+TEST(FitRing, RemovesPointsNextToAGap) {
   std::vector<Vector2d> points = RingPoints(0.0, 330.0);
-  // The last degrees run off along the cover, by up to 0.28 px.
+  // The last points deviate from the ring along the occluding object, by up to 0.28 px.
   for (std::size_t i = 320; i < points.size(); ++i) {
     points[i] += 0.0004 * static_cast<double>(i - 310) * (points[i] - Vector2d(100.0, 80.0)) * 0.7;
   }
@@ -206,7 +206,7 @@ TEST(FitRing, LeavesOutPointsBesideAGapWhereACoverBendsTheEdge) {
   EXPECT_LT((ring->center - Vector2d(100.0, 80.0)).norm(), 1e-6);
 }
 
-TEST(FitRing, TakesSmallRingsOfWholePixels) {
+TEST(FitRing, AcceptsSmallRingsOfIntegerPixels) {
   for (const double radius : {5.0, 6.0, 7.0, 9.0, 14.0}) {
     std::vector<Vector2d> points;
     for (double deg = 0.0; deg < 360.0; deg += 1.0) {
@@ -221,9 +221,9 @@ TEST(FitRing, TakesSmallRingsOfWholePixels) {
   }
 }
 
-TEST(FitRing, RefusesImpossibleSettings) {
-  EXPECT_THROW((RingFitConfig{.exact_px = 0.0}.Validate()), InputError);
-  EXPECT_THROW((RingFitConfig{.least_coverage = 1.1}.Validate()), InputError);
+TEST(FitRing, RejectsInvalidSettings) {
+  EXPECT_THROW((RingFitConfig{.tolerance_px = 0.0}.Validate()), InputError);
+  EXPECT_THROW((RingFitConfig{.min_coverage = 1.1}.Validate()), InputError);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ class PadPlaneTest : public testing::Test {
   const CirclePose pose_{X_CW_.linear().col(2), X_CW_.translation()};
 };
 
-TEST_F(PadPlaneTest, SeesItsPointsWhereTheCameraDoes) {
+TEST_F(PadPlaneTest, ProjectsPointsAsTheCameraDoes) {
   for (const int reduction : {1, 2, 4}) {
     const DownsampledCamera view{camera_, undistort_, reduction};
     const PadPlane plane(pose_, view);
@@ -28,12 +28,12 @@ TEST_F(PadPlaneTest, SeesItsPointsWhereTheCameraDoes) {
       ASSERT_TRUE(raw && pixel);
       EXPECT_LT((view.CameraPixel(*pixel) - *raw).norm(), 1e-9);
       EXPECT_LT((plane.PointAt(*pixel) - point).norm(), 1e-5);
-      EXPECT_LT((plane.PointAlong(plane.InCamera(point).hnormalized()) - point).norm(), 1e-12);
+      EXPECT_LT((plane.PointFromNormalized(plane.InCamera(point).hnormalized()) - point).norm(), 1e-12);
     }
   }
 }
 
-TEST_F(PadPlaneTest, LiesOnThePlaneOfTheRingAndTurnsLikeW) {
+TEST_F(PadPlaneTest, LiesOnThePlaneOfTheRingWithTheOrientationOfW) {
   const DownsampledCamera view{camera_, undistort_, 1};
   const PadPlane plane(pose_, view);
   EXPECT_LT((plane.InCamera(Vector2d::Zero()) - X_CW_.translation()).norm(), 1e-12);
@@ -42,15 +42,15 @@ TEST_F(PadPlaneTest, LiesOnThePlaneOfTheRingAndTurnsLikeW) {
   EXPECT_LT((x.cross(y) - X_CW_.linear().col(2)).norm(), 1e-12);
 }
 
-TEST_F(PadPlaneTest, SeesNothingBehindTheCamera) {
+TEST_F(PadPlaneTest, HasNoPixelForPointsBehindTheCamera) {
   const DownsampledCamera view{camera_, undistort_, 1};
   const CirclePose steep{Eigen::Vector3d(0.0, -0.8, -0.6), Eigen::Vector3d(0.0, 0.0, 0.3)};
   const PadPlane plane(steep, view);
-  int unseen = 0;
+  int not_visible = 0;
   for (const Vector2d& far : {Vector2d(9, 0), Vector2d(-9, 0), Vector2d(0, 9), Vector2d(0, -9)}) {
-    unseen += !plane.PixelAt(far);
+    not_visible += !plane.PixelAt(far);
   }
-  EXPECT_GT(unseen, 0);
+  EXPECT_GT(not_visible, 0);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ struct Artwork : LandingPad {
   models::PadOutline outline;
 };
 
-/// What is printed within the ring.
+/// Whether a point within the ring is black.
 using Black = std::function<bool(const Artwork&, const Vector2d&)>;
 
 bool OnStrokes(const LandingPad& pad, const Vector2d& p) {
@@ -35,14 +35,14 @@ struct View {
 
 class PadTemplateMatcherTest : public testing::Test {
  protected:
-  void Look(const View& view) {
+  void SetView(const View& view) {
     X_WC_ = tests::CameraAbovePad(Eigen::Vector3d::Zero(), kYaw, models::DegToRad(view.tilt_deg), 1.0);
     X_WC_.translation() = -view.distance * X_WC_.linear().col(2);
   }
 
-  /// A ring with `black` in it, from the ring's own pose.
+  /// Renders a ring with the artwork `black` and searches the template, given the true pose of the ring.
   std::optional<TemplateWarp> Find(const Black& black, const View& view = {}) {
-    Look(view);
+    SetView(view);
     tests::PadPicture picture{
         .noise_sigma = view.noise_sigma, .lens_blur_sigma_px = view.lens_blur_sigma_px, .letter = false};
     const Artwork pad(pad_);
@@ -56,20 +56,20 @@ class PadTemplateMatcherTest : public testing::Test {
     const models::Image image = tests::RenderPad(camera_, pad_, X_WC_, picture, &noise);
     const Eigen::Isometry3d X_CW = X_WC_.inverse();
     const CirclePose pose{X_CW.linear().col(2), X_CW.translation()};
-    const DownsampledCamera reduced{camera_, undistort_, 1};
-    const auto found = PadTemplateMatcher(pad_).Find(image.View(), PadPlane(pose, reduced));
-    return found ? std::optional(found->place) : std::nullopt;
+    const DownsampledCamera camera{camera_, undistort_, 1};
+    const auto match = PadTemplateMatcher(pad_).Find(image.View(), PadPlane(pose, camera));
+    return match ? std::optional(match->warp) : std::nullopt;
   }
 
-  /// Between the found direction of W's X axis and the true one, modulo a half turn, rad.
-  double AngleError(const TemplateWarp& place) const {
+  /// Error of the estimated direction of W's X axis, modulo 180 degrees, rad.
+  double AngleError(const TemplateWarp& warp) const {
     const Eigen::Isometry3d X_CW = X_WC_.inverse();
     const CirclePose pose{X_CW.linear().col(2), X_CW.translation()};
-    const DownsampledCamera reduced{camera_, undistort_, 1};
-    const PadPlane plane(pose, reduced);
+    const DownsampledCamera camera{camera_, undistort_, 1};
+    const PadPlane plane(pose, camera);
     const Eigen::Vector3d origin = plane.InCamera({0, 0}), x = plane.InCamera({1, 0}) - origin,
                           y = plane.InCamera({0, 1}) - origin, along = X_CW.linear().col(0);
-    return std::abs(models::WrapToHalfPi(place.angle - std::atan2(along.dot(y), along.dot(x))));
+    return std::abs(models::WrapToHalfPi(warp.angle - std::atan2(along.dot(y), along.dot(x))));
   }
 
   static constexpr double kYaw = 0.4;
@@ -79,21 +79,21 @@ class PadTemplateMatcherTest : public testing::Test {
   Eigen::Isometry3d X_WC_;
 };
 
-const Black kPrint = [](const Artwork& pad, const Vector2d& p) { return pad.outline.IsBlack(p); };
+const Black kDescribed = [](const Artwork& pad, const Vector2d& p) { return pad.outline.IsBlack(p); };
 
 TEST_F(PadTemplateMatcherTest, FindsTheHAndItsDirectionFromAnyDistanceAndTilt) {
   for (const View& view : {View{.distance = 0.25, .tilt_deg = 0.0}, View{.distance = 0.5, .tilt_deg = 30.0},
                            View{.distance = 0.5, .tilt_deg = 55.0}, View{.distance = 1.8, .tilt_deg = 10.0}}) {
-    const auto place = Find(kPrint, view);
-    ASSERT_TRUE(place) << view.distance << " m, " << view.tilt_deg;
-    EXPECT_LT(AngleError(*place), models::DegToRad(view.distance < 1.0 ? 1.0 : 3.0)) << view.distance;
-    EXPECT_LT(place->offset_m.norm(), 0.004);
-    EXPECT_NEAR(place->scale.x(), 1.0, 0.05);
-    EXPECT_NEAR(place->scale.y(), 1.0, 0.05);
+    const auto warp = Find(kDescribed, view);
+    ASSERT_TRUE(warp) << view.distance << " m, " << view.tilt_deg;
+    EXPECT_LT(AngleError(*warp), models::DegToRad(view.distance < 1.0 ? 1.0 : 3.0)) << view.distance;
+    EXPECT_LT(warp->offset_m.norm(), 0.004);
+    EXPECT_NEAR(warp->scale.x(), 1.0, 0.05);
+    EXPECT_NEAR(warp->scale.y(), 1.0, 0.05);
   }
 }
 
-TEST_F(PadTemplateMatcherTest, RefusesOtherLetters) {
+TEST_F(PadTemplateMatcherTest, RejectsOtherLetters) {
   const Black letter_n = [](const Artwork& pad, const Vector2d& p) {
     const double half_x = pad.h_height_m / 2, half_y = pad.h_width_m / 2 - pad.h_stroke_m / 2;
     const bool diagonal = std::abs(p.x()) < half_x && std::abs(p.y() - p.x() / half_x * half_y) < pad.h_stroke_m / 2;
@@ -115,143 +115,143 @@ TEST_F(PadTemplateMatcherTest, RefusesOtherLetters) {
   };
   const Black nothing = [](const Artwork&, const Vector2d&) { return false; };
   for (const double distance : {0.3, 0.8, 1.5}) {
-    for (const Black& print : {letter_n, letter_u, two_strokes, eight, cross, nothing}) {
-      EXPECT_FALSE(Find(print, {.distance = distance})) << distance;
+    for (const Black& artwork : {letter_n, letter_u, two_strokes, eight, cross, nothing}) {
+      EXPECT_FALSE(Find(artwork, {.distance = distance})) << distance;
     }
   }
 }
 
-TEST_F(PadTemplateMatcherTest, RefusesAnHOfAnotherSizeOrPlace) {
+TEST_F(PadTemplateMatcherTest, RejectsAnHOfWrongSizeOrPosition) {
   EXPECT_FALSE(Find([](const Artwork& pad, const Vector2d& p) { return pad.outline.IsLetter(p / 0.7); }));
   EXPECT_FALSE(Find([](const Artwork& pad, const Vector2d& p) { return pad.outline.IsLetter(p / 1.3); }));
   EXPECT_FALSE(
       Find([](const Artwork& pad, const Vector2d& p) { return pad.outline.IsLetter(p - Vector2d(0.0, 0.02)); }));
 }
 
-TEST_F(PadTemplateMatcherTest, FindsAnHThatGlareBreaks) {
+TEST_F(PadTemplateMatcherTest, FindsAnHBrokenByGlare) {
   const auto glare = [](double gray, const Vector2d& p) {
     return (p - Vector2d(0.032, 0.02)).norm() < 0.012 ? 225.0 : gray;
   };
-  const auto place = Find(kPrint, {.light = glare});
-  ASSERT_TRUE(place);
-  EXPECT_LT(AngleError(*place), models::DegToRad(2.0));
+  const auto warp = Find(kDescribed, {.light = glare});
+  ASSERT_TRUE(warp);
+  EXPECT_LT(AngleError(*warp), models::DegToRad(2.0));
 }
 
-TEST_F(PadTemplateMatcherTest, FindsAnHHalfInShadow) {
+TEST_F(PadTemplateMatcherTest, FindsAnHPartlyInShadow) {
   const auto shadow = [](double gray, const Vector2d& p) { return p.x() + p.y() > 0.01 ? 0.5 * gray : gray; };
-  EXPECT_TRUE(Find(kPrint, {.light = shadow}));
+  EXPECT_TRUE(Find(kDescribed, {.light = shadow}));
 }
 
 TEST_F(PadTemplateMatcherTest, FindsASquareHAndItsDirection) {
   pad_.h_height_m = pad_.h_width_m = 0.08;
-  const auto place = Find(kPrint);
-  ASSERT_TRUE(place);
-  EXPECT_LT(AngleError(*place), models::DegToRad(1.0));
+  const auto warp = Find(kDescribed);
+  ASSERT_TRUE(warp);
+  EXPECT_LT(AngleError(*warp), models::DegToRad(1.0));
 }
 
-TEST_F(PadTemplateMatcherTest, KnowsWhetherThePrintIsAtAPlace) {
-  Look({});
+TEST_F(PadTemplateMatcherTest, MatchesAtTheTrueOrientationOnly) {
+  SetView({});
   const models::Image image = tests::RenderPad(camera_, pad_, X_WC_);
   const Eigen::Isometry3d X_CW = X_WC_.inverse();
-  const DownsampledCamera reduced{camera_, undistort_, 1};
-  const PadPlane plane({X_CW.linear().col(2), X_CW.translation()}, reduced);
-  const PadTemplateMatcher print(pad_);
-  const auto found = print.Find(image.View(), plane);
-  ASSERT_TRUE(found);
-  EXPECT_GT(found->zncc, 0.9);
-  const double angle = found->place.angle;
-  const auto turned = [&](double by_deg) { return TemplateWarp{.angle = angle + models::DegToRad(by_deg)}; };
-  for (const double by_deg : {0.0, 3.0, -3.0, 180.0}) {
-    EXPECT_TRUE(print.IsAt(image.View(), plane, std::vector{turned(by_deg)})) << by_deg;
+  const DownsampledCamera camera{camera_, undistort_, 1};
+  const PadPlane plane({X_CW.linear().col(2), X_CW.translation()}, camera);
+  const PadTemplateMatcher matcher(pad_);
+  const auto match = matcher.Find(image.View(), plane);
+  ASSERT_TRUE(match);
+  EXPECT_GT(match->zncc, 0.9);
+  const double angle = match->warp.angle;
+  const auto rotated = [&](double angle_deg) { return TemplateWarp{.angle = angle + models::DegToRad(angle_deg)}; };
+  for (const double angle_deg : {0.0, 3.0, -3.0, 180.0}) {
+    EXPECT_TRUE(matcher.MatchesAt(image.View(), plane, std::vector{rotated(angle_deg)})) << angle_deg;
   }
-  for (const double by_deg : {25.0, -25.0, 90.0}) {
-    EXPECT_FALSE(print.IsAt(image.View(), plane, std::vector{turned(by_deg)})) << by_deg;
+  for (const double angle_deg : {25.0, -25.0, 90.0}) {
+    EXPECT_FALSE(matcher.MatchesAt(image.View(), plane, std::vector{rotated(angle_deg)})) << angle_deg;
   }
-  EXPECT_TRUE(print.IsAt(image.View(), plane, std::vector{turned(90.0), turned(0.0)}));
-  EXPECT_FALSE(print.IsAt(image.View(), plane, std::vector{turned(90.0), turned(25.0)}));
-  EXPECT_FALSE(print.IsAt(image.View(), plane, {}));
+  EXPECT_TRUE(matcher.MatchesAt(image.View(), plane, std::vector{rotated(90.0), rotated(0.0)}));
+  EXPECT_FALSE(matcher.MatchesAt(image.View(), plane, std::vector{rotated(90.0), rotated(25.0)}));
+  EXPECT_FALSE(matcher.MatchesAt(image.View(), plane, {}));
 }
 
-TEST_F(PadTemplateMatcherTest, FindsAPadWhoseMarksLieAllAlongTheRing) {
+TEST_F(PadTemplateMatcherTest, FindsAPadWithMarkingsAllAroundTheRing) {
   for (int i = 0; i < 10; ++i) {
     const double angle = 2.0 * models::kPi * i / 10.0;
     pad_.marks.push_back({.center_m = 0.064 * Vector2d(std::cos(angle), std::sin(angle)), .diameter_m = 0.014});
   }
   pad_.Validate();
-  EXPECT_TRUE(Find(kPrint));
+  EXPECT_TRUE(Find(kDescribed));
 }
 
-TEST_F(PadTemplateMatcherTest, FindsThinAndFatAndFlatHs) {
-  const LandingPad usual = pad_;
+TEST_F(PadTemplateMatcherTest, FindsThinThickAndWideHs) {
+  const LandingPad nominal = pad_;
   pad_.h_stroke_m = 0.0025;
-  EXPECT_TRUE(Find(kPrint, {.distance = 0.25, .noise_sigma = 0.0, .lens_blur_sigma_px = 0.3})) << "thin";
+  EXPECT_TRUE(Find(kDescribed, {.distance = 0.25, .noise_sigma = 0.0, .lens_blur_sigma_px = 0.3})) << "thin";
   pad_.h_stroke_m = 0.026;
-  EXPECT_TRUE(Find(kPrint, {.distance = 0.25})) << "fat";
-  pad_ = usual;
+  EXPECT_TRUE(Find(kDescribed, {.distance = 0.25})) << "thick";
+  pad_ = nominal;
   std::swap(pad_.h_height_m, pad_.h_width_m);
-  EXPECT_TRUE(Find(kPrint)) << "flat";
-  pad_ = usual;
+  EXPECT_TRUE(Find(kDescribed)) << "wide";
+  pad_ = nominal;
   pad_.ring_width_m = 0.003;
-  EXPECT_TRUE(Find(kPrint)) << "in a thin ring";
+  EXPECT_TRUE(Find(kDescribed)) << "in a thin ring";
 }
 
 TEST_F(PadTemplateMatcherTest, FindsARectangleAndItsDirection) {
   pad_.h_stroke_m = 0.5 * pad_.h_width_m;
   for (const View& view : {View{.distance = 0.25, .tilt_deg = 0.0}, View{.distance = 0.5, .tilt_deg = 30.0},
                            View{.distance = 0.5, .tilt_deg = 55.0}, View{.distance = 1.8, .tilt_deg = 10.0}}) {
-    const auto place = Find(kPrint, view);
-    ASSERT_TRUE(place) << view.distance << " m, " << view.tilt_deg;
-    EXPECT_LT(AngleError(*place), models::DegToRad(view.distance < 1.0 ? 1.0 : 3.0)) << view.distance;
+    const auto warp = Find(kDescribed, view);
+    ASSERT_TRUE(warp) << view.distance << " m, " << view.tilt_deg;
+    EXPECT_LT(AngleError(*warp), models::DegToRad(view.distance < 1.0 ? 1.0 : 3.0)) << view.distance;
   }
 }
 
-TEST_F(PadTemplateMatcherTest, RefusesWhatIsNoSolidRectangle) {
+TEST_F(PadTemplateMatcherTest, RejectsShapesOtherThanASolidRectangle) {
   pad_.h_stroke_m = 0.5 * pad_.h_width_m;
-  LandingPad fat;
-  fat.h_stroke_m = 0.34 * fat.h_width_m;
-  const Black h = [usual = models::PadOutline({})](const Artwork&, const Vector2d& p) { return usual.IsLetter(p); };
-  const Black fat_h = [outline = models::PadOutline(fat)](const Artwork&, const Vector2d& p) {
+  LandingPad thick;
+  thick.h_stroke_m = 0.34 * thick.h_width_m;
+  const Black h = [nominal = models::PadOutline({})](const Artwork&, const Vector2d& p) { return nominal.IsLetter(p); };
+  const Black thick_h = [outline = models::PadOutline(thick)](const Artwork&, const Vector2d& p) {
     return outline.IsLetter(p);
   };
   const Black frame = [](const Artwork& pad, const Vector2d& p) {
     return pad.outline.IsLetter(p) && !pad.outline.IsLetter(p / 0.7);
   };
-  const Black ellipse = [](const Artwork& pad, const Vector2d& p) {  // As large as the rectangle.
+  const Black ellipse = [](const Artwork& pad, const Vector2d& p) {  // Same area as the rectangle.
     return p.cwiseQuotient(Vector2d(pad.h_height_m, pad.h_width_m)).norm() < 1.0 / std::sqrt(models::kPi);
   };
   const Black disc = [](const Artwork&, const Vector2d& p) { return p.norm() < 0.042; };
   const Black triangle = [](const Artwork& pad, const Vector2d& p) {
-    const double share = (p.x() / pad.h_height_m + 0.5);
-    return share > 0.0 && share < 1.0 && std::abs(p.y()) < pad.h_width_m * share;
+    const double fraction = (p.x() / pad.h_height_m + 0.5);
+    return fraction > 0.0 && fraction < 1.0 && std::abs(p.y()) < pad.h_width_m * fraction;
   };
   const Black nothing = [](const Artwork&, const Vector2d&) { return false; };
   for (const double distance : {0.3, 0.8, 1.5}) {
     int i = 0;
-    for (const Black& print : {h, fat_h, frame, ellipse, disc, triangle, nothing}) {
-      EXPECT_FALSE(Find(print, {.distance = distance})) << distance << " " << i;
+    for (const Black& artwork : {h, thick_h, frame, ellipse, disc, triangle, nothing}) {
+      EXPECT_FALSE(Find(artwork, {.distance = distance})) << distance << " " << i;
       ++i;
     }
   }
 }
 
-TEST_F(PadTemplateMatcherTest, ExpectsTheMarksThatAreDescribed) {
+TEST_F(PadTemplateMatcherTest, RequiresTheDescribedMarkings) {
   // A bar that joins the upper ends of the strokes makes the H an A.
   pad_.marks = {models::PadMark{
       .shape = models::PadMark::Shape::kBar, .center_m = {0.042, 0.0}, .length_m = 0.016, .width_m = 0.03}};
   pad_.Validate();
-  EXPECT_TRUE(Find(kPrint));
+  EXPECT_TRUE(Find(kDescribed));
   EXPECT_FALSE(Find([](const Artwork& pad, const Vector2d& p) { return pad.outline.IsLetter(p); }));
 }
 
-TEST_F(PadTemplateMatcherTest, MindsNoMarkBesideTheH) {
+TEST_F(PadTemplateMatcherTest, IgnoresAnUndescribedMarkingBesideTheH) {
   const Black dotted = [](const Artwork& pad, const Vector2d& p) {
     return pad.outline.IsLetter(p) || (p - Vector2d(0.0, 0.045)).norm() < 0.01;
   };
   EXPECT_TRUE(Find(dotted));
 }
 
-TEST_F(PadTemplateMatcherTest, RefusesAFrameThatIsNoRing) {
-  Look({});
+TEST_F(PadTemplateMatcherTest, RejectsASquareFrame) {
+  SetView({});
   const models::PadOutline outline(pad_);
   tests::PadPicture picture{.noise_sigma = 0.0};
   picture.paint = [&](const Vector2d& p) -> std::optional<double> {
@@ -262,13 +262,13 @@ TEST_F(PadTemplateMatcherTest, RefusesAFrameThatIsNoRing) {
   const models::Image image = tests::RenderPad(camera_, pad_, X_WC_, picture);
   const Eigen::Isometry3d X_CW = X_WC_.inverse();
   const CirclePose pose{X_CW.linear().col(2), X_CW.translation()};
-  const DownsampledCamera reduced{camera_, undistort_, 1};
-  EXPECT_FALSE(PadTemplateMatcher(pad_).Find(image.View(), PadPlane(pose, reduced)));
+  const DownsampledCamera camera{camera_, undistort_, 1};
+  EXPECT_FALSE(PadTemplateMatcher(pad_).Find(image.View(), PadPlane(pose, camera)));
 }
 
-TEST_F(PadTemplateMatcherTest, RefusesImpossibleSettings) {
-  EXPECT_THROW((TemplateMatcherConfig{.least_bar = 0.0}.Validate()), InputError);
-  EXPECT_THROW((TemplateMatcherConfig{.least_between_strokes = 1.1}.Validate()), InputError);
+TEST_F(PadTemplateMatcherTest, RejectsInvalidSettings) {
+  EXPECT_THROW((TemplateMatcherConfig{.min_bar = 0.0}.Validate()), InputError);
+  EXPECT_THROW((TemplateMatcherConfig{.min_between_strokes = 1.1}.Validate()), InputError);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ std::vector<Vector2d> NoisyPoints(const Ellipse& ellipse, int count, double nois
   return points;
 }
 
-TEST(EllipseParameters, AreTheInverseOfTheirEllipse) {
+TEST(EllipseParameters, ConvertToAnEllipseAndBack) {
   const Ellipse ellipse{{12.0, 34.0}, {50.0, 20.0}, -0.7};
   const auto again = EllipseOf(ParametersOf(ellipse));
   ASSERT_TRUE(again);
@@ -40,7 +40,7 @@ TEST(EllipseParameters, AreTheInverseOfTheirEllipse) {
   EXPECT_FALSE(EllipseOf(flat));
 }
 
-TEST(EllipseCovariance, IsTheScatterOfFitsToIndependentPoints) {
+TEST(EllipseCovariance, MatchesTheScatterOfFitsToIndependentPoints) {
   models::RandomStream random(1, "tests.pose_covariance");
   const PoseCovarianceConfig config{.points_per_independent_point = 1.0};
   for (const Ellipse& truth :
@@ -56,12 +56,12 @@ TEST(EllipseCovariance, IsTheScatterOfFitsToIndependentPoints) {
       const EllipseParameters error = ParametersOf(*fit) - ParametersOf(truth);
       normalized_square += error.dot(covariance->ldlt().solve(error)) / kFits;
     }
-    // Chi-square with five degrees of freedom: 5 on average, give or take 0.16 over 400 fits.
+    // Chi-square with five degrees of freedom: mean 5, standard deviation 0.16 over 400 fits.
     EXPECT_NEAR(normalized_square, 5.0, 0.8);
   }
 }
 
-TEST(EllipseCovariance, NeedsPointsAllAround) {
+TEST(EllipseCovariance, GrowsWhenPointsCoverOnlyAnArc) {
   models::RandomStream random(2, "tests.pose_covariance");
   const Ellipse ellipse{{0.0, 0.0}, {30.0, 20.0}, 0.0};
   auto points = NoisyPoints(ellipse, 180, 0.1, random);
@@ -75,29 +75,29 @@ TEST(EllipseCovariance, NeedsPointsAllAround) {
   EXPECT_FALSE(EllipseCovariance(ellipse, std::vector<Vector2d>(50, points[0])));
 }
 
-TEST(PoseCovariance, CarriesALinearMapExactly) {
+TEST(PoseCovariance, PropagatesALinearMapExactly) {
   const Ellipse ring{{320.0, 240.0}, {30.0, 25.0}, 0.0};
   Eigen::Matrix<double, 5, 5> covariance = Eigen::Matrix<double, 5, 5>::Zero();
   covariance.diagonal() << 0.04, 0.09, 1.0, 1.0, 1.0;
   covariance(0, 1) = covariance(1, 0) = 0.02;
-  const PoseCovarianceConfig config{.smallest_position_sigma_m = 1e-9, .smallest_angle_sigma_rad = 1e-9};
+  const PoseCovarianceConfig config{.added_position_sigma_m = 1e-9, .added_angle_sigma_rad = 1e-9};
   const auto pose_of = [&](const Ellipse& ellipse, double angle) -> std::optional<Eigen::Isometry3d> {
     Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
     X.translation() << 0.01 * (ellipse.center - ring.center), 0.0;
     X.linear() = models::RotationExp({0.0, 0.0, angle});
     return X;
   };
-  const auto carried = PoseCovariance(ring, covariance, 0.0, 0.03, Eigen::Isometry3d::Identity(), pose_of, config);
-  ASSERT_TRUE(carried);
-  EXPECT_NEAR((*carried)(0, 0), 1e-4 * 0.04, 1e-9);
-  EXPECT_NEAR((*carried)(0, 1), 1e-4 * 0.02, 1e-9);
-  EXPECT_NEAR((*carried)(1, 1), 1e-4 * 0.09, 1e-9);
-  EXPECT_NEAR((*carried)(5, 5), 0.03 * 0.03, 1e-9);
-  EXPECT_NEAR((*carried)(2, 2), 0.0, 1e-9);
+  const auto propagated = PoseCovariance(ring, covariance, 0.0, 0.03, Eigen::Isometry3d::Identity(), pose_of, config);
+  ASSERT_TRUE(propagated);
+  EXPECT_NEAR((*propagated)(0, 0), 1e-4 * 0.04, 1e-9);
+  EXPECT_NEAR((*propagated)(0, 1), 1e-4 * 0.02, 1e-9);
+  EXPECT_NEAR((*propagated)(1, 1), 1e-4 * 0.09, 1e-9);
+  EXPECT_NEAR((*propagated)(5, 5), 0.03 * 0.03, 1e-9);
+  EXPECT_NEAR((*propagated)(2, 2), 0.0, 1e-9);
 }
 
-/// The claimed variance of x, a centimeter per pixel of the ellipse's place along u (1-sigma 1 px), when ellipses more
-/// than `limit_px` to the right of the mean have no pose.
+/// Variance of x for a pose with x = 0.01 m per px of the ellipse's center along u, which has a standard deviation of 1
+/// px. Ellipses more than `limit_px` to the right of the mean have no pose.
 std::optional<double> VarianceWithPosesUpTo(double limit_px) {
   const Ellipse ring{{320.0, 240.0}, {30.0, 25.0}, 0.0};
   Eigen::Matrix<double, 5, 5> covariance = 1e-6 * Eigen::Matrix<double, 5, 5>::Identity();
@@ -109,10 +109,10 @@ std::optional<double> VarianceWithPosesUpTo(double limit_px) {
     X.translation() << 0.01 * u, 0.0, 0.0;
     return X;
   };
-  const auto carried = PoseCovariance(ring, covariance, 0.0, 0.03, Eigen::Isometry3d::Identity(), pose_of,
-                                      {.smallest_position_sigma_m = 1e-9, .smallest_angle_sigma_rad = 1e-9});
-  if (!carried) return std::nullopt;
-  return (*carried)(0, 0);
+  const auto propagated = PoseCovariance(ring, covariance, 0.0, 0.03, Eigen::Isometry3d::Identity(), pose_of,
+                                         {.added_position_sigma_m = 1e-9, .added_angle_sigma_rad = 1e-9});
+  if (!propagated) return std::nullopt;
+  return (*propagated)(0, 0);
 }
 
 TEST(PoseCovariance, DoesNotShrinkWhereFarSigmaPointsHaveNoPose) {
@@ -123,11 +123,9 @@ TEST(PoseCovariance, DoesNotShrinkWhereFarSigmaPointsHaveNoPose) {
   }
 }
 
-TEST(PoseCovariance, IsNotClaimedWhereEvenTheNearestSigmaPointsHaveNoPose) {
-  EXPECT_FALSE(VarianceWithPosesUpTo(0.01));
-}
+TEST(PoseCovariance, ReturnsNulloptWhenTheNearestSigmaPointsHaveNoPose) { EXPECT_FALSE(VarianceWithPosesUpTo(0.01)); }
 
-TEST(WrongBranchCovariance, IsTheSquareOfTheDifferenceTimesItsChance) {
+TEST(WrongBranchCovariance, IsTheSquareOfTheDifferenceTimesTheProbability) {
   Eigen::Isometry3d other = Eigen::Isometry3d::Identity();
   other.translation() << 0.1, 0.0, 0.0;
   other.linear() = models::RotationExp({0.0, 0.2, 0.0});
@@ -138,7 +136,7 @@ TEST(WrongBranchCovariance, IsTheSquareOfTheDifferenceTimesItsChance) {
   EXPECT_NEAR(added(1, 1), 0.0, 1e-12);
 }
 
-TEST(StrokeSigma, GrowsWithNoiseAndWithWhatIsNotRectified) {
+TEST(StrokeSigma, GrowsWithNoiseAndWithTheAngleNotRectified) {
   const Ellipse letter{{0.0, 0.0}, {16.0, 9.0}, 0.0};
   const double good = StrokeSigma(letter, 150, 0.05, 0.0);
   EXPECT_LT(good, models::DegToRad(2.0));
@@ -146,7 +144,7 @@ TEST(StrokeSigma, GrowsWithNoiseAndWithWhatIsNotRectified) {
   EXPECT_GE(StrokeSigma(letter, 150, 0.05, 0.2), 0.2);
 }
 
-TEST(PoseCovarianceConfig, RefusesImpossibleSettings) {
+TEST(PoseCovarianceConfig, RejectsInvalidSettings) {
   EXPECT_THROW(PoseCovarianceConfig{.letter_sigma_rad = 0.0}.Validate(), InputError);
 }
 

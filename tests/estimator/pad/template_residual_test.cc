@@ -13,21 +13,21 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// A pad 0.8 m in front of the camera, tilted by `tilt` about X and turned in its plane.
+/// A pad 0.8 m in front of the camera, tilted by `tilt` about X and rotated by `rotation` in its plane.
 struct TiltedPad {
-  explicit TiltedPad(double tilt, double turn = 0.4) {
+  explicit TiltedPad(double tilt, double rotation = 0.4) {
     const Eigen::Matrix3d facing = Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();
-    R_CW = models::RotationExp({tilt, 0.0, 0.0}) * facing * models::RotationExp({0.0, 0.0, turn});
+    R_CW = models::RotationExp({tilt, 0.0, 0.0}) * facing * models::RotationExp({0.0, 0.0, rotation});
     pose.n_C = R_CW.col(2);
     pose.p_CW = {0.05, -0.03, 0.8};
   }
-  Vector2d Seen(double x, double y) const { return (R_CW * Vector3d(x, y, 0.0) + pose.p_CW).hnormalized(); }
+  Vector2d Project(double x, double y) const { return (R_CW * Vector3d(x, y, 0.0) + pose.p_CW).hnormalized(); }
 
   std::vector<Vector2d> InnerEdge() const {
     std::vector<Vector2d> points;
     for (int i = 0; i < 120; ++i) {
       const double t = models::kPi * i / 60.0;
-      points.push_back(Seen(pad.inner_radius_m() * std::cos(t), pad.inner_radius_m() * std::sin(t)));
+      points.push_back(Project(pad.inner_radius_m() * std::cos(t), pad.inner_radius_m() * std::sin(t)));
     }
     return points;
   }
@@ -35,9 +35,9 @@ struct TiltedPad {
     std::vector<Vector2d> points;
     const double x = 0.5 * pad.h_height_m, y = 0.5 * pad.h_width_m, inner_y = y - pad.h_stroke_m;
     for (const double side : {-1.0, 1.0}) {
-      for (int i = 0; i <= 40; ++i) points.push_back(Seen(x * (i / 20.0 - 1.0), side * y));
-      for (int i = 0; i <= 8; ++i) points.push_back(Seen(x, side * (inner_y + i / 8.0 * pad.h_stroke_m)));
-      for (int i = 0; i <= 8; ++i) points.push_back(Seen(-x, side * (inner_y + i / 8.0 * pad.h_stroke_m)));
+      for (int i = 0; i <= 40; ++i) points.push_back(Project(x * (i / 20.0 - 1.0), side * y));
+      for (int i = 0; i <= 8; ++i) points.push_back(Project(x, side * (inner_y + i / 8.0 * pad.h_stroke_m)));
+      for (int i = 0; i <= 8; ++i) points.push_back(Project(-x, side * (inner_y + i / 8.0 * pad.h_stroke_m)));
     }
     return points;
   }
@@ -47,35 +47,36 @@ struct TiltedPad {
   CirclePose pose;
 };
 
-TEST(TemplateResidual, IsNothingAtThePoseFromWhichThePadIsSeen) {
-  for (const double turn : {0.0, 0.4, 1.5, 3.0}) {
-    const TiltedPad seen(0.5, turn);
-    const TemplateResidual residual = ResidualOfTemplate(seen.InnerEdge(), seen.Letter(), seen.pad, seen.pose);
-    EXPECT_LT(residual.rms_m, 2e-5) << turn;
-    EXPECT_EQ(residual.points, seen.InnerEdge().size() + seen.Letter().size());
+TEST(TemplateResidual, IsZeroAtTheTruePose) {
+  for (const double rotation : {0.0, 0.4, 1.5, 3.0}) {
+    const TiltedPad pad_view(0.5, rotation);
+    const TemplateResidual residual =
+        ResidualOfTemplate(pad_view.InnerEdge(), pad_view.Letter(), pad_view.pad, pad_view.pose);
+    EXPECT_LT(residual.rms_m, 2e-5) << rotation;
+    EXPECT_EQ(residual.points, pad_view.InnerEdge().size() + pad_view.Letter().size());
   }
 }
 
-TEST(TemplateResidual, IsLargerAtThePoseTiltedToTheOtherSide) {
-  const TiltedPad seen(0.5), mirrored(-0.5);
-  EXPECT_GT(ResidualOfTemplate(seen.InnerEdge(), seen.Letter(), seen.pad, mirrored.pose).rms_m, 5e-4);
+TEST(TemplateResidual, IsLargerAtTheOppositeTilt) {
+  const TiltedPad pad_view(0.5), mirrored(-0.5);
+  EXPECT_GT(ResidualOfTemplate(pad_view.InnerEdge(), pad_view.Letter(), pad_view.pad, mirrored.pose).rms_m, 5e-4);
 }
 
-TEST(TemplateResidual, IsTheDistanceByWhichThePrintIsOff) {
-  const TiltedPad seen(0.0);
-  std::vector<Vector2d> wider = seen.InnerEdge();
-  for (Vector2d& point : wider) point += 0.002 / 0.8 * (point - seen.Seen(0.0, 0.0)).normalized();
-  EXPECT_NEAR(ResidualOfTemplate(wider, {}, seen.pad, seen.pose).rms_m, 0.002, 1e-5);
+TEST(TemplateResidual, EqualsTheOffsetOfTheArtwork) {
+  const TiltedPad pad_view(0.0);
+  std::vector<Vector2d> wider = pad_view.InnerEdge();
+  for (Vector2d& point : wider) point += 0.002 / 0.8 * (point - pad_view.Project(0.0, 0.0)).normalized();
+  EXPECT_NEAR(ResidualOfTemplate(wider, {}, pad_view.pad, pad_view.pose).rms_m, 0.002, 1e-5);
 }
 
-TEST(TemplateResidual, CountsAPointFarOffAsHalfAStroke) {
-  const TiltedPad seen(0.0);
-  const std::vector<Vector2d> stray{seen.Seen(0.0, 0.0)};
-  EXPECT_NEAR(ResidualOfTemplate(stray, {}, seen.pad, seen.pose).rms_m, 0.5 * seen.pad.h_stroke_m, 1e-12);
-  EXPECT_EQ(ResidualOfTemplate({}, {}, seen.pad, seen.pose).points, 0u);
+TEST(TemplateResidual, LimitsDistancesToHalfAStroke) {
+  const TiltedPad pad_view(0.0);
+  const std::vector<Vector2d> stray{pad_view.Project(0.0, 0.0)};
+  EXPECT_NEAR(ResidualOfTemplate(stray, {}, pad_view.pad, pad_view.pose).rms_m, 0.5 * pad_view.pad.h_stroke_m, 1e-12);
+  EXPECT_EQ(ResidualOfTemplate({}, {}, pad_view.pad, pad_view.pose).points, 0u);
 }
 
-TEST(TemplateResidual, LeavesLittleDoubtOnceOneIsClearlyLarger) {
+TEST(WrongBranchProbability, DecreasesWithTheRatioOfTheResiduals) {
   EXPECT_DOUBLE_EQ(WrongBranchProbability({0.001, 300}, {0.001, 300}), 0.5);
   EXPECT_DOUBLE_EQ(WrongBranchProbability({}, {}), 0.5);
   // Ten independent points with twice the sigma: (1/2)^10 against 1.

@@ -16,7 +16,7 @@ Vector2d Undistorted(const models::CameraModel& camera, const Vector2d& pixel) {
   return camera.PixelFromNormalized(*camera.Undistort(camera.NormalizedFromPixel(pixel)));
 }
 
-TEST(UndistortTable, BringsEveryPointWithinATenthOfAHundredthOfAPixel) {
+TEST(UndistortTable, IsAccurateTo1000thOfAPixel) {
   models::CameraModel strong;
   strong.k1 = -0.283;
   strong.k2 = 0.074;
@@ -31,7 +31,7 @@ TEST(UndistortTable, BringsEveryPointWithinATenthOfAHundredthOfAPixel) {
   }
 }
 
-TEST(UndistortTable, UndoesWhatTheCameraModelDoes) {
+TEST(UndistortTable, InvertsTheCameraModel) {
   const models::CameraModel camera;
   const UndistortTable table(camera);
   const Eigen::Vector3d p_C(0.4, -0.3, 0.9);
@@ -40,7 +40,7 @@ TEST(UndistortTable, UndoesWhatTheCameraModelDoes) {
   EXPECT_LT((table.At(*raw) - camera.PixelFromNormalized(p_C.hnormalized())).norm(), 0.001);
 }
 
-TEST(UndistortTable, LeavesAPinholesPixelsWhereTheyAre) {
+TEST(UndistortTable, IsTheIdentityForAPinholeCamera) {
   models::CameraModel camera;
   camera.k1 = camera.k2 = 0.0;
   const UndistortTable table(camera);
@@ -49,7 +49,7 @@ TEST(UndistortTable, LeavesAPinholesPixelsWhereTheyAre) {
   }
 }
 
-TEST(UndistortTable, ContinuesToTheRimOfTheOutermostPixels) {
+TEST(UndistortTable, ExtrapolatesToTheImageBorder) {
   const models::CameraModel camera;
   const UndistortTable table(camera);
   for (const Vector2d& pixel : {Vector2d(-0.5, -0.5), Vector2d(639.5, 479.5), Vector2d(-0.5, 300.0)}) {
@@ -57,7 +57,7 @@ TEST(UndistortTable, ContinuesToTheRimOfTheOutermostPixels) {
   }
 }
 
-TEST(UndistortTable, TakesAnImageOfOnePixelAndRefusesALensThatFolds) {
+TEST(UndistortTable, AcceptsOnePixelAndRejectsADistortionThatFolds) {
   models::CameraModel camera;
   camera.width_px = camera.height_px = 1;
   camera.cx_px = camera.cy_px = 0.0;

@@ -19,7 +19,7 @@ models::Image RandomImage(int width, int height, std::uint64_t seed) {
   return image;
 }
 
-/// How far the pixel is below its threshold, by the definition, summing up the window pixel by pixel.
+/// Threshold minus gray value of a pixel, computed from the definition without an integral image.
 double Darkness(const models::ImageView& image, int u, int v, const BinarizeConfig& config) {
   double sum = 0.0;
   int count = 0;
@@ -31,7 +31,7 @@ double Darkness(const models::ImageView& image, int u, int v, const BinarizeConf
   return (1.0 - config.relative_margin) * sum / count - config.absolute_margin - image.At(u, v);
 }
 
-TEST(Binarize, ComparesEveryPixelWithTheMeanOfItsWindowClippedAtTheBorders) {
+TEST(Binarize, ComparesPixelsWithTheMeanOfTheClippedWindow) {
   const BinarizeConfig config{.window_px = 9};
   for (const auto& [width, height] : {std::pair{40, 30}, {5, 40}, {40, 3}, {9, 9}, {1, 1}}) {
     const models::Image image = RandomImage(width, height, static_cast<std::uint64_t>(width));
@@ -48,7 +48,7 @@ TEST(Binarize, ComparesEveryPixelWithTheMeanOfItsWindowClippedAtTheBorders) {
   }
 }
 
-TEST(Binarize, ReadsRowsByTheirStride) {
+TEST(Binarize, UsesTheStride) {
   const models::Image whole = RandomImage(60, 40, 3);
   models::Image part(35, 40);
   for (int v = 0; v < 40; ++v) std::copy_n(whole.View().Row(v) + 7, 35, part.Row(v));
@@ -56,7 +56,7 @@ TEST(Binarize, ReadsRowsByTheirStride) {
   EXPECT_EQ(Binarize(view).pixels, Binarize(part.View()).pixels);
 }
 
-TEST(Binarize, FindsNothingDarkInNoiseOnAnEvenWall) {
+TEST(Binarize, FindsNoDarkPixelsInNoise) {
   models::RandomStream random(4, "tests.binarize");
   models::Image image(320, 240);
   for (auto& pixel : image.pixels) {
@@ -66,7 +66,7 @@ TEST(Binarize, FindsNothingDarkInNoiseOnAnEvenWall) {
   EXPECT_EQ(std::count(dark.pixels.begin(), dark.pixels.end(), 255), 0);
 }
 
-TEST(Binarize, KeepsThePadsStrokesWholeAtTheLowestHeight) {
+TEST(Binarize, KeepsTheStrokesSolidAtTheLowestHeight) {
   const models::CameraModel camera;
   const models::LandingPad pad;
   const models::PadOutline outline(pad);
@@ -89,7 +89,7 @@ TEST(Binarize, KeepsThePadsStrokesWholeAtTheLowestHeight) {
   EXPECT_LT(false_dark, 0.03 * black);
 }
 
-TEST(Binarize, RefusesImpossibleSettings) {
+TEST(Binarize, RejectsInvalidSettings) {
   EXPECT_THROW(BinarizeConfig{.window_px = 10}.Validate(), InputError);
   EXPECT_THROW(BinarizeConfig{.window_px = -1}.Validate(), InputError);
   EXPECT_THROW(BinarizeConfig{.window_px = 257}.Validate(), InputError);

@@ -28,7 +28,7 @@ void FillBox(models::Image& dark, int u, int v, int width, int height) {
   for (int row = v; row < v + height; ++row) std::fill_n(dark.Row(row) + u, width, std::uint8_t{255});
 }
 
-/// The pattern of the one component of `dark`.
+/// Pattern of the only component of `dark`.
 Pattern PatternOfOnly(const models::Image& dark) {
   const ComponentSet set = ExtractComponents(dark.View());
   EXPECT_EQ(set.components.size(), 1u);
@@ -41,7 +41,7 @@ float At(const Pattern& pattern, int row, int column) {
 
 double Sum(const Pattern& pattern) { return std::accumulate(pattern.begin(), pattern.end(), 0.0); }
 
-TEST(PatternOf, IsOneAllOverForAFullBoxOfAnySize) {
+TEST(PatternOf, IsOneEverywhereForAFilledBox) {
   for (const auto& [width, height] : {std::pair{14, 14}, {28, 28}, {7, 28}, {28, 7}, {100, 100}, {9, 13}, {61, 17}}) {
     models::Image dark = Blank();
     FillBox(dark, 20, 10, width, height);
@@ -49,8 +49,8 @@ TEST(PatternOf, IsOneAllOverForAFullBoxOfAnySize) {
   }
 }
 
-TEST(PatternOf, GivesTheShareOfEachCellThatIsCovered) {
-  // An L of 28 x 28 pixels, two to a cell: the left column of pixels and the bottom row.
+TEST(PatternOf, ComputesTheCoveredFractionOfEachCell) {
+  // An L of 28 x 28 pixels, the left column and the bottom row. A cell is 2 x 2 pixels.
   models::Image dark = Blank();
   FillBox(dark, 20, 10, 1, 28);
   FillBox(dark, 20, 37, 28, 1);
@@ -62,8 +62,8 @@ TEST(PatternOf, GivesTheShareOfEachCellThatIsCovered) {
   EXPECT_FLOAT_EQ(At(pattern, 5, 5), 0.0F);
 }
 
-TEST(PatternOf, SpreadsAPixelOverTheCellsThatItCovers) {
-  // An L of 7 x 28 pixels: a pixel is two cells wide and half a cell high.
+TEST(PatternOf, DistributesAPixelOverItsCells) {
+  // An L of 7 x 28 pixels. A pixel is two cells wide and half a cell high.
   models::Image dark = Blank();
   FillBox(dark, 20, 10, 1, 28);
   FillBox(dark, 20, 37, 7, 1);
@@ -74,7 +74,7 @@ TEST(PatternOf, SpreadsAPixelOverTheCellsThatItCovers) {
   EXPECT_FLOAT_EQ(At(pattern, 13, 7), 0.5F);
 }
 
-TEST(PatternOf, ConservesInk) {
+TEST(PatternOf, ConservesTheDarkArea) {
   for (const auto& [width, height] : {std::pair{9, 13}, {31, 44}, {100, 100}, {150, 15}}) {
     models::Image dark = Blank();
     models::RandomStream random(1, "tests.classifier");
@@ -94,7 +94,7 @@ TEST(PatternOf, ConservesInk) {
   }
 }
 
-TEST(PatternOf, LeavesOutAnotherComponentInsideTheBox) {
+TEST(PatternOf, IgnoresOtherComponentsInTheBox) {
   models::Image alone = Blank();
   FillBox(alone, 20, 10, 60, 60);
   for (int v = 20; v < 60; ++v) std::fill_n(alone.Row(v) + 30, 40, std::uint8_t{0});
@@ -105,27 +105,28 @@ TEST(PatternOf, LeavesOutAnotherComponentInsideTheBox) {
   EXPECT_EQ(PatternOf(both, both.components.front()), PatternOfOnly(alone));
 }
 
-TEST(Classify, GivesPosteriorsThatSumToOneAndTheLabelOfTheLargest) {
+TEST(Classify, ReturnsNormalizedPosteriorsAndTheLabelOfTheLargest) {
   models::RandomStream random(2, "tests.classifier");
   for (int i = 0; i < 100; ++i) {
     Pattern pattern;
     for (float& cell : pattern) cell = static_cast<float>(random.Uniform());
-    const Classification seen = Classify(pattern, i % 2 == 0 ? PadLetter::kH : PadLetter::kRectangle);
+    const Classification classification = Classify(pattern, i % 2 == 0 ? PadLetter::kH : PadLetter::kRectangle);
     double sum = 0.0;
-    for (const double posterior : seen.posterior) {
+    for (const double posterior : classification.posterior) {
       EXPECT_GE(posterior, 0.0);
-      EXPECT_LE(posterior, seen.posterior[static_cast<std::size_t>(seen.label)]);
+      EXPECT_LE(posterior, classification.posterior[static_cast<std::size_t>(classification.label)]);
       sum += posterior;
     }
     EXPECT_NEAR(sum, 1.0, 1e-5);
   }
 }
 
-/// Half as large as the default camera, and as wide: at half the distance it sees as many pixels of the pad.
+/// Camera with half the resolution of the default camera and the same field of view: at half the distance the pad has
+/// the same size in pixels.
 const models::CameraModel kCamera{
     .width_px = 320, .height_px = 240, .fx_px = 160.0, .fy_px = 160.0, .cx_px = 159.5, .cy_px = 119.5};
 
-/// A view of the pad's place from `distance_m`, tilted by `tilt_deg`, the image's up turned by `yaw_deg`.
+/// View of the pad from `distance_m`, tilted by `tilt_deg`, with the image's up direction rotated by `yaw_deg`.
 struct View {
   double distance_m, tilt_deg, yaw_deg;
 };
@@ -140,11 +141,12 @@ std::vector<View> Views() {
   return views;
 }
 
-struct Looked {
+/// Components of an image from a known camera pose.
+struct Observation {
   Eigen::Isometry3d X_WC;
   ComponentSet components;
 
-  /// The component about the pad's center that is about as large as `size_m` there; nullptr when there is none.
+  /// The component near the pad's center with a size of about `size_m`; nullptr if there is none.
   const Component* ComponentOfSize(double size_m) const {
     const Vector3d p_C = X_WC.inverse() * Vector3d::Zero();
     const Vector2d pixel = *kCamera.Project(p_C);
@@ -161,96 +163,96 @@ struct Looked {
   }
 };
 
-Looked LookFrom(const View& view, const tests::PadPicture& picture, const models::LandingPad& pad = {}) {
-  Looked looked;
-  looked.X_WC =
+Observation Observe(const View& view, const tests::PadPicture& picture, const models::LandingPad& pad = {}) {
+  Observation observation;
+  observation.X_WC =
       tests::CameraAbovePad(Vector3d::Zero(), models::DegToRad(view.yaw_deg), models::DegToRad(view.tilt_deg), 0.8);
-  looked.X_WC.translation() = -view.distance_m * looked.X_WC.linear().col(2);
+  observation.X_WC.translation() = -view.distance_m * observation.X_WC.linear().col(2);
   models::RandomStream random(1, "tests.classifier.noise");
-  const models::Image image = tests::RenderPad(kCamera, pad, looked.X_WC, picture, &random);
-  looked.components = ExtractComponents(Binarize(image.View()).View());
-  return looked;
+  const models::Image image = tests::RenderPad(kCamera, pad, observation.X_WC, picture, &random);
+  observation.components = ExtractComponents(Binarize(image.View()).View());
+  return observation;
 }
 
-std::string Words(const View& view) {
-  return std::to_string(view.distance_m) + " m, tilted " + std::to_string(view.tilt_deg) + ", turned " +
+std::string ViewText(const View& view) {
+  return std::to_string(view.distance_m) + " m, tilted " + std::to_string(view.tilt_deg) + ", rotated " +
          std::to_string(view.yaw_deg);
 }
 
-TEST(Classify, TellsTheRingAndTheHFromNearAndFarTiltedAndTurned) {
+TEST(Classify, RecognizesRingAndHInAllViews) {
   for (const View& view : Views()) {
-    const Looked looked = LookFrom(view, {.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5});
-    const Component* ring = looked.ComponentOfSize(0.18);
-    const Component* letter = looked.ComponentOfSize(0.09);
-    ASSERT_TRUE(ring != nullptr && letter != nullptr) << Words(view);
-    EXPECT_EQ(Classify(looked.components, *ring, PadLetter::kH).label, Label::kCircle) << Words(view);
-    EXPECT_EQ(Classify(looked.components, *letter, PadLetter::kH).label, Label::kH) << Words(view);
-    EXPECT_EQ(Classify(looked.components, *letter, PadLetter::kRectangle).label, Label::kOther) << Words(view);
+    const Observation observation = Observe(view, {.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5});
+    const Component* ring = observation.ComponentOfSize(0.18);
+    const Component* letter = observation.ComponentOfSize(0.09);
+    ASSERT_TRUE(ring != nullptr && letter != nullptr) << ViewText(view);
+    EXPECT_EQ(Classify(observation.components, *ring, PadLetter::kH).label, Label::kCircle) << ViewText(view);
+    EXPECT_EQ(Classify(observation.components, *letter, PadLetter::kH).label, Label::kH) << ViewText(view);
+    EXPECT_EQ(Classify(observation.components, *letter, PadLetter::kRectangle).label, Label::kOther) << ViewText(view);
   }
 }
 
-TEST(Classify, TellsTheRingAndTheRectangleByTheNetworkOfTheRectangle) {
+TEST(Classify, RecognizesRingAndRectangleWithTheRectangleNetwork) {
   models::LandingPad pad;
   pad.h_stroke_m = 0.5 * pad.h_width_m;
   for (const View& view : Views()) {
-    if (view.distance_m < 0.2) continue;  // The threshold's window fits into the rectangle, and leaves a frame of it.
-    const Looked looked = LookFrom(view, {.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5}, pad);
-    const Component* ring = looked.ComponentOfSize(0.18);
-    const Component* letter = looked.ComponentOfSize(0.09);
-    ASSERT_TRUE(ring != nullptr && letter != nullptr) << Words(view);
-    EXPECT_EQ(Classify(looked.components, *ring, PadLetter::kRectangle).label, Label::kCircle) << Words(view);
-    EXPECT_EQ(Classify(looked.components, *letter, PadLetter::kRectangle).label, Label::kH) << Words(view);
-    EXPECT_EQ(Classify(looked.components, *letter, PadLetter::kH).label, Label::kOther) << Words(view);
+    if (view.distance_m < 0.2) continue;  // The threshold window fits into the rectangle and makes it hollow.
+    const Observation observation = Observe(view, {.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5}, pad);
+    const Component* ring = observation.ComponentOfSize(0.18);
+    const Component* letter = observation.ComponentOfSize(0.09);
+    ASSERT_TRUE(ring != nullptr && letter != nullptr) << ViewText(view);
+    EXPECT_EQ(Classify(observation.components, *ring, PadLetter::kRectangle).label, Label::kCircle) << ViewText(view);
+    EXPECT_EQ(Classify(observation.components, *letter, PadLetter::kRectangle).label, Label::kH) << ViewText(view);
+    EXPECT_EQ(Classify(observation.components, *letter, PadLetter::kH).label, Label::kOther) << ViewText(view);
   }
 }
 
-/// What is seen of a dark shape about the origin, its size 90 mm, on white ground.
-Looked LookAtShape(bool (*is_dark)(const Vector2d& q), const View& view) {
+/// Observation of a dark shape around the origin on white ground. The shape is scaled by 90 mm.
+Observation ObserveShape(bool (*is_dark)(const Vector2d& q), const View& view) {
   tests::PadPicture picture{.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5};
   picture.paint = [&](const Vector2d& p) -> std::optional<double> { return is_dark(p / 0.09) ? 25.0 : 215.0; };
-  return LookFrom(view, picture);
+  return Observe(view, picture);
 }
 
-std::vector<Label> LabelsOf(const Looked& looked) {
+std::vector<Label> LabelsOf(const Observation& observation) {
   std::vector<Label> labels;
-  for (const Component& component : looked.components.components) {
-    labels.push_back(Classify(looked.components, component, PadLetter::kH).label);
+  for (const Component& component : observation.components.components) {
+    labels.push_back(Classify(observation.components, component, PadLetter::kH).label);
   }
   return labels;
 }
 
-TEST(Classify, TakesBarsAndHalfDiscsForNeitherRingNorH) {
+TEST(Classify, LabelsBarsAndHalfDiscsAsOther) {
   for (const View& view : Views()) {
     for (const auto& is_dark : {+[](const Vector2d& q) { return std::abs(q.x()) < 1.0 && std::abs(q.y()) < 0.25; },
                                 +[](const Vector2d& q) { return q.norm() < 1.0 && q.x() > 0.0; }}) {
-      EXPECT_THAT(LabelsOf(LookAtShape(is_dark, view)), testing::ElementsAre(Label::kOther)) << Words(view);
+      EXPECT_THAT(LabelsOf(ObserveShape(is_dark, view)), testing::ElementsAre(Label::kOther)) << ViewText(view);
     }
   }
 }
 
-/// From near, the threshold's window fits into a disc, and leaves a ring of it: what it then is, the pad's geometry
-/// tells.
-TEST(Classify, TakesADiscThatTheThresholdLeavesWholeForNoRing) {
+/// At close range the threshold window fits into a disc and turns it into a ring, which only the pad's geometry can
+/// reject. The test skips these views.
+TEST(Classify, LabelsASolidDiscAsOther) {
   int whole = 0;
   for (const View& view : Views()) {
-    const Looked looked = LookAtShape([](const Vector2d& q) { return q.norm() < 1.0; }, view);
-    ASSERT_EQ(looked.components.components.size(), 1u) << Words(view);
-    const Component& disc = looked.components.components.front();
+    const Observation observation = ObserveShape([](const Vector2d& q) { return q.norm() < 1.0; }, view);
+    ASSERT_EQ(observation.components.components.size(), 1u) << ViewText(view);
+    const Component& disc = observation.components.components.front();
     if (disc.area < 0.95 * models::kPi / 4.0 * disc.width * disc.height) continue;
-    EXPECT_THAT(LabelsOf(looked), testing::ElementsAre(Label::kOther)) << Words(view);
+    EXPECT_THAT(LabelsOf(observation), testing::ElementsAre(Label::kOther)) << ViewText(view);
     ++whole;
   }
   EXPECT_GE(whole, 16);
 }
 
-TEST(Classify, SeldomTakesChecksForAnHAndNeverForARing) {
+TEST(Classify, RarelyLabelsACheckerboardAsHAndNeverAsRing) {
   const auto is_dark = [](const Vector2d& q) {
     if (q.cwiseAbs().maxCoeff() > 1.3) return false;
     return (static_cast<int>(std::floor(3.0 * q.x())) + static_cast<int>(std::floor(3.0 * q.y()))) % 2 == 0;
   };
   std::vector<Label> labels;
   for (const View& view : Views()) {
-    for (const Label label : LabelsOf(LookAtShape(is_dark, view))) labels.push_back(label);
+    for (const Label label : LabelsOf(ObserveShape(is_dark, view))) labels.push_back(label);
   }
   ASSERT_GT(labels.size(), 100u);
   EXPECT_EQ(std::count(labels.begin(), labels.end(), Label::kCircle), 0);

@@ -32,7 +32,7 @@ models::Image RandomImage(int width, int height, double density, std::uint64_t s
   return image;
 }
 
-/// Each component as a canonical label image: pixels hold 1 + the component's index.
+/// Label image of the components: a pixel is 1 + the index of its component, or 0.
 std::vector<int> LabelImage(const ComponentSet& set, int width, int height) {
   std::vector<int> labels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   int label = 0;
@@ -50,7 +50,7 @@ std::vector<int> LabelImage(const ComponentSet& set, int width, int height) {
   return labels;
 }
 
-void ExpectTheSameAsOpenCv(const models::Image& image) {
+void ExpectEqualToOpenCv(const models::Image& image) {
   const ComponentSet set = ExtractComponents(image.View(), kKeepAll);
   const cv::Mat gray(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data()));
   cv::Mat labels, stats, centroids;
@@ -79,26 +79,26 @@ void ExpectTheSameAsOpenCv(const models::Image& image) {
   }
 }
 
-TEST(Components, EqualOpenCvsLabelsOnRandomImages) {
+TEST(Components, EqualOpenCvOnRandomImages) {
   std::uint64_t seed = 0;
   for (const double density : {0.0, 0.05, 0.3, 0.4, 0.5, 0.6, 0.9, 1.0}) {
     for (const auto& [width, height] : {std::pair{1, 1}, {1, 30}, {30, 1}, {7, 9}, {64, 48}, {131, 77}}) {
-      ExpectTheSameAsOpenCv(RandomImage(width, height, density, ++seed));
+      ExpectEqualToOpenCv(RandomImage(width, height, density, ++seed));
     }
   }
 }
 
-TEST(Components, EqualOpenCvsLabelsOnShapesThatMergeLate) {
-  ExpectTheSameAsOpenCv(FromText({"#.#.#.#.#", "#.#.#.#.#", "#########"}));
-  ExpectTheSameAsOpenCv(FromText({"#.......#", ".#.....#.", "..#...#..", "...#.#...", "....#...."}));
-  ExpectTheSameAsOpenCv(FromText({"#########", "........#", "#######.#", "#.....#.#", "#.###.#.#", "#.#...#.#",
-                                  "#.#####.#", "#.......#", "#########"}));
-  ExpectTheSameAsOpenCv(FromText({"##.##.##.", "..#..#..#", "##.##.##.", "..#..#..#"}));
-  ExpectTheSameAsOpenCv(FromText({"#..#", "....", "....", "#..#"}));
-  ExpectTheSameAsOpenCv(FromText({".#.#.#.", "#.#.#.#", ".#.#.#.", "#.#.#.#"}));
+TEST(Components, EqualOpenCvOnShapesThatMergeLate) {
+  ExpectEqualToOpenCv(FromText({"#.#.#.#.#", "#.#.#.#.#", "#########"}));
+  ExpectEqualToOpenCv(FromText({"#.......#", ".#.....#.", "..#...#..", "...#.#...", "....#...."}));
+  ExpectEqualToOpenCv(FromText({"#########", "........#", "#######.#", "#.....#.#", "#.###.#.#", "#.#...#.#",
+                                "#.#####.#", "#.......#", "#########"}));
+  ExpectEqualToOpenCv(FromText({"##.##.##.", "..#..#..#", "##.##.##.", "..#..#..#"}));
+  ExpectEqualToOpenCv(FromText({"#..#", "....", "....", "#..#"}));
+  ExpectEqualToOpenCv(FromText({".#.#.#.", "#.#.#.#", ".#.#.#.", "#.#.#.#"}));
 }
 
-TEST(Components, ComeInTheOrderOfTheirFirstPixelWithTheirRunsInRasterOrder) {
+TEST(Components, AreOrderedByFirstPixelWithRunsInRasterOrder) {
   const models::Image image = FromText({"..##...#", "#......#", "#.##...#"});
   const ComponentSet set = ExtractComponents(image.View(), kKeepAll);
   ASSERT_EQ(set.components.size(), 4u);
@@ -109,7 +109,7 @@ TEST(Components, ComeInTheOrderOfTheirFirstPixelWithTheirRunsInRasterOrder) {
   for (int v = 0; v < 3; ++v) EXPECT_EQ(runs[static_cast<std::size_t>(v)], (paper::Run{v, 7, 8}));
 }
 
-TEST(Components, DropWhatIsTooSmallAndKeepTheRestUnchanged) {
+TEST(Components, AreFilteredBySize) {
   const models::Image image = RandomImage(90, 70, 0.35, 99);
   const ComponentSet all = ExtractComponents(image.View(), kKeepAll);
   const ComponentsConfig config{9, 4, 24};
@@ -121,15 +121,15 @@ TEST(Components, DropWhatIsTooSmallAndKeepTheRestUnchanged) {
       continue;
     }
     ASSERT_LT(next, kept.components.size());
-    const auto expected = all.RunsOf(component), seen = kept.RunsOf(kept.components[next++]);
-    EXPECT_TRUE(std::equal(expected.begin(), expected.end(), seen.begin(), seen.end()));
+    const auto expected = all.RunsOf(component), actual = kept.RunsOf(kept.components[next++]);
+    EXPECT_TRUE(std::equal(expected.begin(), expected.end(), actual.begin(), actual.end()));
   }
   EXPECT_EQ(next, kept.components.size());
   EXPECT_GT(next, 0u);
   EXPECT_LT(next, all.components.size());
 }
 
-TEST(Components, ReadRowsByTheirStride) {
+TEST(Components, UseTheStride) {
   const models::Image image = FromText({"#..#", "#..#", "####"});
   const models::ImageView two_columns{image.pixels.data(), 2, 2, 4};
   const ComponentSet set = ExtractComponents(two_columns, kKeepAll);
@@ -137,7 +137,7 @@ TEST(Components, ReadRowsByTheirStride) {
   EXPECT_EQ(set.components[0].area, 2);
 }
 
-TEST(Components, RefuseImpossibleSettings) {
+TEST(Components, RejectInvalidSettings) {
   EXPECT_THROW((ComponentsConfig{0, 1, 1}.Validate()), InputError);
   EXPECT_THROW((ComponentsConfig{1, -1, 1}.Validate()), InputError);
   EXPECT_THROW((ComponentsConfig{1, 1, 0}.Validate()), InputError);

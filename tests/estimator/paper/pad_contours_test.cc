@@ -23,13 +23,13 @@ struct Scene {
   ComponentSet components;
   DetectedPad detected;
 
-  /// The point of the pad's plane seen at a raw pixel, in W.
+  /// The point of the pad's plane at a raw pixel, in W, m.
   Vector2d OnPad(const Vector2d& pixel) const {
     const Vector3d ray_W = X_WC.linear() * *camera.Ray(pixel);
     return (X_WC.translation() - X_WC.translation().z() / ray_W.z() * ray_W).head<2>();
   }
 
-  /// How far a raw pixel is from where the circle of this radius is seen, px, across it.
+  /// Signed distance of a raw pixel from the image of a circle of the given radius, px; positive outside.
   double DistanceFromCircle_px(const Vector2d& pixel, double radius_m) const {
     const Vector2d p_W = OnPad(pixel), on_circle = p_W.normalized() * radius_m;
     const auto nearest = camera.Project(X_WC.inverse() * Vector3d(on_circle.x(), on_circle.y(), 0.0));
@@ -73,7 +73,7 @@ const Eigen::Isometry3d kOblique = [] {
   return X_WC;
 }();
 
-TEST(Edges, TellTheThreeContoursApart) {
+TEST(Edges, AreAssignedToTheThreeContours) {
   for (const auto& X_WC : {tests::CameraAbovePad({0.0, 0.0, 0.3}), tests::CameraAbovePad({0.1, 0.0, 1.0}),
                            tests::CameraAbovePad({0.0, 0.1, 1.8}), kOblique}) {
     const Scene scene = SceneFrom(X_WC, {.noise_sigma = 3.0});
@@ -95,7 +95,7 @@ TEST(Edges, TellTheThreeContoursApart) {
   }
 }
 
-TEST(Edges, LieAtTheirSubpixelPlaceAndNotOnTheGrid) {
+TEST(Edges, HaveSubpixelAccuracy) {
   for (const double height : {0.5, 1.0, 1.5}) {
     const Scene scene = SceneFrom(tests::CameraAbovePad({0.05, 0.03, height}, 0.2), {.noise_sigma = 3.0});
     const double radius = scene.pad.outer_radius_m;
@@ -107,7 +107,7 @@ TEST(Edges, LieAtTheirSubpixelPlaceAndNotOnTheGrid) {
   }
 }
 
-TEST(Edges, LieNearTheirSubpixelPlaceFromAfarWhereTheRingIsTwoPixelsWide) {
+TEST(Edges, HaveSubpixelAccuracyForARingOfTwoPixelsWidth) {
   for (const double height : {2.5, 2.8, 3.1}) {
     const Scene scene =
         SceneFrom(tests::CameraAbovePad({0.05, 0.03, height}, 0.2), {.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5});
@@ -119,9 +119,9 @@ TEST(Edges, LieNearTheirSubpixelPlaceFromAfarWhereTheRingIsTwoPixelsWide) {
   }
 }
 
-TEST(Edges, AreNotMovedByTheOtherStrokeOfANarrowH) {
+TEST(Edges, AreNotShiftedByTheOtherStrokeOfANarrowH) {
   models::LandingPad pad;
-  pad.h_stroke_m = 0.024;  // 8 mm of white are left between the strokes.
+  pad.h_stroke_m = 0.024;  // The strokes are 8 mm apart.
   for (const double height : {0.4, 0.7, 1.0}) {
     const Scene scene = SceneFrom(tests::CameraAbovePad({0.0, 0.0, height}, 0.2), {}, pad);
     const double px_per_m = scene.camera.fx_px / height;
@@ -136,7 +136,7 @@ TEST(Edges, AreNotMovedByTheOtherStrokeOfANarrowH) {
   }
 }
 
-TEST(Edges, AreNotMovedByBlur) {
+TEST(Edges, AreNotShiftedByBlur) {
   for (const double blur : {0.5, 1.0}) {
     const Scene scene = SceneFrom(tests::CameraAbovePad({0.05, 0.03, 0.7}, 0.2), {.lens_blur_sigma_px = blur});
     double mean = 0.0;
@@ -146,7 +146,7 @@ TEST(Edges, AreNotMovedByBlur) {
   }
 }
 
-TEST(Edges, StayWithinAnImageThatCutsTheRing) {
+TEST(Edges, StayInsideTheImageWhenItCutsTheRing) {
   const Scene scene = [] {
     Scene cut = SceneFrom(tests::CameraAbovePad({0.0, 0.0, 0.14}));
     return cut;
@@ -160,7 +160,7 @@ TEST(Edges, StayWithinAnImageThatCutsTheRing) {
   }
 }
 
-TEST(EdgeConfig, RefusesImpossibleSettings) {
+TEST(EdgeConfig, RejectsInvalidSettings) {
   EXPECT_THROW((pad::EdgeConfig{.canny_low = 100.0, .canny_high = 50.0}.Validate()), InputError);
   EXPECT_THROW((pad::EdgeConfig{.canny_low = -1.0}.Validate()), InputError);
 }

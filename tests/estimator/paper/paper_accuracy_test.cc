@@ -14,20 +14,20 @@ using Eigen::Vector3d;
 
 struct Conditions {
   double distance_m = 1.0;
-  double tilt_deg = 0.0;        ///< About a random horizontal axis, the pad near the image's center.
-  double tilt_sigma_deg = 0.0;  ///< Added to it.
+  double tilt_deg = 0.0;        ///< Tilt about a random horizontal axis, with the pad near the image center.
+  double tilt_sigma_deg = 0.0;  ///< Standard deviation added to tilt_deg.
   pad::ContourPoints contour_points = pad::ContourPoints::kSubpixel;
 };
 
 struct Accuracy {
-  int seen = 0;
+  int detected = 0;                                                                   ///< Number of poses.
   double camera_frame_m = 0.0, xy_m = 0.0, z_m = 0.0, tilt_deg = 0.0, yaw_deg = 0.0;  ///< RMSE.
   Eigen::Matrix<double, 6, 1> normalized_squares = Eigen::Matrix<double, 6, 1>::Zero();
 };
 
 constexpr int kPoses = 25;
 
-/// Errors over random poses with pixel noise 3 of 255, gravity known to 0.5 degrees, the default lens.
+/// RMSE over random poses with pixel noise of 3 of 255, a gravity direction error of 0.5 degrees and the default lens.
 Accuracy AccuracyIn(const Conditions& conditions) {
   const EstimatorSetup setup{.camera = {}, .pad = {}, .X_BC = models::Vehicle().X_BC(), .time = {}};
   PaperEstimatorConfig config;
@@ -46,11 +46,11 @@ Accuracy AccuracyIn(const Conditions& conditions) {
         tests::RenderPad(setup.camera, setup.pad, X_WC, {.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5}, &random);
     const Vector3d gravity_B =
         models::RotationExp(models::DegToRad(0.5) * random.NormalVector3()) * tests::GravityIn(X_WB);
-    const FrameResult seen = estimator.Estimate(image.View(), i, gravity_B);
-    if (!seen.pose) continue;
-    ++sum.seen;
+    const FrameResult result = estimator.Estimate(image.View(), i, gravity_B);
+    if (!result.pose) continue;
+    ++sum.detected;
 
-    const Eigen::Isometry3d& X = seen.pose->X_WB;
+    const Eigen::Isometry3d& X = result.pose->X_WB;
     const Vector3d position = X.translation() - X_WB.translation();
     const Vector3d rotation = models::RotationLog(X.linear() * X_WB.linear().transpose());
     const Vector3d up = X.linear().row(2), true_up = X_WB.linear().row(2);
@@ -63,17 +63,17 @@ Accuracy AccuracyIn(const Conditions& conditions) {
                             2);
     Eigen::Matrix<double, 6, 1> error;
     error << position, rotation;
-    sum.normalized_squares += error.cwiseAbs2().cwiseQuotient(seen.pose->covariance.diagonal()) / kPoses;
+    sum.normalized_squares += error.cwiseAbs2().cwiseQuotient(result.pose->covariance.diagonal()) / kPoses;
   }
   for (double* square : {&sum.camera_frame_m, &sum.xy_m, &sum.z_m, &sum.tilt_deg, &sum.yaw_deg}) {
-    *square = std::sqrt(*square / std::max(sum.seen, 1));
+    *square = std::sqrt(*square / std::max(sum.detected, 1));
   }
   return sum;
 }
 
 TEST(PaperAccuracy, NearHoverAtHalfAMeter) {
   const Accuracy accuracy = AccuracyIn({.distance_m = 0.5, .tilt_sigma_deg = 2.0});
-  EXPECT_EQ(accuracy.seen, kPoses);
+  EXPECT_EQ(accuracy.detected, kPoses);
   EXPECT_LT(accuracy.camera_frame_m, 0.0007);
   EXPECT_LT(accuracy.xy_m, 0.005);
   EXPECT_LT(accuracy.tilt_deg, 0.5);
@@ -82,7 +82,7 @@ TEST(PaperAccuracy, NearHoverAtHalfAMeter) {
 
 TEST(PaperAccuracy, NearHoverAtAMeter) {
   const Accuracy accuracy = AccuracyIn({.distance_m = 1.0, .tilt_sigma_deg = 2.0});
-  EXPECT_EQ(accuracy.seen, kPoses);
+  EXPECT_EQ(accuracy.detected, kPoses);
   EXPECT_LT(accuracy.camera_frame_m, 0.0015);
   EXPECT_LT(accuracy.xy_m, 0.025);
   EXPECT_LT(accuracy.tilt_deg, 1.3);
@@ -91,7 +91,7 @@ TEST(PaperAccuracy, NearHoverAtAMeter) {
 
 TEST(PaperAccuracy, NearHoverAtTwoMeters) {
   const Accuracy accuracy = AccuracyIn({.distance_m = 2.0, .tilt_sigma_deg = 2.0});
-  EXPECT_GE(accuracy.seen, kPoses - 1);
+  EXPECT_GE(accuracy.detected, kPoses - 1);
   EXPECT_LT(accuracy.camera_frame_m, 0.015);
   EXPECT_LT(accuracy.xy_m, 0.12);
   EXPECT_LT(accuracy.tilt_deg, 3.5);
@@ -100,7 +100,7 @@ TEST(PaperAccuracy, NearHoverAtTwoMeters) {
 
 TEST(PaperAccuracy, TiltedBy20DegreesAtAMeter) {
   const Accuracy accuracy = AccuracyIn({.distance_m = 1.0, .tilt_deg = 20.0});
-  EXPECT_EQ(accuracy.seen, kPoses);
+  EXPECT_EQ(accuracy.detected, kPoses);
   EXPECT_LT(accuracy.camera_frame_m, 0.001);
   EXPECT_LT(accuracy.tilt_deg, 0.2);
   EXPECT_LT(accuracy.yaw_deg, 4.0);  // Not rectified.
@@ -108,13 +108,13 @@ TEST(PaperAccuracy, TiltedBy20DegreesAtAMeter) {
 
 TEST(PaperAccuracy, TiltedBy40DegreesAtAMeter) {
   const Accuracy accuracy = AccuracyIn({.distance_m = 1.0, .tilt_deg = 40.0});
-  EXPECT_EQ(accuracy.seen, kPoses);
+  EXPECT_EQ(accuracy.detected, kPoses);
   EXPECT_LT(accuracy.camera_frame_m, 0.002);
   EXPECT_LT(accuracy.tilt_deg, 0.2);
   EXPECT_LT(accuracy.yaw_deg, 15.0);  // Not rectified.
 }
 
-TEST(PaperAccuracy, IsSeveralTimesBetterWithSubpixelContours) {
+TEST(PaperAccuracy, IsTwiceAsGoodWithSubpixelContours) {
   const Accuracy subpixel = AccuracyIn({.distance_m = 1.0, .tilt_sigma_deg = 2.0});
   const Accuracy integer =
       AccuracyIn({.distance_m = 1.0, .tilt_sigma_deg = 2.0, .contour_points = pad::ContourPoints::kInteger});
@@ -123,12 +123,12 @@ TEST(PaperAccuracy, IsSeveralTimesBetterWithSubpixelContours) {
   EXPECT_GT(integer.xy_m, 0.02);
 }
 
-TEST(PaperAccuracy, ClaimsCovariancesOfTheRightSize) {
+TEST(PaperAccuracy, HasConsistentCovariances) {
   for (const Conditions& conditions :
        {Conditions{.distance_m = 1.0, .tilt_sigma_deg = 2.0}, Conditions{.distance_m = 1.0, .tilt_deg = 20.0},
         Conditions{.distance_m = 1.6, .tilt_sigma_deg = 4.0}}) {
     const Accuracy accuracy = AccuracyIn(conditions);
-    // 1 on average where the claim is right; systematic errors keep it from being more exact than this.
+    // The expectation is 1 for a correct covariance. The limits are wide because of systematic errors.
     for (int i = 0; i < 6; ++i) {
       EXPECT_LT(accuracy.normalized_squares(i), 4.0) << i;
       EXPECT_GT(accuracy.normalized_squares(i), 0.05) << i;

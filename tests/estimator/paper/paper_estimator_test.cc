@@ -26,7 +26,7 @@ double AngleBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   return models::RotationLog(a.linear().transpose() * b.linear()).norm();
 }
 
-TEST_F(PaperEstimatorTest, TellsWhenItComesToAStage) {
+TEST_F(PaperEstimatorTest, CallsOnStageForEachStage) {
   std::vector<FrameStage> stages;
   setup_.on_stage = [&stages](FrameStage stage) { stages.push_back(stage); };
   estimator_ = std::make_unique<PaperEstimator>(setup_);
@@ -40,28 +40,28 @@ TEST_F(PaperEstimatorTest, TellsWhenItComesToAStage) {
 
 TEST_F(PaperEstimatorTest, FindsTheBodyAboveThePad) {
   const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.08, -0.05, 0.7}, 0.2, 0.1, 0.6);
-  const FrameResult seen = See(X_WB);
-  ASSERT_EQ(seen.status, FrameStatus::kOk);
-  ASSERT_TRUE(seen.pose);
-  EXPECT_LT((seen.pose->X_WB.translation() - X_WB.translation()).norm(), 0.030);
-  EXPECT_NEAR(seen.pose->X_WB.translation().z(), X_WB.translation().z(), 0.004);
-  EXPECT_LT(AngleBetween(seen.pose->X_WB, X_WB), models::DegToRad(3.0));
-  EXPECT_EQ(seen.mid_exposure, tick_);
+  const FrameResult result = See(X_WB);
+  ASSERT_EQ(result.status, FrameStatus::kOk);
+  ASSERT_TRUE(result.pose);
+  EXPECT_LT((result.pose->X_WB.translation() - X_WB.translation()).norm(), 0.030);
+  EXPECT_NEAR(result.pose->X_WB.translation().z(), X_WB.translation().z(), 0.004);
+  EXPECT_LT(AngleBetween(result.pose->X_WB, X_WB), models::DegToRad(3.0));
+  EXPECT_EQ(result.mid_exposure, tick_);
 }
 
-TEST_F(PaperEstimatorTest, TracesWhatItSaw) {
+TEST_F(PaperEstimatorTest, ReturnsAnOverlay) {
   const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.02, 0.01, 0.6});
-  const FrameResult seen = See(X_WB);
-  const Overlay::Ellipse* const ring_outer = seen.overlay.FindEllipse("ring_outer");
-  const Overlay::Ellipse* const ring_inner = seen.overlay.FindEllipse("ring_inner");
-  ASSERT_TRUE(ring_outer && ring_inner && seen.overlay.FindEllipse("letter") && seen.pad_px);
+  const FrameResult result = See(X_WB);
+  const Overlay::Ellipse* const ring_outer = result.overlay.FindEllipse("ring_outer");
+  const Overlay::Ellipse* const ring_inner = result.overlay.FindEllipse("ring_inner");
+  ASSERT_TRUE(ring_outer && ring_inner && result.overlay.FindEllipse("letter") && result.pad_px);
   const double ratio = ring_inner->semi_axes.x() / ring_outer->semi_axes.x();
   EXPECT_NEAR(ratio, setup_.pad.inner_radius_m() / setup_.pad.outer_radius_m, 0.01);
   const auto center = setup_.camera.Project((X_WB * setup_.X_BC).inverse() * Vector3d::Zero());
-  EXPECT_LT((*seen.pad_px - *center).norm(), 1.0);
+  EXPECT_LT((*result.pad_px - *center).norm(), 1.0);
   EXPECT_LT((ring_outer->center - *center).norm(), 2.0);
   int circles = 0, letters = 0;
-  for (const Overlay::Box& box : seen.overlay.boxes) {
+  for (const Overlay::Box& box : result.overlay.boxes) {
     circles += box.name == "circle";
     letters += box.name == "h";
     EXPECT_GT(box.probability.value(), 1.0 / 3.0);
@@ -71,7 +71,7 @@ TEST_F(PaperEstimatorTest, TracesWhatItSaw) {
   EXPECT_GE(letters, 1);
 }
 
-TEST_F(PaperEstimatorTest, LetsGravityChooseTheBranch) {
+TEST_F(PaperEstimatorTest, SelectsTheBranchByGravity) {
   for (const double side : {-1.0, 1.0}) {
     const double tilt = side * models::DegToRad(15.0);
     Eigen::Isometry3d X_WC = tests::CameraAbovePad(Vector3d::Zero(), 0.0, tilt, 0.0);
@@ -82,7 +82,7 @@ TEST_F(PaperEstimatorTest, LetsGravityChooseTheBranch) {
     const auto right = estimator.Estimate(image.View(), 0, GravityIn(X_WB));
     ASSERT_TRUE(right.pose);
     EXPECT_LT(AngleBetween(right.pose->X_WB, X_WB), models::DegToRad(2.0));
-    // Told that it is tilted to the other side, it takes the other solution: 30 degrees and 0.3 m away.
+    // With gravity for the opposite tilt it selects the other hypothesis, which differs by 30 degrees and 0.3 m.
     const Eigen::Isometry3d other = tests::CameraAbovePad({0, 0, 1}, 0.0, -tilt, 0.0) * setup_.X_BC.inverse();
     const auto wrong = estimator.Estimate(image.View(), kFrame, GravityIn(other));
     ASSERT_TRUE(wrong.pose);
@@ -91,8 +91,8 @@ TEST_F(PaperEstimatorTest, LetsGravityChooseTheBranch) {
   }
 }
 
-/// Views of the pad from 0.6 m, tilted to both sides: the two solutions are twice the tilt apart.
-TEST_F(PaperEstimatorTest, LetsThePrintChooseTheBranchWithoutAnImu) {
+/// The views are from 0.6 m, tilted to both sides; the two pose hypotheses differ by twice the tilt.
+TEST_F(PaperEstimatorTest, SelectsTheBranchByTheArtworkWithoutAnImu) {
   setup_.frame_order = FrameOrder::kUnrelated;
   PaperEstimator estimator(setup_);
   for (const double degrees : {-40.0, -25.0, -15.0, 15.0, 25.0, 40.0}) {
@@ -100,41 +100,41 @@ TEST_F(PaperEstimatorTest, LetsThePrintChooseTheBranchWithoutAnImu) {
       Eigen::Isometry3d X_WC = tests::CameraAbovePad(Vector3d::Zero(), 0.3, models::DegToRad(degrees), direction);
       X_WC.translation() = -X_WC.linear().col(2) * 0.6;
       const Eigen::Isometry3d X_WB = X_WC * setup_.X_BC.inverse();
-      const FrameResult seen = estimator.Estimate(Picture(X_WB).View(), 0, std::nullopt);
-      ASSERT_EQ(seen.status, FrameStatus::kOk) << degrees;
-      // Its vertical: the paper's yaw, not rectified, is another matter at such tilts (Sec. IV-C.3).
-      const double off = models::AngleBetween(GravityIn(seen.pose->X_WB), GravityIn(X_WB));
+      const FrameResult result = estimator.Estimate(Picture(X_WB).View(), 0, std::nullopt);
+      ASSERT_EQ(result.status, FrameStatus::kOk) << degrees;
+      // Only the vertical is compared: the yaw is not rectified (Sec. IV-C.3) and has large errors at such tilts.
+      const double off = models::AngleBetween(GravityIn(result.pose->X_WB), GravityIn(X_WB));
       EXPECT_LT(off, models::DegToRad(2.0)) << degrees << " " << direction;
-      EXPECT_EQ(seen.choice->reason, PoseChoice::Reason::kPrint);
-      EXPECT_LT(seen.choice->chosen, seen.choice->other);
+      EXPECT_EQ(result.choice->reason, PoseChoice::Reason::kPrint);
+      EXPECT_LT(result.choice->chosen, result.choice->other);
     }
   }
 }
 
-TEST_F(PaperEstimatorTest, TakesTheMoreFrontalPoseWithoutAnImuWhereBothFitAlike) {
+TEST_F(PaperEstimatorTest, SelectsTheFrontalPoseWithoutAnImuWhenBothMatchEqually) {
   setup_.frame_order = FrameOrder::kUnrelated;
   PaperEstimator estimator(setup_);
   const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.0, 0.0, 1.4});
-  const FrameResult seen = estimator.Estimate(Picture(X_WB).View(), 0, std::nullopt);
-  ASSERT_EQ(seen.status, FrameStatus::kOk);
-  EXPECT_EQ(seen.choice->reason, PoseChoice::Reason::kFrontal);
-  EXPECT_LE(seen.choice->chosen, seen.choice->other);
+  const FrameResult result = estimator.Estimate(Picture(X_WB).View(), 0, std::nullopt);
+  ASSERT_EQ(result.status, FrameStatus::kOk);
+  EXPECT_EQ(result.choice->reason, PoseChoice::Reason::kFrontal);
+  EXPECT_LE(result.choice->chosen, result.choice->other);
 }
 
-TEST_F(PaperEstimatorTest, TellsHowGravityChoseAndWhereTheRingIs) {
+TEST_F(PaperEstimatorTest, ReportsThePoseChoiceAndTheRingBox) {
   Eigen::Isometry3d X_WC = tests::CameraAbovePad(Vector3d::Zero(), 0.0, 0.3, 0.0);
   X_WC.translation() = -X_WC.linear().col(2) * 0.5;
-  const FrameResult seen = See(X_WC * setup_.X_BC.inverse());
-  ASSERT_TRUE(seen.choice && seen.ring_box && seen.pad_px);
-  EXPECT_EQ(seen.choice->reason, PoseChoice::Reason::kGravity);
-  EXPECT_LT(seen.choice->chosen, models::DegToRad(3.0));
-  EXPECT_NEAR(seen.choice->other, 0.6, 0.15);
+  const FrameResult result = See(X_WC * setup_.X_BC.inverse());
+  ASSERT_TRUE(result.choice && result.ring_box && result.pad_px);
+  EXPECT_EQ(result.choice->reason, PoseChoice::Reason::kGravity);
+  EXPECT_LT(result.choice->chosen, models::DegToRad(3.0));
+  EXPECT_NEAR(result.choice->other, 0.6, 0.15);
   const double diameter_px = 2.0 * setup_.pad.outer_radius_m / 0.5 * setup_.camera.fx_px;
-  EXPECT_NEAR(seen.ring_box->width, diameter_px, 0.1 * diameter_px);
-  EXPECT_NEAR(seen.ring_box->u + 0.5 * seen.ring_box->width, seen.pad_px->x(), 5.0);
+  EXPECT_NEAR(result.ring_box->width, diameter_px, 0.1 * diameter_px);
+  EXPECT_NEAR(result.ring_box->u + 0.5 * result.ring_box->width, result.pad_px->x(), 5.0);
 }
 
-TEST_F(PaperEstimatorTest, TakesUnrelatedPicturesOneByOne) {
+TEST_F(PaperEstimatorTest, AcceptsUnrelatedImages) {
   setup_.frame_order = FrameOrder::kUnrelated;
   PaperEstimator estimator(setup_);
   for (const double height : {1.2, 0.4, 1.5, 0.6}) {
@@ -143,7 +143,7 @@ TEST_F(PaperEstimatorTest, TakesUnrelatedPicturesOneByOne) {
   }
 }
 
-TEST_F(PaperEstimatorTest, SearchesFootageOnWhereComponentsShowNoPad) {
+TEST_F(PaperEstimatorTest, SearchesEdgesInFootageWithoutAPadAmongTheComponents) {
   // Glare breaks a stroke of the H and hides a fifth of the ring.
   const auto glare = [](const Eigen::Vector2d& p) -> std::optional<double> {
     const bool on_stroke = (p - Eigen::Vector2d(0.03, 0.02)).norm() < 0.011;
@@ -154,14 +154,14 @@ TEST_F(PaperEstimatorTest, SearchesFootageOnWhereComponentsShowNoPad) {
   const models::Image image = Picture(X_WB, {.noise_sigma = 3.0, .paint = glare});
   EXPECT_FALSE(estimator_->Estimate(image.View(), tick_ += kFrame, GravityIn(X_WB)).pose);
   setup_.frame_order = FrameOrder::kUnrelated;
-  const FrameResult seen = PaperEstimator(setup_).Estimate(image.View(), 0, GravityIn(X_WB));
-  ASSERT_EQ(seen.status, FrameStatus::kOk);
-  EXPECT_LT((seen.pose->X_WB.translation() - X_WB.translation()).norm(), 0.03);
-  EXPECT_LT(AngleBetween(seen.pose->X_WB, X_WB), models::DegToRad(5.0));
-  EXPECT_GT(seen.ring_box->width, 100);
+  const FrameResult result = PaperEstimator(setup_).Estimate(image.View(), 0, GravityIn(X_WB));
+  ASSERT_EQ(result.status, FrameStatus::kOk);
+  EXPECT_LT((result.pose->X_WB.translation() - X_WB.translation()).norm(), 0.03);
+  EXPECT_LT(AngleBetween(result.pose->X_WB, X_WB), models::DegToRad(5.0));
+  EXPECT_GT(result.ring_box->width, 100);
 }
 
-TEST_F(PaperEstimatorTest, SearchesLargePicturesByTheirEdgesToo) {
+TEST_F(PaperEstimatorTest, SearchesEdgesInLargeImages) {
   setup_.frame_order = FrameOrder::kUnrelated;
   for (double* length : {&setup_.camera.fx_px, &setup_.camera.fy_px}) *length *= 3.0;
   setup_.camera.width_px = 1920;
@@ -173,13 +173,13 @@ TEST_F(PaperEstimatorTest, SearchesLargePicturesByTheirEdgesToo) {
   };
   const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.05, -0.03, 0.5}, 0.3, 0.2, 0.6);
   const models::Image image = Picture(X_WB, {.samples_per_side = 2, .paint = glare});
-  const FrameResult seen = PaperEstimator(setup_).Estimate(image.View(), 0, GravityIn(X_WB));
-  ASSERT_EQ(seen.status, FrameStatus::kOk);
-  EXPECT_LT((seen.pose->X_WB.translation() - X_WB.translation()).norm(), 0.01);
-  EXPECT_NEAR(seen.ring_box->u + 0.5 * seen.ring_box->width, seen.pad_px->x(), 15.0);
+  const FrameResult result = PaperEstimator(setup_).Estimate(image.View(), 0, GravityIn(X_WB));
+  ASSERT_EQ(result.status, FrameStatus::kOk);
+  EXPECT_LT((result.pose->X_WB.translation() - X_WB.translation()).norm(), 0.01);
+  EXPECT_NEAR(result.ring_box->u + 0.5 * result.ring_box->width, result.pad_px->x(), 15.0);
 }
 
-TEST_F(PaperEstimatorTest, LooksAtImagesOfAnyShape) {
+TEST_F(PaperEstimatorTest, AcceptsImagesOfAnySize) {
   setup_.frame_order = FrameOrder::kUnrelated;
   for (const auto& [width, height] : {std::pair(2000, 2), {2, 2000}, {1, 1}, {3, 3}}) {
     setup_.camera.width_px = width;
@@ -189,7 +189,7 @@ TEST_F(PaperEstimatorTest, LooksAtImagesOfAnyShape) {
   }
 }
 
-TEST_F(PaperEstimatorTest, ClaimsNoMoreOfASquareHsYawThanItKnows) {
+TEST_F(PaperEstimatorTest, HasAConsistentYawVarianceForASquareH) {
   setup_.pad.h_height_m = setup_.pad.h_width_m = 0.08;
   for (const FrameOrder order : {FrameOrder::kFlight, FrameOrder::kUnrelated}) {
     setup_.frame_order = order;
@@ -197,12 +197,12 @@ TEST_F(PaperEstimatorTest, ClaimsNoMoreOfASquareHsYawThanItKnows) {
       Eigen::Isometry3d X_WC = tests::CameraAbovePad(Vector3d::Zero(), 0.0, models::DegToRad(30.0), direction);
       X_WC.translation() = -X_WC.linear().col(2) * 0.3;
       const Eigen::Isometry3d X_WB = X_WC * setup_.X_BC.inverse();
-      const auto seen = PaperEstimator(setup_).Estimate(Picture(X_WB).View(), 0, GravityIn(X_WB));
-      if (order == FrameOrder::kFlight && !seen.pose) continue;  // The classifier was not taught such an H.
-      ASSERT_TRUE(seen.pose) << direction;
-      const double error = models::TaitBryanFromRotation(seen.pose->X_WB.linear()).yaw -
+      const auto result = PaperEstimator(setup_).Estimate(Picture(X_WB).View(), 0, GravityIn(X_WB));
+      if (order == FrameOrder::kFlight && !result.pose) continue;  // The classifier is not trained for a square H.
+      ASSERT_TRUE(result.pose) << direction;
+      const double error = models::TaitBryanFromRotation(result.pose->X_WB.linear()).yaw -
                            models::TaitBryanFromRotation(X_WB.linear()).yaw;
-      EXPECT_LT(std::abs(error), 3.0 * std::sqrt(seen.pose->covariance(5, 5))) << direction;
+      EXPECT_LT(std::abs(error), 3.0 * std::sqrt(result.pose->covariance(5, 5))) << direction;
     }
   }
 }
@@ -213,19 +213,19 @@ TEST_F(PaperEstimatorTest, MeasuresTheYawOfASquareH) {
   PaperEstimator estimator(setup_);
   for (int deg = -85; deg <= 85; deg += 34) {
     const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.02, 0.01, 0.5}, models::DegToRad(deg));
-    const auto seen = estimator.Estimate(Picture(X_WB).View(), 0, GravityIn(X_WB));
-    ASSERT_TRUE(seen.pose) << deg;
-    EXPECT_NEAR(models::RadToDeg(models::TaitBryanFromRotation(seen.pose->X_WB.linear()).yaw), deg, 1.5);
+    const auto result = estimator.Estimate(Picture(X_WB).View(), 0, GravityIn(X_WB));
+    ASSERT_TRUE(result.pose) << deg;
+    EXPECT_NEAR(models::RadToDeg(models::TaitBryanFromRotation(result.pose->X_WB.linear()).yaw), deg, 1.5);
   }
 }
 
-TEST_F(PaperEstimatorTest, MeasuresYawWithin90DegreesEitherSide) {
+TEST_F(PaperEstimatorTest, MeasuresYawWithin90Degrees) {
   for (int deg = -85; deg <= 85; deg += 34) {
     const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.02, 0.01, 0.5}, models::DegToRad(deg));
-    const auto seen = See(X_WB);
-    ASSERT_TRUE(seen.pose) << deg;
-    EXPECT_NEAR(models::RadToDeg(models::TaitBryanFromRotation(seen.pose->X_WB.linear()).yaw), deg, 1.5);
-    EXPECT_LT((seen.pose->X_WB.translation() - X_WB.translation()).norm(), 0.02);
+    const auto result = See(X_WB);
+    ASSERT_TRUE(result.pose) << deg;
+    EXPECT_NEAR(models::RadToDeg(models::TaitBryanFromRotation(result.pose->X_WB.linear()).yaw), deg, 1.5);
+    EXPECT_LT((result.pose->X_WB.translation() - X_WB.translation()).norm(), 0.02);
   }
 }
 
@@ -243,16 +243,16 @@ TEST_F(PaperEstimatorTest, FindsTheBodyAboveAPadWithARectangle) {
       for (const int deg : {-85, -17, 51}) {
         const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.02, 0.01, height}, models::DegToRad(deg), 0.05, 0.6);
         const models::Image image = Picture(X_WB, {.noise_sigma = 3.0, .samples_per_side = 3});
-        const auto seen = PaperEstimator(setup_).Estimate(image.View(), 0, GravityIn(X_WB));
-        ASSERT_TRUE(seen.pose) << height << " " << deg << " " << Name(seen.status);
-        EXPECT_LT((seen.pose->X_WB.translation() - X_WB.translation()).norm(), 0.04 * height);
-        EXPECT_LT(AngleBetween(seen.pose->X_WB, X_WB), models::DegToRad(2.5)) << height << " " << deg;
+        const auto result = PaperEstimator(setup_).Estimate(image.View(), 0, GravityIn(X_WB));
+        ASSERT_TRUE(result.pose) << height << " " << deg << " " << Name(result.status);
+        EXPECT_LT((result.pose->X_WB.translation() - X_WB.translation()).norm(), 0.04 * height);
+        EXPECT_LT(AngleBetween(result.pose->X_WB, X_WB), models::DegToRad(2.5)) << height << " " << deg;
       }
     }
   }
 }
 
-TEST_F(PaperEstimatorTest, TakesNoPadForOneOfAnotherLetter) {
+TEST_F(PaperEstimatorTest, RejectsAPadWithAnotherLetter) {
   const models::LandingPad with_h, with_rectangle = PadWithRectangle();
   for (const FrameOrder order : {FrameOrder::kFlight, FrameOrder::kUnrelated}) {
     setup_.frame_order = order;
@@ -269,13 +269,13 @@ TEST_F(PaperEstimatorTest, TakesNoPadForOneOfAnotherLetter) {
   }
 }
 
-TEST_F(PaperEstimatorTest, VerifiesByTheTemplateUnlessSwitchedOff) {
-  // A letter that the classifier, here the truth, takes for the described H, which it is not.
+TEST_F(PaperEstimatorTest, VerifiesWithTheTemplateUnlessDisabled) {
+  // The classifier of the test labels another letter as the described H.
   const ComponentClassifier classify = [](const ComponentSet&, const Component& component) {
-    Classification seen;
-    seen.label = component.width > 60 ? ComponentClass::kCircle : ComponentClass::kH;
-    seen.posterior[static_cast<std::size_t>(seen.label)] = 1.0;
-    return seen;
+    Classification classification;
+    classification.label = component.width > 60 ? ComponentClass::kCircle : ComponentClass::kH;
+    classification.posterior[static_cast<std::size_t>(classification.label)] = 1.0;
+    return classification;
   };
   const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.02, -0.01, 0.6}, 0.4);
   EstimatorSetup other_letter = setup_;
@@ -285,12 +285,12 @@ TEST_F(PaperEstimatorTest, VerifiesByTheTemplateUnlessSwitchedOff) {
   PaperEstimatorConfig config;
   EXPECT_EQ(PaperEstimator(setup_, config, classify).Estimate(image.View(), 0, GravityIn(X_WB)).reason, "no_ellipse");
   config.search.verify = Verify::kNone;
-  const FrameResult seen = PaperEstimator(setup_, config, classify).Estimate(image.View(), 0, GravityIn(X_WB));
-  ASSERT_EQ(seen.status, FrameStatus::kOk) << seen.reason;
-  EXPECT_LT((seen.pose->X_WB.translation() - X_WB.translation()).norm(), 0.02);
+  const FrameResult result = PaperEstimator(setup_, config, classify).Estimate(image.View(), 0, GravityIn(X_WB));
+  ASSERT_EQ(result.status, FrameStatus::kOk) << result.reason;
+  EXPECT_LT((result.pose->X_WB.translation() - X_WB.translation()).norm(), 0.02);
 }
 
-TEST_F(PaperEstimatorTest, FindsThePadAsPublishedWithoutTheTemplate) {
+TEST_F(PaperEstimatorTest, FindsThePadWithoutTheTemplate) {
   PaperEstimatorConfig config;
   config.search.verify = Verify::kNone;
   for (const double height : {0.3, 0.6, 1.0, 1.5}) {
@@ -303,23 +303,23 @@ TEST_F(PaperEstimatorTest, FindsThePadAsPublishedWithoutTheTemplate) {
   }
 }
 
-TEST_F(PaperEstimatorTest, IsNotFooledByClutter) {
+TEST_F(PaperEstimatorTest, FindsThePadAmongClutter) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     const auto clutter = tests::Clutter(setup_.pad, seed);
     const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.1, 0.05, 0.9}, 0.1);
     PaperEstimator estimator(setup_);
-    FrameResult seen;
+    FrameResult result;
     const models::Image image = Picture(X_WB, {.noise_sigma = 3.0, .paint = clutter});
     for (models::Tick tick = 0; tick < 3 * kFrame; tick += kFrame) {
-      seen = estimator.Estimate(image.View(), tick, GravityIn(X_WB));
+      result = estimator.Estimate(image.View(), tick, GravityIn(X_WB));
     }
-    ASSERT_EQ(seen.status, FrameStatus::kOk) << seed;
-    EXPECT_GT(seen.overlay.boxes.size(), 5u);
-    EXPECT_LT((seen.pose->X_WB.translation() - X_WB.translation()).norm(), 0.05);
+    ASSERT_EQ(result.status, FrameStatus::kOk) << seed;
+    EXPECT_GT(result.overlay.boxes.size(), 5u);
+    EXPECT_LT((result.pose->X_WB.translation() - X_WB.translation()).norm(), 0.05);
   }
 }
 
-TEST_F(PaperEstimatorTest, IsTheSameEveryTime) {
+TEST_F(PaperEstimatorTest, IsDeterministic) {
   const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.05, 0.02, 0.8}, 0.1, 0.05);
   const models::Image image = Picture(X_WB);
   PaperEstimator first(setup_), second(setup_);
@@ -330,7 +330,7 @@ TEST_F(PaperEstimatorTest, IsTheSameEveryTime) {
   EXPECT_EQ(a.pose->covariance, b.pose->covariance);
 }
 
-TEST_F(PaperEstimatorTest, ReadsAnImageByItsStride) {
+TEST_F(PaperEstimatorTest, UsesTheStride) {
   const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.05, 0.02, 0.6});
   const models::Image image = Picture(X_WB);
   std::vector<std::uint8_t> padded(700 * 480, 17);
@@ -342,7 +342,7 @@ TEST_F(PaperEstimatorTest, ReadsAnImageByItsStride) {
   EXPECT_EQ(a.pose->X_WB.matrix(), b.pose->X_WB.matrix());
 }
 
-TEST_F(PaperEstimatorTest, RefusesAnImageOfAnotherSize) {
+TEST_F(PaperEstimatorTest, RejectsAnImageOfWrongSizeOrStride) {
   const models::Image image(320, 240, 100);
   EXPECT_THROW(SeeImage(image, Eigen::Isometry3d::Identity()), std::invalid_argument);
   EXPECT_THROW(estimator_->Estimate({}, 0, -Vector3d::UnitZ()), std::invalid_argument);
@@ -354,7 +354,7 @@ TEST_F(PaperEstimatorTest, RefusesAnImageOfAnotherSize) {
   }
 }
 
-TEST_F(PaperEstimatorTest, ClaimsAPositiveDefiniteCovarianceThatGrowsWithHeight) {
+TEST_F(PaperEstimatorTest, ReportsAPositiveDefiniteCovarianceThatGrowsWithHeight) {
   const auto near = See(BodyWithCameraAt({0.02, 0.0, 0.4}, 0.0, 0.05));
   ASSERT_TRUE(near.pose) << Name(near.status);
   PaperEstimator estimator(setup_);

@@ -1,4 +1,4 @@
-// The figures that docs/footage.md states, on photographs that nobody looked at while the estimator was made.
+// Recognition rates of docs/footage.md, on synthetic photographs that were not used during development.
 #include <gtest/gtest.h>
 
 #include <opencv2/core/utility.hpp>
@@ -8,21 +8,21 @@
 namespace touchdown::tests {
 namespace {
 
-constexpr std::uint64_t kFresh = 7'000'000;  ///< Seeds below were for development.
+constexpr std::uint64_t kFresh = 7'000'000;  ///< First seed that was not used for development.
 
 class Photographs : public testing::Test {
  protected:
   void SetUp() override { cv::setNumThreads(1); }
 };
 
-TEST_F(Photographs, ShowThePadThatTheEstimatorFinds) {
+TEST_F(Photographs, WithAPadAreRecognized) {
   constexpr int kPads = 100;
   int found = 0;
   for (std::uint64_t seed = kFresh; seed < kFresh + kPads; ++seed) found += Score(PhotographPad(seed)).found;
   EXPECT_GE(found, 0.95 * kPads);
 }
 
-TEST_F(Photographs, OfOtherThingsShowNoPad) {
+TEST_F(Photographs, OfDistractorsAreRejected) {
   constexpr int kDistractors = 100;
   for (std::uint64_t seed = kFresh; seed < kFresh + kDistractors; ++seed) {
     const Photograph photo = PhotographDistractor(seed);

@@ -1,4 +1,4 @@
-// `touchdown calibrate` as a user meets it.
+// `touchdown calibrate`, run as a program.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ class CalibrateCommand : public tests::ProgramFixture {
   }
 };
 
-TEST_F(CalibrateCommand, LeavesOneFileThatAScenarioTakes) {
+TEST_F(CalibrateCommand, WritesACalibrationThatAScenarioUses) {
   const tests::ProgramRun run = Run({"calibrate", "all", "skew.yaml", "--out", "found", "--seed", "2"});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_THAT(run.out, AllOf(HasSubstr("error: tilt"), HasSubstr("error: focal"), HasSubstr("found/calibration.yaml")));
@@ -44,7 +44,7 @@ TEST_F(CalibrateCommand, LeavesOneFileThatAScenarioTakes) {
   EXPECT_EQ(runner::LoadScenario(folder_ / "flight/scenario.yaml").assumed_camera(), *found.camera_model);
 }
 
-TEST_F(CalibrateCommand, CalibratesTheImuAloneAndFromARealOnesSamples) {
+TEST_F(CalibrateCommand, CalibratesOnlyTheImuFromAScenarioOrRealSamples) {
   EXPECT_EQ(
       Run({"calibrate", "imu", "skew.yaml", "--out", "imu", "--set", "imu.accelerometer_bias_sigma_m_s2=0"}).status, 0);
   const runner::Calibration found = runner::LoadCalibration(folder_ / "imu/calibration.yaml");
@@ -60,14 +60,14 @@ TEST_F(CalibrateCommand, CalibratesTheImuAloneAndFromARealOnesSamples) {
   EXPECT_THAT(folder_.Content("real/calibration.json"), Not(HasSubstr("\"error\"")));
 }
 
-TEST_F(CalibrateCommand, RefusesWhatItCannotUseInOneLine) {
+TEST_F(CalibrateCommand, RejectsInvalidInputWithOneLine) {
   folder_.Put("few.csv", "#timestamp [ns],w x,w y,w z,a x,a y,a z\n0,0,0,0,0,0,9.81\n");
   folder_.Put("mine/notes.txt", "mine");
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
       {{"calibrate", "lens", "skew.yaml", "--out", "result"}, "lens"},
-      {{"calibrate", "imu", "--out", "result"}, "name a scenario"},
+      {{"calibrate", "imu", "--out", "result"}, "needs SCENARIO"},
       {{"calibrate", "imu", "none.yaml", "--out", "result"}, "none.yaml"},
-      {{"calibrate", "camera", "--imu", "few.csv", "--out", "result"}, "goes with calibrate imu alone"},
+      {{"calibrate", "camera", "--imu", "few.csv", "--out", "result"}, "works only with calibrate imu"},
       {{"calibrate", "imu", "--imu", "few.csv", "--out", "result"}, "few.csv: too few samples of the IMU at rest: 1"},
       {{"calibrate", "imu", "skew.yaml", "--set", "camera.fps=3", "--out", "result"}, "camera.fps: unknown key"},
       {{"calibrate", "imu", "skew.yaml", "--out", "mine"}, "mine"},

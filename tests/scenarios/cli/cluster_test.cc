@@ -1,4 +1,4 @@
-// A sweep past one machine: by shards, by a Slurm that only answers, and on a Slurm cluster that flies.
+// Sweeps on several machines: in shards, with stub Slurm tools, and on a real Slurm cluster.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -27,16 +27,16 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using tests::ProgramRun;
 
-/// An environment variable, as it was again at the end.
-class SetVariable {
+/// Sets an environment variable, and restores it in the destructor.
+class ScopedVariable {
  public:
-  SetVariable(const char* name, const std::string& value) : name_(name) {
+  ScopedVariable(const char* name, const std::string& value) : name_(name) {
     if (const char* before = getenv(name)) before_ = before;
     setenv(name, value.c_str(), 1);
   }
-  ~SetVariable() { before_ ? setenv(name_, before_->c_str(), 1) : unsetenv(name_); }
-  SetVariable(const SetVariable&) = delete;
-  SetVariable& operator=(const SetVariable&) = delete;
+  ~ScopedVariable() { before_ ? setenv(name_, before_->c_str(), 1) : unsetenv(name_); }
+  ScopedVariable(const ScopedVariable&) = delete;
+  ScopedVariable& operator=(const ScopedVariable&) = delete;
 
  private:
   const char* name_;
@@ -51,7 +51,7 @@ class ClusterTest : public tests::ProgramFixture {
     EXPECT_EQ(run.status, 0) << run.err;
     return run.out;
   }
-  /// The rows that this machine flies into `folder`.
+  /// Flies the sweep on this machine into `folder`, and returns its rows as CSV.
   std::string LocalCsv(const std::string& folder) {
     OutOf({"sweep", "sweep.yaml", "--out", folder, "--csv", folder + ".csv", "--quiet"});
     return folder_.Content(folder + ".csv");
@@ -70,7 +70,7 @@ class ClusterTest : public tests::ProgramFixture {
   }
 };
 
-TEST_F(ClusterTest, PartsTogetherHaveTheRowsOfTheWhole) {
+TEST_F(ClusterTest, CollectedPartsHaveTheRowsOfTheWholeSweep) {
   PutSweep(
       2,
       "parameters: {camera.noise_sigma: [0, 3]}\nvariants: [{name: plain}, {name: turned, set: {start.yaw_deg: 5}}]\n");
@@ -78,20 +78,21 @@ TEST_F(ClusterTest, PartsTogetherHaveTheRowsOfTheWhole) {
   for (const std::string part : {"1", "2", "3"}) {
     OutOf({"sweep", "sweep.yaml", "--out", "part" + part, "--shard", part + "/3", "--quiet"});
   }
-  EXPECT_THAT(OutOf({"status", "part1"}), StartsWith("sweep: 3 of 3 flights, of 8 in the whole sweep\n"));
+  EXPECT_THAT(OutOf({"status", "part1"}), StartsWith("sweep: 3 of 3 flights of this part, 8 in the whole sweep\n"));
   folder_.Put("part2/pictures/0123.png", "PNG");
   const ProgramRun incomplete = Run({"collect", "all", "part1"});
-  EXPECT_EQ(incomplete.status, 1) << "not all is there";
-  EXPECT_THAT(incomplete.out, AllOf(HasSubstr("sweep: 3 of 3 flights\n"), HasSubstr("report in all/report.html\n"),
-                                    HasSubstr("5 more flights are in parts of the sweep that are not here\n")));
+  EXPECT_EQ(incomplete.status, 1) << "flights are missing";
+  EXPECT_THAT(incomplete.out,
+              AllOf(HasSubstr("sweep: 3 of 3 flights\n"), HasSubstr("report in all/report.html\n"),
+                    HasSubstr("5 more flights belong to parts of the sweep that are not collected here\n")));
   EXPECT_EQ(CollectedCsv({"all", "part2", "part1", "part3"}), whole);
-  EXPECT_EQ(CollectedCsv({"all", "part1"}), whole) << "again";
+  EXPECT_EQ(CollectedCsv({"all", "part1"}), whole) << "collecting a part twice changes nothing";
   EXPECT_TRUE(fs::exists(folder_ / "all/pictures/0123.png"));
   EXPECT_THAT(folder_.Content("all/report.html"), HasSubstr("camera.noise_sigma"));
   EXPECT_EQ(Status("all").at("flown"), 8);
 }
 
-TEST_F(ClusterTest, CollectsIntoWhatAKilledCollectLeft) {
+TEST_F(ClusterTest, CollectsIntoTheFolderOfAKilledCollect) {
   PutSweep(2);
   const std::string whole = LocalCsv("whole");
   for (const std::string part : {"1", "2"}) {
@@ -106,7 +107,7 @@ TEST_F(ClusterTest, CollectsIntoWhatAKilledCollectLeft) {
   EXPECT_EQ(Status("planless").at("planned"), 2);
 }
 
-TEST_F(ClusterTest, RefusesPartsOfAnotherSweepOrBuild) {
+TEST_F(ClusterTest, RejectsPartsOfAnotherSweepOrBuild) {
   PutSweep(2);
   OutOf({"sweep", "sweep.yaml", "--out", "part1", "--shard", "1/2", "--quiet"});
   fs::copy_file(folder_ / "sweep.yaml", folder_ / "other.yaml");
@@ -129,18 +130,18 @@ TEST_F(ClusterTest, RefusesPartsOfAnotherSweepOrBuild) {
   EXPECT_FALSE(fs::exists(folder_ / "all"));
 }
 
-/// With programs of Slurm's names that answer and do nothing.
-class AnsweringSlurmTest : public ClusterTest {
+/// Replaces the Slurm tools by stubs that answer and do nothing.
+class StubSlurmTest : public ClusterTest {
  protected:
-  AnsweringSlurmTest() {
+  StubSlurmTest() {
     PutTool("scontrol",
             "[ $1 = release ] && cat ../out/slurm/job.yaml >../released; echo 'MaxArraySize            = 3'");
     PutTool("sbatch", "echo \"$@\" >>../submitted; echo '7;here'");
     PutTool("squeue", "");
   }
-  void PutTool(const std::string& name, const std::string& does) {
-    fs::permissions(folder_.Put("tools/" + name, "#!/bin/sh\ncd $(dirname $0)\n" + does + "\n"), fs::perms::owner_exec,
-                    fs::perm_options::add);
+  void PutTool(const std::string& name, const std::string& script) {
+    fs::permissions(folder_.Put("tools/" + name, "#!/bin/sh\ncd $(dirname $0)\n" + script + "\n"),
+                    fs::perms::owner_exec, fs::perm_options::add);
   }
   std::string Submit(const std::vector<std::string>& more = {}) {
     std::vector<std::string> arguments{"sweep", "sweep.yaml", "--slurm", "--out", "out"};
@@ -148,29 +149,29 @@ class AnsweringSlurmTest : public ClusterTest {
     return OutOf(arguments);
   }
 
-  const SetVariable path_{"PATH", (folder_ / "tools").string() + ":" + getenv("PATH")};
+  const ScopedVariable path_{"PATH", (folder_ / "tools").string() + ":" + getenv("PATH")};
 };
 
-TEST_F(AnsweringSlurmTest, SubmitsTasksThatFitTheSite) {
+TEST_F(StubSlurmTest, SubmitsTasksWithinTheLimitsOfTheSite) {
   PutSweep(7);
-  EXPECT_EQ(Submit({"--dry-run"}), "7 flights in 1 task\n") << "less than some minutes";
-  EXPECT_EQ(Submit({"--chunk", "1", "--dry-run"}), "7 flights in 3 tasks\n") << "no more are allowed";
+  EXPECT_EQ(Submit({"--dry-run"}), "7 flights in 1 task\n") << "one task, because they take less than a few minutes";
+  EXPECT_EQ(Submit({"--chunk", "1", "--dry-run"}), "7 flights in 3 tasks\n") << "the site allows three tasks";
   EXPECT_FALSE(fs::exists(folder_ / "out"));
   EXPECT_EQ(Submit({"--chunk", "3", "--partition", "fast", "--account", "us", "--time", "10"}),
             "Slurm job 7: 7 flights in 3 tasks\n");
   EXPECT_THAT(folder_.Content("submitted"), AllOf(HasSubstr("--partition=fast --account=us --time=10 out/slurm.sh"),
                                                   HasSubstr("--chdir=" + (folder_ / "out").string())));
   EXPECT_THAT(folder_.Content("submitted"), HasSubstr("--hold"));
-  EXPECT_EQ(folder_.Content("released"), "slurm_job: 7\n") << "once the folder knew it";
+  EXPECT_EQ(folder_.Content("released"), "slurm_job: 7\n") << "released after the job id was written";
   EXPECT_THAT(folder_.Content("out/slurm.sh"), AllOf(HasSubstr("--array=0-2\n"), HasSubstr("--requeue\n")));
   EXPECT_EQ(CountIn("out/tasks"), 3u);
 }
 
-TEST_F(AnsweringSlurmTest, GoesOnWithWhatIsMissing) {
+TEST_F(StubSlurmTest, SubmitsOnlyMissingFlights) {
   PutSweep(4);
   Submit({"--chunk", "2"});
   EXPECT_THAT(OutOf({"sweep-task", "out", "1"}), HasSubstr(" pass in "));
-  EXPECT_EQ(OutOf({"sweep-task", "out", "1"}), "") << "all is there";
+  EXPECT_EQ(OutOf({"sweep-task", "out", "1"}), "") << "all flights of the task are flown";
   PutTool("squeue", "echo RUNNING; echo PENDING; echo PENDING");
   EXPECT_EQ(OutOf({"status", "out"}),
             "sweep: 2 of 4 flights\n  passed 2\n  failed 0\nSlurm job 7: tasks: 2 PENDING, 1 RUNNING\n");
@@ -183,11 +184,11 @@ TEST_F(AnsweringSlurmTest, GoesOnWithWhatIsMissing) {
   EXPECT_EQ(CountIn("out/tasks"), 2u);
   OutOf({"sweep-task", "out", "0"});
   OutOf({"sweep-task", "out", "1"});
-  EXPECT_EQ(Submit(), "sweep: all 4 flights are there, nothing was submitted\n");
+  EXPECT_EQ(Submit(), "sweep: all 4 flights are flown, nothing was submitted\n");
   EXPECT_EQ(CollectedCsv({"out"}), LocalCsv("here"));
 }
 
-TEST_F(AnsweringSlurmTest, KeepsADamagedRowBesideTheOneThatIsFlownForIt) {
+TEST_F(StubSlurmTest, KeepsADamagedRowAndFliesTheFlightAgain) {
   PutSweep(1);
   Submit();
   const std::string id = nlohmann::json::parse(folder_.Content("out/tasks/0.json")).at("flights").at(0).at("id");
@@ -197,7 +198,7 @@ TEST_F(AnsweringSlurmTest, KeepsADamagedRowBesideTheOneThatIsFlownForIt) {
   EXPECT_EQ(Status("out").at("flown"), 1);
 }
 
-TEST_F(AnsweringSlurmTest, TellsWhatWasFlownForARowWhoseProcessCrashed) {
+TEST_F(StubSlurmTest, CountsCrashedProcessesAndRetriesThem) {
   PutSweep(2);
   Submit();
   {
@@ -213,7 +214,7 @@ TEST_F(AnsweringSlurmTest, TellsWhatWasFlownForARowWhoseProcessCrashed) {
   EXPECT_EQ(Submit({"--retry"}), "Slurm job 7: 1 flights in 1 task\n");
 }
 
-TEST_F(AnsweringSlurmTest, LeavesARowThatIsBeingWritten) {
+TEST_F(StubSlurmTest, KeepsARowThatIsBeingWritten) {
   PutSweep(1);
   Submit();
   folder_.Put("out/rows/.0123.json.partial-1", "{");
@@ -224,7 +225,7 @@ TEST_F(AnsweringSlurmTest, LeavesARowThatIsBeingWritten) {
   EXPECT_FALSE(fs::exists(old));
 }
 
-TEST_F(AnsweringSlurmTest, SaysWhyItCannotSubmit) {
+TEST_F(StubSlurmTest, ReportsWhyItCannotSubmit) {
   PutSweep(2);
   const std::vector<std::string> submit{"sweep", "sweep.yaml", "--slurm", "--out", "out"};
   PutTool("sbatch", "echo 'sbatch: error: no such partition\nsbatch: error: failed' >&2; exit 1");
@@ -236,12 +237,12 @@ TEST_F(AnsweringSlurmTest, SaysWhyItCannotSubmit) {
   EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--slurm"}), HasSubstr("--out"));
   EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--out", "out", "--chunk", "2"}), HasSubstr("--slurm"));
   EXPECT_THAT(ErrorOf({"sweep-task", "out", "0"}), HasSubstr("out/tasks/0.json: cannot be read: No such file"));
-  const SetVariable no_tools("PATH", "/nowhere");
+  const ScopedVariable no_tools("PATH", "/nowhere");
   EXPECT_THAT(ErrorOf(submit), HasSubstr("there is no scontrol on this machine"));
   EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
-TEST_F(AnsweringSlurmTest, SaysWhatBecomesOfAJobThatItCannotRecordOrRelease) {
+TEST_F(StubSlurmTest, ReportsAJobThatItCannotRecordOrRelease) {
   PutSweep(2);
   const std::vector<std::string> submit{"sweep", "sweep.yaml", "--slurm", "--out", "out"};
   PutTool("sbatch", "mkdir ../out/slurm/job.yaml; echo 7");
@@ -254,7 +255,7 @@ TEST_F(AnsweringSlurmTest, SaysWhatBecomesOfAJobThatItCannotRecordOrRelease) {
   EXPECT_EQ(folder_.Content("out/slurm/job.yaml"), "slurm_job: 7\n");
 }
 
-TEST_F(AnsweringSlurmTest, RefusesTasksThatAnotherBuildPlanned) {
+TEST_F(StubSlurmTest, RejectsTasksThatAnotherBuildPlanned) {
   PutSweep(1);
   Submit();
   nlohmann::json chunk = nlohmann::json::parse(folder_.Content("out/tasks/0.json"));
@@ -265,13 +266,13 @@ TEST_F(AnsweringSlurmTest, RefusesTasksThatAnotherBuildPlanned) {
   EXPECT_THAT(ErrorOf({"sweep-task", "out", "0"}), HasSubstr("is no chunk of a sweep"));
 }
 
-/// Two nodes on this machine's loopback.
+/// Starts a Slurm cluster of two nodes on the loopback interface.
 class SlurmClusterTest : public ClusterTest {
  protected:
   void SetUp() override {
-    if (geteuid() != 0) GTEST_SKIP() << "only root starts a Slurm cluster";
+    if (geteuid() != 0) GTEST_SKIP() << "a Slurm cluster needs root";
     if (std::system("command -v slurmctld slurmd sbatch munged >/dev/null") != 0) {
-      GTEST_SKIP() << "there is no Slurm; on Debian: apt-get install slurmctld slurmd slurm-client munge";
+      GTEST_SKIP() << "Slurm is not installed; on Debian: apt-get install slurmctld slurmd slurm-client munge";
     }
     ASSERT_EQ(Cluster("start").status, 0);
   }
@@ -304,10 +305,10 @@ class SlurmClusterTest : public ClusterTest {
               "Slurm job 1: 12 flights in " + std::to_string(12 / chunk) + " tasks\n");
   }
 
-  const SetVariable conf_{"SLURM_CONF", (folder_ / "cluster/slurm.conf").string()};
+  const ScopedVariable conf_{"SLURM_CONF", (folder_ / "cluster/slurm.conf").string()};
 };
 
-TEST_F(SlurmClusterTest, FliesTheRowsOfOneMachine) {
+TEST_F(SlurmClusterTest, FliesTheSameRowsAsOneMachine) {
   Submit(2);
   WaitUntil([&] { return IsOver(); });
   EXPECT_EQ(Status("out").at("flown"), 12) << folder_.Content("out/slurm/0.log");
@@ -316,13 +317,13 @@ TEST_F(SlurmClusterTest, FliesTheRowsOfOneMachine) {
               HasSubstr("invalid partition specified: none"));
 }
 
-TEST_F(SlurmClusterTest, FliesTheSameRowsWhenANodeIsLost) {
+TEST_F(SlurmClusterTest, FliesTheSameRowsAfterANodeFailure) {
   Submit(4);
   WaitUntil([&] { return fs::exists(folder_ / "out/rows") && CountIn("out/rows") > 0; });
   Cluster("kill-node", {"n1"});
-  Run({"collect", "out"});  // In mid-sweep; what is flown twice replaces itself.
+  Run({"collect", "out"});  // While the sweep runs; a row that is flown twice is replaced by an identical one.
   WaitUntil([&] { return IsOver(); });
-  EXPECT_EQ(std::system("scontrol show job | grep -q Restarts=1"), 0) << "a task was lost";
+  EXPECT_EQ(std::system("scontrol show job | grep -q Restarts=1"), 0) << "one task is restarted";
   EXPECT_EQ(Status("out").at("flown"), 12);
   EXPECT_EQ(CollectedCsv({"out"}), LocalCsv("here"));
 }

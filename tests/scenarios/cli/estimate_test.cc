@@ -1,4 +1,4 @@
-// `touchdown estimate`, and `score` on what it leaves, as a user meets them.
+// `touchdown estimate`, and `score` on its poses, run as a program.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ using tests::SmallMount;
 
 class EstimateCommand : public tests::ProgramFixture {};
 
-TEST_F(EstimateCommand, EstimatesOnARecordingAndScoresIts) {
+TEST_F(EstimateCommand, EstimatesOnARecordingAndScoresThePoses) {
   folder_.Put("short.yaml", "start: {airborne: true}\nscript: [{do: hover, duration_s: 0.5}]\n");
   ASSERT_EQ(Run({"fly", "short.yaml", "--out", "a", "--record"}).status, 0);
   const ProgramRun run = Run({"estimate", "a", "--out", "b", "--video"});
@@ -37,19 +37,19 @@ TEST_F(EstimateCommand, EstimatesOnARecordingAndScoresIts) {
   EXPECT_EQ(score.status, 0) << score.err;
   EXPECT_THAT(score.out, HasSubstr("estimate.xy_rmse_m"));
 
-  const ProgramRun pictures =
+  const ProgramRun images =
       Run({"estimate", "a/recording/mav0/cam0/data", "--camera", "a/recording/camera.yaml", "--out", "c", "--quiet"});
-  EXPECT_EQ(pictures.status, 0);
-  EXPECT_EQ(pictures.out + pictures.err, "");
+  EXPECT_EQ(images.status, 0);
+  EXPECT_EQ(images.out + images.err, "");
 }
 
-TEST_F(EstimateCommand, TakesWhatACalibrationFound) {
-  folder_.Put("misled.yaml", R"(start: {airborne: true}
+TEST_F(EstimateCommand, UsesACalibrationFile) {
+  folder_.Put("miscalibrated.yaml", R"(start: {airborne: true}
 script: [{do: hover, duration_s: 0.5}]
 vehicle: {camera: {misalignment_deg: [3, 0, 0]}}
 calibration: {camera: {misalignment_deg: [0, 0, 0]}}
 )");
-  ASSERT_EQ(Run({"fly", "misled.yaml", "--out", "a", "--record", "--video", "off"}).status, 0);
+  ASSERT_EQ(Run({"fly", "miscalibrated.yaml", "--out", "a", "--record", "--video", "off"}).status, 0);
   folder_.Put("found.yaml", "camera: {misalignment_deg: [3, 0, 0]}\n");
   const auto roll_rmse_deg = [&](const std::vector<std::string>& calibration) {
     std::vector<std::string> arguments{"estimate", "a", "--out", "b", "--quiet"};
@@ -62,17 +62,17 @@ calibration: {camera: {misalignment_deg: [0, 0, 0]}}
   EXPECT_LT(roll_rmse_deg({"--calibration", "found.yaml"}), 1.5);
 }
 
-TEST_F(EstimateCommand, RefusesFootageThatItCannotUseAndLeavesWhatWasThere) {
+TEST_F(EstimateCommand, RejectsUnusableFootageAndWritesNothing) {
   fs::create_directories(folder_ / "empty");
   folder_.Put("camera.yaml", "width_px: 640\n");
   folder_.Put("bad.yaml", "width_px: wide\n");
-  folder_.Put("film.mp4", "no film");
+  folder_.Put("video.mp4", "not a video");
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
-      {{"empty", "--camera", "camera.yaml"}, "empty: no pictures in this folder"},
-      {{"none", "--camera", "camera.yaml"}, "none: no such file or folder"},
-      {{"film.mp4", "--camera", "camera.yaml"}, "film.mp4: no video that can be read"},
-      {{"film.mp4", "--camera", "bad.yaml"}, "film.mp4: no video that can be read"},
-      {{"empty", "--camera", "camera.yaml", "--estimator", "magic"}, "empty: no pictures"},
+      {{"empty", "--camera", "camera.yaml"}, "empty: no images in this directory"},
+      {{"none", "--camera", "camera.yaml"}, "none: no such file or directory"},
+      {{"video.mp4", "--camera", "camera.yaml"}, "video.mp4: not a readable video"},
+      {{"video.mp4", "--camera", "bad.yaml"}, "video.mp4: not a readable video"},
+      {{"empty", "--camera", "camera.yaml", "--estimator", "magic"}, "empty: no images"},
   };
   const std::set<std::string> before = Names();
   for (const auto& [input, error] : cases) {
@@ -83,23 +83,23 @@ TEST_F(EstimateCommand, RefusesFootageThatItCannotUseAndLeavesWhatWasThere) {
   }
 }
 
-TEST_F(EstimateCommand, LeavesEarlierPosesInAFullOrReadOnlyFolder) {
+TEST_F(EstimateCommand, KeepsEarlierPosesInAFullOrReadOnlyFolder) {
   fs::create_directories(folder_ / "small");
   const SmallMount small(folder_ / "small");
-  if (!small.is_there()) GTEST_SKIP() << "no right to mount";
+  if (!small.is_there()) GTEST_SKIP() << "no permission to mount";
   folder_.Put("short.yaml", "start: {airborne: true}\nscript: [{do: hover, duration_s: 0.2}]\n");
   ASSERT_EQ(Run({"fly", "short.yaml", "--out", "flight", "--record", "--video", "off"}).status, 0);
   ASSERT_EQ(Run({"estimate", "flight", "--out", "small/poses"}).status, 0);
   const std::string before = folder_.Content("small/poses/poses.csv");
-  const auto expect_refused = [&](const char* error) {
+  const auto expect_rejected = [&](const char* error) {
     EXPECT_THAT(ErrorOf({"estimate", "flight", "--out", "small/poses", "--quiet"}), HasSubstr(error));
     EXPECT_EQ(folder_.Content("small/poses/poses.csv"), before);
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "small"), {}), 1) << "the poses alone";
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "small"), {}), 1) << "only the poses";
   };
   small.Fill();
-  expect_refused("cannot be written");
+  expect_rejected("cannot be written");
   small.MakeReadOnly();
-  expect_refused("Read-only file system");
+  expect_rejected("Read-only file system");
 }
 
 }  // namespace

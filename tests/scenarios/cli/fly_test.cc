@@ -1,4 +1,4 @@
-// `touchdown fly` as a user meets it: what it refuses, what it says, and what it leaves behind.
+// `touchdown fly`, run as a program: its errors, its output and its files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ using tests::SmallMount;
 
 class FlyCommand : public tests::ProgramFixture {
  protected:
-  /// Expects that nothing is left behind.
+  /// Returns the error message. Expects that the program writes no file.
   std::string ErrorOfFlying(const std::string& scenario, const std::vector<std::string>& more = {}) const {
     std::vector<std::string> arguments = {"fly", scenario, "--out", "result"};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -42,80 +42,80 @@ class FlyCommand : public tests::ProgramFixture {
   }
 };
 
-TEST_F(FlyCommand, RefusesAnUnknownKey) {
+TEST_F(FlyCommand, RejectsAnUnknownKey) {
   EXPECT_THAT(ErrorOfText(kTakeoffAndLanding + "camera:\n  fps: 60\n"),
               HasSubstr("bad.yaml:5: camera.fps: unknown key"));
 }
 
-TEST_F(FlyCommand, RefusesADuplicateKey) {
+TEST_F(FlyCommand, RejectsADuplicateKey) {
   EXPECT_THAT(ErrorOfText(kTakeoffAndLanding + "seed: 1\nseed: 2\n"), HasSubstr("bad.yaml:5: seed: duplicate key"));
 }
 
-TEST_F(FlyCommand, RefusesAWrongType) {
+TEST_F(FlyCommand, RejectsAWrongType) {
   EXPECT_THAT(ErrorOfText(kTakeoffAndLanding + "seed: [1]\n"), HasSubstr("bad.yaml:4: seed: must be a whole number"));
 }
 
-TEST_F(FlyCommand, RefusesWhatIsNotANumber) {
+TEST_F(FlyCommand, RejectsANonFiniteNumber) {
   EXPECT_THAT(ErrorOfText(kTakeoffAndLanding + "camera: {noise_sigma: .nan}\n"),
               HasSubstr("bad.yaml:4: camera.noise_sigma: must be a finite number"));
 }
 
-TEST_F(FlyCommand, RefusesANegativeMass) {
+TEST_F(FlyCommand, RejectsANegativeMass) {
   EXPECT_THAT(ErrorOfText(kTakeoffAndLanding + "vehicle: {mass_kg: -1}\n"),
               HasSubstr("bad.yaml:4: vehicle.mass_kg: must be above 0"));
 }
 
-TEST_F(FlyCommand, RefusesAnImageOfNoSize) {
+TEST_F(FlyCommand, RejectsAnImageOfZeroSize) {
   EXPECT_THAT(ErrorOfText(kTakeoffAndLanding + "camera: {model: {height_px: 0}}\n"),
               HasSubstr("bad.yaml:4: camera.model.height_px: must be from 1 to 16384, is 0"));
 }
 
-TEST_F(FlyCommand, RefusesAMissingFile) {
+TEST_F(FlyCommand, RejectsAMissingFile) {
   EXPECT_THAT(ErrorOfFlying("none.yaml"), HasSubstr("none.yaml: no such file"));
   EXPECT_THAT(ErrorOfText(kTakeoffAndLanding + "pad: none.yaml\n"),
               AllOf(HasSubstr("bad.yaml:4: pad: "), HasSubstr("none.yaml: no such file")));
 }
 
-TEST_F(FlyCommand, RefusesAnEmptyFile) { EXPECT_THAT(ErrorOfText(""), HasSubstr("bad.yaml:1: is empty")); }
+TEST_F(FlyCommand, RejectsAnEmptyFile) { EXPECT_THAT(ErrorOfText(""), HasSubstr("bad.yaml:1: is empty")); }
 
-TEST_F(FlyCommand, RefusesAHundredThousandBrackets) {
+TEST_F(FlyCommand, RejectsAHundredThousandBrackets) {
   const std::string open(100000, '['), close(100000, ']');
   EXPECT_THAT(ErrorOfText("script: " + open), HasSubstr("bad.yaml:1: "));
   EXPECT_THAT(ErrorOfText("script: " + open + close), HasSubstr("bad.yaml:1: nested"));
 }
 
-TEST_F(FlyCommand, RefusesAFolderForAScenario) {
+TEST_F(FlyCommand, RejectsAFolderAsScenario) {
   fs::create_directories(folder_ / "folder.yaml");
   EXPECT_THAT(ErrorOfFlying("folder.yaml"), HasSubstr("folder.yaml: is a folder"));
 }
 
-TEST_F(FlyCommand, RefusesAnUnknownEstimator) {
+TEST_F(FlyCommand, RejectsAnUnknownEstimator) {
   EXPECT_THAT(ErrorOfText(kTakeoffAndLanding + "estimator: {name: magic}\n"),
-              HasSubstr("bad.yaml:4: estimator.name: unknown estimator 'magic', known: paper"));
+              HasSubstr("bad.yaml:4: estimator.name: unknown estimator 'magic'; allowed: paper"));
 }
 
-TEST_F(FlyCommand, NamesTheOptionThatIsWrong) {
-  const std::vector<std::pair<std::string, std::string>> wrong = {
+TEST_F(FlyCommand, NamesTheInvalidOption) {
+  const std::vector<std::pair<std::string, std::string>> invalid = {
       {"--estimator", "magic"}, {"--estimator", ""}, {"--seed", "one"}, {"--seed", "18446744073709551616"}};
-  for (const auto& [option, value] : wrong) {
+  for (const auto& [option, value] : invalid) {
     EXPECT_THAT(
         ErrorOfText(kTakeoffAndLanding, {option, value}),
         StartsWith("error: " + option + " " + value + ": " + (option == "--seed" ? "seed: " : "estimator.name: ")));
   }
 }
 
-TEST_F(FlyCommand, RefusesToSetAKeyThatDoesNotExist) {
+TEST_F(FlyCommand, RejectsAnOverrideOfAnUnknownKey) {
   EXPECT_THAT(ErrorOfText(kTakeoffAndLanding, {"--set", "camera.fps=60"}),
               HasSubstr("--set camera.fps=60: camera.fps: unknown key"));
 }
 
-TEST_F(FlyCommand, RefusesAnOutputFolderThatHoldsOtherThings) {
+TEST_F(FlyCommand, RejectsAnOutputFolderWithOtherFiles) {
   folder_.Put("result/thesis.tex", "years of work");
   EXPECT_THAT(ErrorOfText(kTakeoffAndLanding), HasSubstr("holds other files"));
   EXPECT_TRUE(fs::exists(folder_ / "result" / "thesis.tex"));
 }
 
-TEST_F(FlyCommand, RefusesAnOutputFolderThatCannotBeWritten) {
+TEST_F(FlyCommand, RejectsAnUnwritableOutputFolder) {
   folder_.Put("good.yaml", kTakeoffAndLanding);
   folder_.Put("file", "");
   for (const char* place : {"", "file", "file/below", "/proc/touchdown"}) {
@@ -124,13 +124,13 @@ TEST_F(FlyCommand, RefusesAnOutputFolderThatCannotBeWritten) {
   EXPECT_THAT(Names(), UnorderedElementsAre("good.yaml", "file"));
 }
 
-TEST_F(FlyCommand, RefusesToWriteOverTheScenarioItFlies) {
+TEST_F(FlyCommand, RejectsTheFolderOfTheScenarioAsOutput) {
   folder_.Put("result/scenario.yaml", kTakeoffAndLanding);
   folder_.Put("result/result.json", "{\"log_sha256\": \"\"}");
-  EXPECT_THAT(ErrorOfFlying("result/scenario.yaml"), HasSubstr("holds the scenario that is flown"));
+  EXPECT_THAT(ErrorOfFlying("result/scenario.yaml"), HasSubstr("contains the scenario to fly"));
 }
 
-TEST_F(FlyCommand, LeavesNothingWhenInterrupted) {
+TEST_F(FlyCommand, WritesNothingWhenInterrupted) {
   folder_.Put("good.yaml", kTakeoffAndLanding);
   const auto flies = [this] { return fs::exists(folder_ / "a"); };
   for (const int signal : {SIGINT, SIGHUP}) {
@@ -140,7 +140,7 @@ TEST_F(FlyCommand, LeavesNothingWhenInterrupted) {
   }
 }
 
-TEST_F(FlyCommand, LeavesNothingWhenTheDiskIsFull) {
+TEST_F(FlyCommand, WritesNothingWhenTheDiskIsFull) {
   folder_.Put("short.yaml", kTakeoffAndLanding + "time_limit_s: 0.2\n");
   const ProgramRun run = tests::RunProgram(
       "/bin/sh", {"-c", "trap '' XFSZ; ulimit -f 40; exec \"$0\" fly short.yaml --out a/result", TOUCHDOWN_PROGRAM},
@@ -150,36 +150,36 @@ TEST_F(FlyCommand, LeavesNothingWhenTheDiskIsFull) {
   EXPECT_THAT(Names(), UnorderedElementsAre("short.yaml"));
 }
 
-TEST_F(FlyCommand, LeavesNothingOfAFlightInAFullOrReadOnlyFolder) {
+TEST_F(FlyCommand, WritesNothingToAFullOrReadOnlyFolder) {
   fs::create_directories(folder_ / "small");
   const SmallMount small(folder_ / "small");
-  if (!small.is_there()) GTEST_SKIP() << "no right to mount";
+  if (!small.is_there()) GTEST_SKIP() << "no permission to mount";
   folder_.Put("short.yaml", kTakeoffAndLanding + "time_limit_s: 0.1\n");
-  const auto expect_refused = [&](const std::vector<std::string>& options, const char* error) {
+  const auto expect_rejected = [&](const std::vector<std::string>& options, const char* error) {
     std::vector<std::string> arguments = {"fly", "short.yaml", "--out", "small/flight", "--quiet"};
     arguments.insert(arguments.end(), options.begin(), options.end());
     EXPECT_THAT(ErrorOf(arguments), HasSubstr(error));
     EXPECT_TRUE(fs::is_empty(folder_ / "small"));
   };
   small.Fill();
-  expect_refused({}, "flight.mp4: No space left on device");
-  expect_refused({"--record", "--video", "off"}, "cannot be written");
+  expect_rejected({}, "flight.mp4: No space left on device");
+  expect_rejected({"--record", "--video", "off"}, "cannot be written");
   small.MakeReadOnly();
-  expect_refused({}, "small/flight: Read-only file system");
+  expect_rejected({}, "small/flight: Read-only file system");
 }
 
-TEST_F(FlyCommand, LeavesAFilmUnlessToldNotTo) {
+TEST_F(FlyCommand, WritesAVideoUnlessItIsOff) {
   folder_.Put("short.yaml", kTakeoffAndLanding + "time_limit_s: 0.1\n");
-  const fs::path film = folder_ / "result" / "flight.mp4";
+  const fs::path video = folder_ / "result" / "flight.mp4";
   EXPECT_EQ(Run({"fly", "short.yaml", "--out", "result"}).status, 1);
-  EXPECT_TRUE(fs::exists(film));
+  EXPECT_TRUE(fs::exists(video));
   EXPECT_EQ(Run({"fly", "short.yaml", "--out", "result", "--video", "off"}).status, 1);
-  EXPECT_FALSE(fs::exists(film));
+  EXPECT_FALSE(fs::exists(video));
   EXPECT_EQ(Run({"fly", "short.yaml", "--out", "result", "--video", "on"}).status, 1);
-  EXPECT_TRUE(fs::exists(film));
+  EXPECT_TRUE(fs::exists(video));
 }
 
-TEST_F(FlyCommand, SaysNothingOrOnlyJsonWhenAsked) {
+TEST_F(FlyCommand, PrintsNothingOrOnlyJson) {
   folder_.Put("short.yaml", kTakeoffAndLanding + "time_limit_s: 0.1\nexpect: gave_up\n");
   const ProgramRun quiet = Run({"fly", "short.yaml", "--out", "a", "--quiet", "--video", "off"});
   EXPECT_EQ(quiet.status, 0);
@@ -190,7 +190,7 @@ TEST_F(FlyCommand, SaysNothingOrOnlyJsonWhenAsked) {
   EXPECT_THAT(json.out, HasSubstr("\"reason\": \""));
 }
 
-TEST_F(FlyCommand, WritesChecksAsJUnitAndSparesOtherFiles) {
+TEST_F(FlyCommand, WritesChecksAsJUnitAndKeepsOtherFiles) {
   folder_.Put("short.yaml", kTakeoffAndLanding + "time_limit_s: 0.1\n");
   for (int i = 0; i < 2; ++i) {
     EXPECT_EQ(Run({"fly", "short.yaml", "--out", "a", "--junit", "ci/junit.xml", "--video", "off"}).status, 1);
@@ -202,14 +202,14 @@ TEST_F(FlyCommand, WritesChecksAsJUnitAndSparesOtherFiles) {
   EXPECT_FALSE(fs::exists(folder_ / "c"));
 }
 
-TEST_F(FlyCommand, ExitsWithThreeWhenTheSimulationGoesWrong) {
-  // Drag that no step of the clock is short enough for.
+TEST_F(FlyCommand, ExitsWithThreeWhenTheSimulationFails) {
+  // Drag so large that the integration diverges at the simulation's time step.
   folder_.Put("stiff.yaml",
               "start: {airborne: true}\nscript: [{do: hover, duration_s: 1}]\n"
               "vehicle: {linear_drag_n_s_m: [1e9, 1e9, 1e9]}\nworld: {wind_m_s: [50, 0, 0]}\n");
   const ProgramRun run = Run({"fly", "stiff.yaml", "--out", "result"});
   EXPECT_EQ(run.status, 3);
-  EXPECT_THAT(run.err, StartsWith("error: the simulation went wrong: MuJoCo: "));
+  EXPECT_THAT(run.err, StartsWith("error: the simulation failed: MuJoCo: "));
   EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
   EXPECT_THAT(run.out, HasSubstr("): error\n"));
   EXPECT_TRUE(fs::exists(folder_ / "result" / "result.json"));

@@ -1,4 +1,4 @@
-// The program before and after its commands: its help, bad usage, and output that cannot be written.
+// The program apart from its commands: help, version, bad usage and unwritable output.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ using tests::ProgramRun;
 
 class Program : public tests::ProgramFixture {};
 
-TEST_F(Program, TellsItsVersionAndItsHelp) {
+TEST_F(Program, PrintsItsVersionAndItsHelp) {
   const ProgramRun version = Run({"--version"});
   EXPECT_EQ(version.status, 0);
   EXPECT_THAT(version.out, HasSubstr("0."));
@@ -49,7 +49,7 @@ TEST_F(Program, ExitsWithThreeWhenItsOutputCannotBeWritten) {
     const ProgramRun run = tests::RunProgram(
         "/bin/sh", {"-c", "exec \"$0\" " + command + " > /dev/full", TOUCHDOWN_PROGRAM}, folder_.path());
     EXPECT_EQ(run.status, 3) << command;
-    EXPECT_EQ(run.err, "error: internal error: the standard output cannot be written\n");
+    EXPECT_EQ(run.err, "error: internal error: cannot write to the standard output\n");
   }
 }
 

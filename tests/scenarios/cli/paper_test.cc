@@ -1,4 +1,4 @@
-// `touchdown paper` as a user meets it.
+// `touchdown paper`, run as a program.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -35,10 +35,10 @@ class PaperCommand : public tests::ProgramFixture {
   }
 };
 
-TEST_F(PaperCommand, KeepsWhatIsMeasuredWhenItIsStoppedAndGoesOnFromThere) {
+TEST_F(PaperCommand, KeepsItsMeasurementsWhenInterruptedAndResumes) {
   const ProgramRun first = RunUntilMeasured(1);
   EXPECT_EQ(first.status, 130);
-  EXPECT_THAT(first.err, HasSubstr("interrupted: what is measured is kept in paper/measurements"));
+  EXPECT_THAT(first.err, HasSubstr("interrupted: the measurements so far are kept in paper/measurements"));
   const std::vector<fs::path> kept = Measured();
   ASSERT_FALSE(kept.empty());
   EXPECT_EQ(Names(), std::set<std::string>{"paper"});
@@ -48,14 +48,14 @@ TEST_F(PaperCommand, KeepsWhatIsMeasuredWhenItIsStoppedAndGoesOnFromThere) {
   const ProgramRun second = RunUntilMeasured(kept.size() + 1);
   EXPECT_EQ(second.status, 130);
   EXPECT_GT(Measured().size(), kept.size());
-  EXPECT_EQ(fs::last_write_time(kept.front()), written);  // Not measured again.
+  EXPECT_EQ(fs::last_write_time(kept.front()), written);  // Not measured a second time.
   for (const fs::path& file : Measured()) {
     std::ifstream stream(file);
     EXPECT_TRUE(nlohmann::json::accept(stream)) << file;
   }
 }
 
-TEST_F(PaperCommand, RefusesAFolderThatHoldsAnythingElse) {
+TEST_F(PaperCommand, RejectsAFolderWithOtherFiles) {
   folder_.Put("mine/thesis.tex", "years of work");
   EXPECT_THAT(ErrorOf({"paper", "--quick", "--out", "mine"}), HasSubstr("mine: holds other files"));
   EXPECT_EQ(folder_.Content("mine/thesis.tex"), "years of work");
@@ -71,7 +71,7 @@ TEST_F(PaperCommand, DoesNotReplaceAFullRunByAQuickOne) {
   EXPECT_EQ(folder_.Content("full/measurements/hovering_1.json"), "an hour's work");
 }
 
-TEST_F(PaperCommand, RefusesBadUsage) {
+TEST_F(PaperCommand, RejectsBadUsage) {
   EXPECT_THAT(ErrorOf({"paper"}), HasSubstr("--out"));
   EXPECT_THAT(ErrorOf({"paper", "--out", "paper", "--jobs", "0"}), HasSubstr("--jobs"));
   EXPECT_TRUE(Names().empty());

@@ -1,4 +1,4 @@
-// `touchdown report` as a user meets it.
+// `touchdown report`, run as a program.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ class ReportCommand : public tests::ProgramFixture {
     folder_.Put("short.yaml", kTakeoffAndLanding + "time_limit_s: 0.1\n");
     ASSERT_EQ(Run({"fly", "short.yaml", "--out", place}).status, 1);
   }
-  /// Of the report of `place`; expects the folder as it was.
+  /// Returns the error of a report of `place`. Expects that the folder does not change.
   std::string ErrorOfReport(const std::string& place) const {
     const std::string before = folder_.Content(place + "/report.html");
     const std::string error = ErrorOf({"report", place});
@@ -38,7 +38,7 @@ class ReportCommand : public tests::ProgramFixture {
   }
 };
 
-TEST_F(ReportCommand, RebuildsThePageThatTheFlightLeft) {
+TEST_F(ReportCommand, RebuildsThePageOfTheFlight) {
   FlyInto("flight");
   const std::string page = folder_.Content("flight/report.html");
   EXPECT_THAT(page, HasSubstr("<title>short, seed 1: Failed</title>"));
@@ -50,16 +50,16 @@ TEST_F(ReportCommand, RebuildsThePageThatTheFlightLeft) {
   EXPECT_EQ(Run({"report", "flight/"}).status, 0);
 }
 
-TEST_F(ReportCommand, RefusesWhatIsNoFlightsFolder) {
+TEST_F(ReportCommand, RejectsAFolderThatIsNotAFlightDirectory) {
   fs::create_directories(folder_ / "empty");
   folder_.Put("file", "");
   folder_.Put("other/result.json", "{}");
   for (const char* place : {"none", "empty", "file", "other"}) {
-    EXPECT_THAT(ErrorOfReport(place), HasSubstr(std::string(place) + ": is no flight's folder"));
+    EXPECT_THAT(ErrorOfReport(place), HasSubstr(std::string(place) + ": not a flight directory"));
   }
 }
 
-TEST_F(ReportCommand, NamesTheFileLineAndColumnThatAreDamaged) {
+TEST_F(ReportCommand, NamesTheDamagedFile) {
   FlyInto("flight");
   fs::resize_file(folder_ / "flight" / "flight.csv", 2000);
   EXPECT_THAT(ErrorOfReport("flight"), HasSubstr("flight/flight.csv:"));
@@ -68,16 +68,16 @@ TEST_F(ReportCommand, NamesTheFileLineAndColumnThatAreDamaged) {
   EXPECT_THAT(ErrorOfReport("flight"), HasSubstr("flight/frames.csv: cannot be read"));
 }
 
-TEST_F(ReportCommand, LeavesAUsersPage) {
+TEST_F(ReportCommand, KeepsAUsersPage) {
   FlyInto("flight");
   folder_.Put("flight/report.html", "<p>mine</p>");
   EXPECT_THAT(ErrorOfReport("flight"), HasSubstr("is there already"));
 }
 
-TEST_F(ReportCommand, LeavesTheEarlierPageInAFullOrReadOnlyFolder) {
+TEST_F(ReportCommand, KeepsTheEarlierPageInAFullOrReadOnlyFolder) {
   fs::create_directories(folder_ / "small");
   const SmallMount small(folder_ / "small");
-  if (!small.is_there()) GTEST_SKIP() << "no right to mount";
+  if (!small.is_there()) GTEST_SKIP() << "no permission to mount";
   FlyInto("small/flight");
   small.Fill();
   EXPECT_THAT(ErrorOfReport("small/flight"), HasSubstr("report.html: cannot be written"));

@@ -1,4 +1,4 @@
-// `touchdown sweep` as a user meets it: interrupted, killed, its disk full, its flights crashed.
+// `touchdown sweep`, run as a program: interrupted, killed, with a full disk, with crashed flights.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -41,12 +41,12 @@ class SweepCommand : public tests::ProgramFixture {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return Run(arguments, interruption);
   }
-  /// The rows of `folder`, flown or not.
+  /// Completes the sweep in `folder`, and returns its rows as CSV.
   std::string Csv(const std::string& folder) {
     EXPECT_EQ(Run({"sweep", "sweep.yaml", "--out", folder, "--csv", folder + ".csv", "--quiet"}).status, 0);
     return folder_.Content(folder + ".csv");
   }
-  /// By the wall clock, of each row: a flight that is flown again takes another time.
+  /// Wall-clock time of each row. It differs when a flight is flown again.
   std::string WallTimes(const std::string& folder) const {
     std::string walls;
     for (const sweeper::SweepResult& result :
@@ -55,7 +55,7 @@ class SweepCommand : public tests::ProgramFixture {
     }
     return walls;
   }
-  /// By id, the time that each row's flight took: none while there is no sweep yet.
+  /// Wall-clock time of each row by id; empty while the sweep does not exist.
   std::map<std::string, double> KeptRows(const std::string& folder) const {
     std::map<std::string, double> kept;
     try {
@@ -68,7 +68,7 @@ class SweepCommand : public tests::ProgramFixture {
     }
     return kept;
   }
-  /// Sends a signal to one of the processes that fly for the sweep in `out`, when there is one.
+  /// Sends a signal to a flight process of the sweep. Returns false if there is none.
   bool Signal(int signal) const {
     for (const auto& entry : fs::directory_iterator("/proc")) {
       std::ifstream stream(entry.path() / "comm");
@@ -82,7 +82,7 @@ class SweepCommand : public tests::ProgramFixture {
   }
 };
 
-TEST_F(SweepCommand, FliesEachFlightOnceHoweverManyAtATime) {
+TEST_F(SweepCommand, FliesEachFlightOnceForAnyNumberOfJobs) {
   PutSweep(3, "parameters: {camera.noise_sigma: [0, 3]}\n");
   const ProgramRun run = Sweep({"--jobs", "2", "--csv", "two.csv"});
   EXPECT_EQ(run.status, 0) << run.err;
@@ -98,10 +98,10 @@ TEST_F(SweepCommand, FliesEachFlightOnceHoweverManyAtATime) {
   EXPECT_EQ(WallTimes("out"), walls) << "nothing was flown again";
   PutSweep(4, "parameters: {camera.noise_sigma: [0, 3]}\n");
   const std::string longer = Csv("out");
-  EXPECT_EQ(std::count(longer.begin(), longer.end(), '\n'), 9) << "two more";
+  EXPECT_EQ(std::count(longer.begin(), longer.end(), '\n'), 9) << "two more rows";
   PutSweep(4, "parameters: {camera.noise_sigma: [0]}\n");
   EXPECT_THAT(Sweep().out,
-              AllOf(HasSubstr("4 of 4 flights"), HasSubstr("4 rows from before the sweep's file changed")));
+              AllOf(HasSubstr("4 of 4 flights"), HasSubstr("4 rows from before a change of the sweep file")));
 }
 
 TEST_F(SweepCommand, ListsTheFlightsWithoutFlying) {
@@ -112,12 +112,12 @@ TEST_F(SweepCommand, ListsTheFlightsWithoutFlying) {
   EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
-TEST_F(SweepCommand, TellsWhatIsYetToBeFlownByTheTimeThatTheFlownOnesTook) {
+TEST_F(SweepCommand, DryRunEstimatesTheRemainingTimeFromFlownRows) {
   PutSweep(1);
   ASSERT_EQ(Sweep({"--quiet"}).status, 0);
   PutSweep(3);
   EXPECT_THAT(Sweep({"--dry-run"}).out,
-              AllOf(HasSubstr("3 flights, 1 of them flown; "), HasSubstr("as fast as these")));
+              AllOf(HasSubstr("3 flights, 1 of them flown; "), HasSubstr("at the speed of the flown ones")));
   const auto json = nlohmann::json::parse(Sweep({"--dry-run", "--jobs", "1", "--json"}).out);
   EXPECT_EQ(json.at("planned"), 3);
   EXPECT_EQ(json.at("flown"), 1);
@@ -125,20 +125,20 @@ TEST_F(SweepCommand, TellsWhatIsYetToBeFlownByTheTimeThatTheFlownOnesTook) {
   EXPECT_NEAR(json.at("expected_s").get<double>(), 2.0 * std::stod(WallTimes("out")), 1e-4);
 }
 
-TEST_F(SweepCommand, FliesARowAgainToTheSameLog) {
+TEST_F(SweepCommand, ReproducesTheLogOfARow) {
   PutSweep(1);
   const std::string csv = Csv("out");
   const std::string id = csv.substr(csv.find('\n') + 1, 16), hash = csv.substr(csv.size() - 65, 64);
   const ProgramRun run = Run({"fly", "--from", "out", id, "--out", "again", "--video", "off"});
   EXPECT_EQ(run.status, 0) << run.err;
-  EXPECT_THAT(run.err, Not(HasSubstr("not the sweep's")));
+  EXPECT_THAT(run.err, Not(HasSubstr("differs from the sweep's")));
   EXPECT_EQ(nlohmann::json::parse(folder_.Content("again/result.json")).at("log_sha256"), hash);
-  EXPECT_THAT(ErrorOf({"fly", "--from", "out", "0123"}), HasSubstr("out: has no flight 0123"));
+  EXPECT_THAT(ErrorOf({"fly", "--from", "out", "0123"}), HasSubstr("out: contains no flight 0123"));
   EXPECT_THAT(ErrorOf({"fly", "--from", "none", id}), HasSubstr("none/sweep.db: no such file"));
   EXPECT_THAT(ErrorOf({"fly"}), HasSubstr("--from DIR ID"));
 }
 
-TEST_F(SweepCommand, FailsWhenItsCriteriaAreNotKept) {
+TEST_F(SweepCommand, FailsWhenItsCriteriaAreNotMet) {
   PutSweep(2, "criteria: [{metric: pass_rate, min: 0.5}, {metric: flight.sim_time_s, quantile: 0.5, max: 0.01}]\n");
   const ProgramRun run = Sweep();
   EXPECT_EQ(run.status, 1) << run.err;
@@ -153,11 +153,11 @@ TEST_F(SweepCommand, FailsWhenItsCriteriaAreNotKept) {
   EXPECT_TRUE(json.at("criteria").at(1).at("high").is_null()) << "two flights bound no median";
 }
 
-TEST_F(SweepCommand, LeavesAReportThatIsRebuiltFromItsRowsAlone) {
+TEST_F(SweepCommand, RebuildsTheReportFromItsRowsAlone) {
   PutSweep(2, "criteria: [{metric: flight.sim_time_s, quantile: 0.5, max: 0.01}]\n");
   ASSERT_EQ(Sweep().status, 1);
   const std::string page = folder_.Content("out/report.html");
-  EXPECT_THAT(page, AllOf(HasSubstr("Criteria not kept"), HasSubstr("flight.sim_time_s at 0.5")));
+  EXPECT_THAT(page, AllOf(HasSubstr("Criteria not met"), HasSubstr("flight.sim_time_s at 0.5")));
   for (const char* name : {"sweep.yaml", "short.yaml", "out/report.html"}) fs::remove(folder_ / name);
   EXPECT_EQ(Run({"report", "out"}).status, 0);
   EXPECT_EQ(folder_.Content("out/report.html"), page);
@@ -169,22 +169,22 @@ TEST_F(SweepCommand, LeavesAReportThatIsRebuiltFromItsRowsAlone) {
   EXPECT_EQ(folder_.Content("out/report.html"), "mine");
 }
 
-TEST_F(SweepCommand, StopsWhenEnoughIsFlownWithTheSameRowsHoweverMany) {
+TEST_F(SweepCommand, StopsEarlyWithTheSameRowsForAnyNumberOfJobs) {
   PutSweep(30, "stop_when: {good_pass_rate: 0.9, bad_pass_rate: 0.5, good_refused: 0.1, bad_accepted: 0.1}\n");
-  // Each pass weighs ln(0.5/0.9); ln(0.1/0.9) takes four of them.
+  // Each pass adds ln(0.5/0.9) to the log-likelihood ratio, so four of them reach ln(0.1/0.9).
   EXPECT_THAT(Sweep({"--jobs", "2", "--csv", "two.csv"}).out, HasSubstr("4 of 4 flights"));
   ASSERT_EQ(Run({"sweep", "sweep.yaml", "--out", "one", "--jobs", "1", "--csv", "one.csv"}).status, 0);
   EXPECT_EQ(folder_.Content("two.csv"), folder_.Content("one.csv"));
 }
 
-TEST_F(SweepCommand, SeeksTheValueAtWhichFlightsBeginToFail) {
-  // A flight takes 0.115 s more than its hover: beyond a hover of 0.15 s it takes too long.
+TEST_F(SweepCommand, FindsTheBoundaryAtWhichFlightsBeginToFail) {
+  // A flight takes 0.115 s longer than its hover, so it exceeds the limit when the hover exceeds 0.15 s.
   PutSweep(1,
            "set: {criteria: [{metric: flight.sim_time_s, max: 0.265}]}\n"
            "parameters: {script.0.duration_s: {range: {from: 0.05, to: 0.25, count: 2}}}\n");
-  const std::vector<std::string> seek{"sweep",     "sweep.yaml", "--boundary", "script.0.duration_s",
-                                      "--flights", "24",         "--out",      "edge"};
-  const ProgramRun run = Run(seek);
+  const std::vector<std::string> search{"sweep",     "sweep.yaml", "--boundary", "script.0.duration_s",
+                                        "--flights", "24",         "--out",      "edge"};
+  const ProgramRun run = Run(search);
   EXPECT_EQ(run.status, 0) << run.err;
   double edge = 0.0, low = 0.0, high = 0.0;
   const std::size_t at = run.out.find("script.0.duration_s = ");
@@ -195,7 +195,7 @@ TEST_F(SweepCommand, SeeksTheValueAtWhichFlightsBeginToFail) {
   EXPECT_GE(high, 0.15);
   EXPECT_THAT(folder_.Content("edge/report.html"), HasSubstr("where the rate goes through 50 %"));
   const std::string walls = WallTimes("edge");
-  EXPECT_EQ(Run(seek).out, run.out);
+  EXPECT_EQ(Run(search).out, run.out);
   EXPECT_EQ(WallTimes("edge"), walls) << "nothing was flown again";
   EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--boundary", "camera.noise_sigma", "--out", "edge"}),
               HasSubstr("--boundary camera.noise_sigma: the sweep lists no values of it"));
@@ -217,15 +217,15 @@ TEST_F(SweepCommand, SeeksTheValueAtWhichFlightsBeginToFail) {
               HasSubstr("sweep sweep has variants, and each has a boundary of its own"));
 }
 
-TEST_F(SweepCommand, LandsWhatFliesAndGoesOnLaterWhenInterrupted) {
+TEST_F(SweepCommand, ResumesAfterAnInterrupt) {
   PutSweep(8);
   const ProgramRun run = Sweep({"--jobs", "2"}, {SIGINT, [&] { return Signal(0); }});
   EXPECT_EQ(run.status, 130) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("the same command goes on from there"));
+  EXPECT_THAT(run.err, HasSubstr("the same command resumes from there"));
   EXPECT_THAT(run.out, Not(HasSubstr("8 of 8")));
-  EXPECT_THAT(folder_.Content("out/report.html"), HasSubstr("of 8 flights are yet to be"));
+  EXPECT_THAT(folder_.Content("out/report.html"), HasSubstr("of 8 flights have not been"));
   EXPECT_THAT(Sweep().out, HasSubstr("8 of 8 flights"));
-  EXPECT_THAT(folder_.Content("out/report.html"), Not(HasSubstr("are yet to be")));
+  EXPECT_THAT(folder_.Content("out/report.html"), Not(HasSubstr("have not been flown")));
 }
 
 TEST_F(SweepCommand, HasTheSameRowsAfterTwentyKills) {
@@ -241,7 +241,7 @@ TEST_F(SweepCommand, HasTheSameRowsAfterTwentyKills) {
   EXPECT_EQ(Csv("out"), undisturbed);
 }
 
-TEST_F(SweepCommand, RefusesASecondSweepInTheSameFolder) {
+TEST_F(SweepCommand, RejectsASecondSweepInTheSameFolder) {
   PutSweep(6);
   ProgramRun second;
   Sweep({"--jobs", "1"}, {SIGINT, [&] {
@@ -253,7 +253,7 @@ TEST_F(SweepCommand, RefusesASecondSweepInTheSameFolder) {
   EXPECT_THAT(second.err, HasSubstr("output folder out: another sweep works there"));
 }
 
-TEST_F(SweepCommand, TellsOfFlightsWhoseProcessCrashedOrHung) {
+TEST_F(SweepCommand, ReportsFlightsWhoseProcessCrashedOrHung) {
   PutSweep(3, "limits: {wall_s: 4}\n");
   bool crashed = false;
   const ProgramRun run =
@@ -262,8 +262,8 @@ TEST_F(SweepCommand, TellsOfFlightsWhoseProcessCrashedOrHung) {
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("3 of 3 flights"));
   EXPECT_THAT(folder_.Content("rows.csv"), HasSubstr(",crashed,error,"));
-  EXPECT_THAT(Sweep().out, AllOf(HasSubstr("2 of 3;"), HasSubstr("1 crashed: --retry flies them again")))
-      << "it is flown, and that is what became of it";
+  EXPECT_THAT(Sweep().out, AllOf(HasSubstr("2 of 3;"), HasSubstr("1 crashed; --retry flies them again")))
+      << "a crash is a result, and is not flown again";
   EXPECT_THAT(Sweep({"--retry", "--csv", "rows.csv"}).out, HasSubstr("3 of 3;"));
   EXPECT_THAT(folder_.Content("rows.csv"), Not(HasSubstr(",error,")));
   ASSERT_EQ(Run({"sweep", "sweep.yaml", "--out", "hung", "--jobs", "1", "--csv", "hung.csv"},
@@ -273,7 +273,7 @@ TEST_F(SweepCommand, TellsOfFlightsWhoseProcessCrashedOrHung) {
   EXPECT_THAT(folder_.Content("hung.csv"), HasSubstr(",hung,error,"));
 }
 
-TEST_F(SweepCommand, TellsOfAFlightThatNeedsTooMuchMemory) {
+TEST_F(SweepCommand, ReportsAFlightThatNeedsTooMuchMemory) {
   for (const std::string limit : {"256", "400", "500"}) {
     PutSweep(1, "limits: {memory_mb: " + limit + "}\n");
     ASSERT_EQ(Run({"sweep", "sweep.yaml", "--out", limit, "--csv", limit + ".csv"}).status, 0);
@@ -285,13 +285,13 @@ TEST_F(SweepCommand, TellsOfAFlightThatNeedsTooMuchMemory) {
   }
 }
 
-TEST_F(SweepCommand, KeepsItsRowsOnAFullOrReadOnlyDisk) {
+TEST_F(SweepCommand, KeepsItsRowsWhenTheDiskIsFullOrReadOnly) {
   PutSweep(6);
   fs::create_directories(folder_ / "small");
   const SmallMount small(folder_ / "small");
-  if (!small.is_there()) GTEST_SKIP() << "no right to mount";
+  if (!small.is_there()) GTEST_SKIP() << "no permission to mount";
   const std::vector<std::string> sweep{"sweep", "sweep.yaml", "--out", "small/out", "--jobs", "1"};
-  // The disk is full in mid-sweep, once some rows are kept.
+  // The disk becomes full during the sweep, after some rows are written.
   std::map<std::string, double> before;
   const ProgramRun filled = Run(sweep, {SIGCONT, [&] {
                                           before = KeptRows("small/out");
@@ -309,11 +309,11 @@ TEST_F(SweepCommand, KeepsItsRowsOnAFullOrReadOnlyDisk) {
   EXPECT_THAT(ErrorOf(sweep), HasSubstr("small/out"));
   EXPECT_EQ(KeptRows("small/out"), kept);
   small.MakeRoom();
-  EXPECT_EQ(Csv("small/out"), Csv("elsewhere")) << "it goes on once there is room";
-  EXPECT_THAT(KeptRows("small/out"), IsSupersetOf(kept)) << "what was kept is not flown again";
+  EXPECT_EQ(Csv("small/out"), Csv("elsewhere")) << "it resumes once there is space";
+  EXPECT_THAT(KeptRows("small/out"), IsSupersetOf(kept)) << "kept rows are not flown again";
 }
 
-TEST_F(SweepCommand, RefusesBadInputAndLeavesNothing) {
+TEST_F(SweepCommand, RejectsBadInputAndWritesNothing) {
   PutSweep(2, "parameters: {camera.noise_sigm: [1]}\n");
   const std::set<std::string> before = Names();
   EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--out", "out"}),

@@ -1,4 +1,4 @@
-// Bags as others record them, and what is wrong with them.
+// Bags from other sources, and invalid bags.
 #include "scenarios/datasets/bag_file.h"
 
 #include <gmock/gmock.h>
@@ -30,8 +30,8 @@ Message Stamped(double time_s, const std::string& frame) {
   return message;
 }
 
-/// A picture of 4 x 2 px whose pixels are all alike; its rows end in two bytes of padding.
-ros1::Image Picture(double time_s, const std::string& encoding, const std::vector<std::uint8_t>& pixel) {
+/// Uniform image of 4 x 2 px; each row ends with two bytes of padding.
+ros1::Image UniformImage(double time_s, const std::string& encoding, const std::vector<std::uint8_t>& pixel) {
   auto image = Stamped<ros1::Image>(time_s, "camera_optical");
   image.width = 4;
   image.height = 2;
@@ -44,7 +44,7 @@ ros1::Image Picture(double time_s, const std::string& encoding, const std::vecto
   return image;
 }
 
-ros1::Image Gray(double time_s, std::uint8_t value = 100) { return Picture(time_s, "mono8", {value}); }
+ros1::Image Gray(double time_s, std::uint8_t value = 100) { return UniformImage(time_s, "mono8", {value}); }
 
 ros1::Imu ImuAt(double time_s) {
   auto imu = Stamped<ros1::Imu>(time_s, "imu_link");
@@ -64,12 +64,12 @@ ros1::CameraInfo Calibration() {
   return info;
 }
 
-ros1::TransformStamped Mounted(const std::string& parent, const std::string& child, double x_m) {
+ros1::TransformStamped HalfTurnMounting(const std::string& parent, const std::string& child, double x_m) {
   ros1::TransformStamped transform;
   transform.header.frame_id = parent;
   transform.child_frame_id = child;
   transform.transform.translation.x = x_m;
-  transform.transform.rotation.z = 1.0;  // By 180 degrees.
+  transform.transform.rotation.z = 1.0;  // 180 degrees about Z.
   return transform;
 }
 
@@ -77,7 +77,7 @@ class BagFileTest : public ::testing::Test {
  protected:
   BagFileTest() { bag_.open(file_.string(), rosbag::bagmode::Write); }
 
-  /// Adds a message that is recorded a second after its stamp.
+  /// Adds a message with a recording time one second after its stamp.
   template <typename Message>
   void Add(const std::string& topic, const Message& message) {
     bag_.write(topic, message.header.stamp + ros::Duration(1.0), message);
@@ -98,7 +98,7 @@ class BagFileTest : public ::testing::Test {
       while (bag.Next()) continue;
     };
   }
-  /// The gray of each picture's first pixel.
+  /// Gray level of the first pixel of each image.
   std::vector<int> Grays(const std::vector<std::string>& topics = {}) {
     BagFile bag = Open(topics);
     std::vector<int> grays;
@@ -111,20 +111,22 @@ class BagFileTest : public ::testing::Test {
   rosbag::Bag bag_;
 };
 
-TEST_F(BagFileTest, ReadsPicturesOfEveryEncodingThatIsNoPattern) {
+TEST_F(BagFileTest, ReadsImagesOfAllSupportedEncodings) {
   double time_s = 0.0;
-  for (const char* encoding : {"mono8", "8UC1"}) Add("/camera/image", Picture(time_s += 0.1, encoding, {77}));
-  for (const char* encoding : {"mono16", "16UC1"}) Add("/camera/image", Picture(time_s += 0.1, encoding, {77, 77}));
-  for (const char* encoding : {"bgr8", "8UC3"}) Add("/camera/image", Picture(time_s += 0.1, encoding, {0, 0, 200}));
-  Add("/camera/image", Picture(time_s += 0.1, "rgb8", {200, 0, 0}));
+  for (const char* encoding : {"mono8", "8UC1"}) Add("/camera/image", UniformImage(time_s += 0.1, encoding, {77}));
+  for (const char* encoding : {"mono16", "16UC1"})
+    Add("/camera/image", UniformImage(time_s += 0.1, encoding, {77, 77}));
+  for (const char* encoding : {"bgr8", "8UC3"})
+    Add("/camera/image", UniformImage(time_s += 0.1, encoding, {0, 0, 200}));
+  Add("/camera/image", UniformImage(time_s += 0.1, "rgb8", {200, 0, 0}));
   for (const char* encoding : {"bgra8", "8UC4"}) {
-    Add("/camera/image", Picture(time_s += 0.1, encoding, {0, 0, 200, 255}));
+    Add("/camera/image", UniformImage(time_s += 0.1, encoding, {0, 0, 200, 255}));
   }
-  Add("/camera/image", Picture(time_s += 0.1, "rgba8", {200, 0, 0, 255}));
-  EXPECT_THAT(Grays(), ElementsAre(77, 77, 77, 77, 60, 60, 60, 60, 60, 60));  // Red is 0.299 of gray.
+  Add("/camera/image", UniformImage(time_s += 0.1, "rgba8", {200, 0, 0, 255}));
+  EXPECT_THAT(Grays(), ElementsAre(77, 77, 77, 77, 60, 60, 60, 60, 60, 60));  // Weight of red: 0.299.
 }
 
-TEST_F(BagFileTest, ReadsCompressedPicturesAndTheCalibrationBesideThem) {
+TEST_F(BagFileTest, ReadsCompressedImagesAndTheirCameraInfo) {
   auto image = Stamped<ros1::CompressedImage>(0.1, "camera_optical");
   image.format = "png";
   std::vector<std::uint8_t> png;
@@ -133,37 +135,37 @@ TEST_F(BagFileTest, ReadsCompressedPicturesAndTheCalibrationBesideThem) {
   Add("/camera/image_raw/compressed", image);
   Add("/camera/camera_info", Calibration());
   BagFile bag = Open();
-  EXPECT_EQ(bag.facts().camera.value().fy_px, 3.1);
+  EXPECT_EQ(bag.metadata().camera.value().fy_px, 3.1);
   EXPECT_EQ(bag.Next().value().image.pixels, std::vector<std::uint8_t>(8, 42));
 }
 
-TEST_F(BagFileTest, TellsTimesCameraImuAndMounting) {
+TEST_F(BagFileTest, ReadsTimesCameraImuAndMounting) {
   Add("/camera/image_raw", Gray(0.5));
   Add("/camera/image_raw", Gray(0.75, 101));
   Add("/camera/camera_info", Calibration());
   Add("/imu", ImuAt(0.49));
   Add("/imu", ImuAt(0.50));
-  AddMounting(
-      {Mounted("map", "base_link", 99.0), Mounted("base_link", "camera", 0.1), Mounted("base_link", "imu_link", 0.02)});
-  AddMounting({Mounted("camera", "camera_optical", 0.03)});
+  AddMounting({HalfTurnMounting("map", "base_link", 99.0), HalfTurnMounting("base_link", "camera", 0.1),
+               HalfTurnMounting("base_link", "imu_link", 0.02)});
+  AddMounting({HalfTurnMounting("camera", "camera_optical", 0.03)});
   BagFile bag = Open();
-  const FootageFacts& facts = bag.facts();
-  EXPECT_EQ(facts.frame_order, estimator::FrameOrder::kSequence);
-  EXPECT_EQ(facts.frame_count, 2u);
-  EXPECT_NEAR(facts.frames_per_s, 4.0, 1e-9);
-  EXPECT_FALSE(facts.latency || facts.pad || facts.estimator);
-  const models::CameraModel& camera = facts.camera.value();
+  const FootageMetadata& metadata = bag.metadata();
+  EXPECT_EQ(metadata.frame_order, estimator::FrameOrder::kSequence);
+  EXPECT_EQ(metadata.frame_count, 2u);
+  EXPECT_NEAR(metadata.frames_per_s, 4.0, 1e-9);
+  EXPECT_FALSE(metadata.latency || metadata.pad || metadata.estimator);
+  const models::CameraModel& camera = metadata.camera.value();
   EXPECT_THAT((std::vector<double>{camera.fx_px, camera.fy_px, camera.cx_px, camera.cy_px}),
               ElementsAre(3.0, 3.1, 1.5, 0.5));
   EXPECT_THAT((std::vector<double>{camera.k1, camera.k2, camera.p1, camera.p2, camera.k3}),
               ElementsAre(-0.2, 0.05, 0.001, -0.002, 0.003));
-  ASSERT_EQ(facts.imu.size(), 2u);
-  EXPECT_EQ(facts.imu[0].sample.tick, 1'600'000'000'490'000);
-  EXPECT_EQ(facts.imu[0].sample.specific_force_U, Eigen::Vector3d(0.0, 0.0, 9.8));
-  EXPECT_EQ(facts.imu[0].sample.w_WU_U, Eigen::Vector3d(0.5, 0.0, 0.0));
-  // Camera: half a turn at 0.1 m, then another at -0.03 m of the body's x.
-  EXPECT_TRUE(facts.mounting.value().X_BC.isApprox(Eigen::Isometry3d(Eigen::Translation3d(0.07, 0.0, 0.0)), 1e-12));
-  EXPECT_NEAR(facts.mounting.value().X_BU.translation().x(), 0.02, 1e-12);
+  ASSERT_EQ(metadata.imu.size(), 2u);
+  EXPECT_EQ(metadata.imu[0].sample.tick, 1'600'000'000'490'000);
+  EXPECT_EQ(metadata.imu[0].sample.specific_force_U, Eigen::Vector3d(0.0, 0.0, 9.8));
+  EXPECT_EQ(metadata.imu[0].sample.w_WU_U, Eigen::Vector3d(0.5, 0.0, 0.0));
+  // Camera: half turn at x = 0.1 m, then a second half turn at -0.03 m along the body's X axis.
+  EXPECT_TRUE(metadata.mounting.value().X_BC.isApprox(Eigen::Isometry3d(Eigen::Translation3d(0.07, 0.0, 0.0)), 1e-12));
+  EXPECT_NEAR(metadata.mounting.value().X_BU.translation().x(), 0.02, 1e-12);
   EXPECT_EQ(bag.Next().value().mid_exposure, 1'600'000'000'500'000);
   const auto second = bag.Next();
   EXPECT_EQ(second.value().source, "foreign.bag");
@@ -171,30 +173,30 @@ TEST_F(BagFileTest, TellsTimesCameraImuAndMounting) {
   EXPECT_FALSE(bag.Next());
 }
 
-TEST_F(BagFileTest, TakesTheTimeOfRecordingWhereThereIsNoStamp) {
+TEST_F(BagFileTest, UsesTheRecordingTimeWithoutAStamp) {
   ros1::Image image = Gray(0.0);
   image.header.stamp = ros::Time(0);
   bag_.write("/image", ros::Time(12, 5000), image);
   EXPECT_EQ(Open().Next().value().mid_exposure, 12'000'005);
 }
 
-TEST_F(BagFileTest, TellsNoMountingUnlessCameraAndImuAreOnOneBody) {
+TEST_F(BagFileTest, HasNoMountingUnlessCameraAndImuShareABody) {
   Add("/image", Gray(0.0));
   Add("/imu", ImuAt(0.0));
-  AddMounting({Mounted("base_link", "camera_optical", 0.1), Mounted("gimbal", "imu_link", 0.1)});
-  EXPECT_FALSE(Open().facts().mounting);
+  AddMounting({HalfTurnMounting("base_link", "camera_optical", 0.1), HalfTurnMounting("gimbal", "imu_link", 0.1)});
+  EXPECT_FALSE(Open().metadata().mounting);
 }
 
-TEST_F(BagFileTest, TakesTheImuForTheBodyWhereTheCameraIsMountedOnIt) {
+TEST_F(BagFileTest, UsesTheImuFrameAsBodyWhenItIsTheRoot) {
   Add("/image", Gray(0.0));
   Add("/imu", ImuAt(0.0));
-  AddMounting({Mounted("/imu_link", "camera_optical", 0.1)});
-  const SensorMounting mounting = Open().facts().mounting.value();
+  AddMounting({HalfTurnMounting("/imu_link", "camera_optical", 0.1)});
+  const SensorMounting mounting = Open().metadata().mounting.value();
   EXPECT_EQ(mounting.X_BC.translation().x(), 0.1);
   EXPECT_TRUE(mounting.X_BU.isApprox(Eigen::Isometry3d::Identity()));
 }
 
-TEST_F(BagFileTest, TakesTheProjectionOfRectifiedPicturesAndNoCameraThatIsNotPlumbBob) {
+TEST_F(BagFileTest, UsesTheProjectionOfRectifiedImagesAndIgnoresOtherDistortionModels) {
   Add("/a/image_rect", Gray(0.0));
   Add("/a/camera_info", Calibration());
   Add("/b/image_raw", Gray(0.0));
@@ -203,14 +205,14 @@ TEST_F(BagFileTest, TakesTheProjectionOfRectifiedPicturesAndNoCameraThatIsNotPlu
   fisheye.D.resize(4);
   Add("/b/camera_info", fisheye);
   Add("/c/image_raw", Gray(0.0));
-  const models::CameraModel rectified = Open({"/a/image_rect"}).facts().camera.value();
+  const models::CameraModel rectified = Open({"/a/image_rect"}).metadata().camera.value();
   EXPECT_THAT((std::vector<double>{rectified.fx_px, rectified.fy_px, rectified.cx_px, rectified.cy_px, rectified.k1}),
               ElementsAre(2.5, 2.6, 1.4, 0.6, 0.0));
-  EXPECT_FALSE(BagFile(file_, {"/b/image_raw"}).facts().camera);
-  EXPECT_FALSE(BagFile(file_, {"/c/image_raw"}).facts().camera);
+  EXPECT_FALSE(BagFile(file_, {"/b/image_raw"}).metadata().camera);
+  EXPECT_FALSE(BagFile(file_, {"/c/image_raw"}).metadata().camera);
 }
 
-TEST_F(BagFileTest, ListsSeveralCamerasOrImusToChooseFrom) {
+TEST_F(BagFileTest, RequiresTopicsForSeveralCamerasOrImus) {
   Add("/left/image_raw", Gray(0.0, 1));
   Add("/right/image_raw", Gray(0.0, 2));
   Add("/imu/data", ImuAt(0.0));
@@ -218,24 +220,22 @@ TEST_F(BagFileTest, ListsSeveralCamerasOrImusToChooseFrom) {
   EXPECT_THAT(
       Reading(),
       ThrowsInputError(file_.string() +
-                       ": has several topics of pictures; choose one with --topic: /left/image_raw, /right/image_raw"));
-  EXPECT_THAT(
-      Reading({"/right/image_raw"}),
-      ThrowsInputError(file_.string() +
-                       ": has several topics of an IMU's samples; choose one with --topic: /imu/data, /imu/data_raw"));
+                       ": several topics with images; select one with --topic: /left/image_raw, /right/image_raw"));
+  EXPECT_THAT(Reading({"/right/image_raw"}),
+              ThrowsInputError(file_.string() +
+                               ": several topics with IMU samples; select one with --topic: /imu/data, /imu/data_raw"));
   EXPECT_THAT(Reading({"/wrong/image_raw"}),
-              ThrowsInputError(file_.string() + ": has no pictures or IMU's samples under the topic /wrong/image_raw"));
+              ThrowsInputError(file_.string() + ": no images or IMU samples on topic /wrong/image_raw"));
   EXPECT_THAT(Grays({"/imu/data_raw", "/right/image_raw"}), ElementsAre(2));
 }
 
-TEST_F(BagFileTest, RefusesABagWithoutPictures) {
+TEST_F(BagFileTest, RejectsABagWithoutImages) {
   Add("/imu", ImuAt(0.0));
-  EXPECT_THAT(Reading(),
-              ThrowsInputError(file_.string() + ": has no topic of pictures (sensor_msgs/Image or CompressedImage)"));
+  EXPECT_THAT(Reading(), ThrowsInputError(file_.string() + ": no image topic (sensor_msgs/Image or CompressedImage)"));
 }
 
-TEST_F(BagFileTest, RefusesPatternsAndPicturesThatAreNotWhole) {
-  Add("/bayer", Picture(0.0, "bayer_rggb8", {1}));
+TEST_F(BagFileTest, RejectsBayerPatternsAndMalformedImages) {
+  Add("/bayer", UniformImage(0.0, "bayer_rggb8", {1}));
   ros1::Image cut = Gray(0.0);
   cut.data.pop_back();
   Add("/cut", cut);
@@ -247,26 +247,28 @@ TEST_F(BagFileTest, RefusesPatternsAndPicturesThatAreNotWhole) {
   Add("/compressed", compressed);
   EXPECT_THAT(Reading({"/bayer"}),
               ThrowsInputError(AllOf(StartsWith(file_.string()),
-                                     HasSubstr("has the encoding bayer_rggb8, which is none of mono8, "))));
-  EXPECT_THAT(Reading({"/cut"}), ThrowsInputError(file_.string() + ": is no picture of 4 x 2 px"));
+                                     HasSubstr("unsupported image encoding bayer_rggb8; allowed: mono8, "))));
+  EXPECT_THAT(Reading({"/cut"}), ThrowsInputError(file_.string() + ": malformed image message of 4 x 2 px"));
   EXPECT_THAT(Reading({"/endless"}),
-              ThrowsInputError(file_.string() + ": is no picture of 4294967295 x 4294967295 px"));
-  EXPECT_THAT(Reading({"/compressed"}), ThrowsInputError(file_.string() + ": is no picture (jpeg) that can be read"));
+              ThrowsInputError(file_.string() + ": malformed image message of 4294967295 x 4294967295 px"));
+  EXPECT_THAT(Reading({"/compressed"}),
+              ThrowsInputError(file_.string() + ": cannot decode compressed image (format jpeg)"));
 }
 
-TEST_F(BagFileTest, RefusesTimesThatDoNotRise) {
+TEST_F(BagFileTest, RejectsTimesThatDoNotIncrease) {
   for (const double time_s : {0.0, 0.2, 0.1}) {
     ros1::Image image = Gray(time_s);
     bag_.write("/image", ros::Time(kStart_s) + ros::Duration(1.0 + 0.1 * static_cast<double>(bag_.getSize())), image);
   }
   EXPECT_THAT(Reading(),
-              ThrowsInputError(file_.string() + ": topic /image: the time of message 2 is not after the one before"));
+              ThrowsInputError(file_.string() +
+                               ": topic /image: the time of message 2 is not after that of the message before"));
 }
 
-TEST_F(BagFileTest, RefusesWhatIsNoBag) {
+TEST_F(BagFileTest, RejectsAFileThatIsNotABag) {
   bag_.close();
-  folder_.Put("foreign.bag", "no bag");
-  EXPECT_THAT(Reading(), ThrowsInputError(file_.string() + ": no ROS bag that can be read, or one that is cut"));
+  folder_.Put("foreign.bag", "not a bag");
+  EXPECT_THAT(Reading(), ThrowsInputError(file_.string() + ": not a readable ROS bag, or truncated"));
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ std::vector<std::string> Cells(const std::string& line) {
   return cells;
 }
 
-/// Columns of a CSV text by their names, a list of values for each row.
+/// Cells of the named columns of a CSV text, for each row.
 std::vector<std::vector<std::string>> Columns(const std::string& csv, const std::vector<std::string>& names) {
   std::istringstream lines(csv);
   std::string line;
@@ -43,15 +43,15 @@ std::vector<std::vector<std::string>> Columns(const std::string& csv, const std:
   return rows;
 }
 
-FootageSetup SetupOf(const FootageFacts& facts) {
-  return {.camera = facts.camera.value(),
-          .pad = facts.pad.value(),
-          .mounting = facts.mounting,
-          .imu = facts.imu,
-          .estimator = facts.estimator.value()};
+FootageSetup SetupOf(const FootageMetadata& metadata) {
+  return {.camera = metadata.camera.value(),
+          .pad = metadata.pad.value(),
+          .mounting = metadata.mounting,
+          .imu = metadata.imu,
+          .estimator = metadata.estimator.value()};
 }
 
-/// Two seconds of a landing from the air, over a pad of other proportions, with sensors that are mounted askew.
+/// Recording of a landing that starts in the air, with another pad than the default one and misaligned sensors.
 class RecordedFlight : public ::testing::Test {
  protected:
   void Fly(const std::vector<std::string>& more = {}) {
@@ -72,43 +72,43 @@ class RecordedFlight : public ::testing::Test {
   tests::TemporaryFolder folder_;
 };
 
-TEST_F(RecordedFlight, GivesTheFlightsOwnPosesToTheLastDigit) {
+TEST_F(RecordedFlight, ReproducesThePosesOfTheFlightExactly) {
   Fly();
   const auto footage = OpenFootage(folder_ / "flight");
-  const FootageFacts& facts = footage->facts();
-  EXPECT_EQ(facts.camera->fx_px, 321.0) << "as the flight's estimator was told";
+  const FootageMetadata& metadata = footage->metadata();
+  EXPECT_EQ(metadata.camera->fx_px, 321.0) << "assumed calibration";
   const EurocCamera camera = ReadEurocCamera(folder_ / "flight/recording/mav0/cam0/sensor.yaml");
-  EXPECT_EQ(camera.model, facts.camera);
-  EXPECT_EQ(camera.X_BC.matrix(), facts.mounting->X_BC.matrix());
+  EXPECT_EQ(camera.model, metadata.camera);
+  EXPECT_EQ(camera.X_BC.matrix(), metadata.mounting->X_BC.matrix());
   EXPECT_EQ(ReadEurocMounting(folder_ / "flight/recording/mav0/imu0/sensor.yaml").matrix(),
-            facts.mounting->X_BU.matrix());
-  EXPECT_EQ(runner::LoadCameraModel(folder_ / "flight/recording/camera.yaml"), facts.camera);
-  const auto estimates = EstimateFootage(*footage, SetupOf(facts));
+            metadata.mounting->X_BU.matrix());
+  EXPECT_EQ(runner::LoadCameraModel(folder_ / "flight/recording/camera.yaml"), metadata.camera);
+  const auto estimates = EstimateFootage(*footage, SetupOf(metadata));
   const std::vector<std::string> names = {"t_s",      "status",    "x_m",     "y_m",      "z_m",
                                           "roll_deg", "pitch_deg", "yaw_deg", "pad_u_px", "pad_v_px"};
   const auto flown = Columns(folder_.Content("flight/frames.csv"), names);
-  EXPECT_EQ(Columns(PosesCsv(estimates, facts.time), names), flown);
+  EXPECT_EQ(Columns(PosesCsv(estimates, metadata.time), names), flown);
   EXPECT_GT(flown.size(), 100u);
-  EXPECT_EQ(runner::TumText(PosesTrajectory(estimates, facts.time), facts.time),
+  EXPECT_EQ(runner::TumText(PosesTrajectory(estimates, metadata.time), metadata.time),
             folder_.Content("flight/estimate.tum"));
 }
 
-TEST_F(RecordedFlight, GivesThemFromTheGroundTooWhereTheVehicleLearnsItsBiases) {
+TEST_F(RecordedFlight, ReproducesThePosesOfAFlightFromTheGround) {
   const runner::Scenario scenario = runner::LoadScenario(
       std::filesystem::path(TOUCHDOWN_SOURCE_DIR) / "scenarios" / "flights" / "takeoff_hover_land.yaml",
       std::vector<runner::Override>{std::string("time_limit_s=4")});
   cli::FlyIntoFolder(scenario, folder_ / "flight", {.recording = true});
   const auto footage = OpenFootage(folder_ / "flight");
-  const auto estimates = EstimateFootage(*footage, SetupOf(footage->facts()));
+  const auto estimates = EstimateFootage(*footage, SetupOf(footage->metadata()));
   EXPECT_GT(PosesTrajectory(estimates, scenario.time).size(), 50u);
   EXPECT_EQ(runner::TumText(PosesTrajectory(estimates, scenario.time), scenario.time),
             folder_.Content("flight/estimate.tum"));
 }
 
-TEST_F(RecordedFlight, IsReplacedByTheNextOneUnlessItHoldsSomethingElse) {
+TEST_F(RecordedFlight, IsReplacedByTheNextRunUnlessItContainsOtherFiles) {
   Fly({std::string("time_limit_s=0.2")});
   EXPECT_NO_THROW(Fly({std::string("time_limit_s=0.1")}));
-  EXPECT_LT(OpenFootage(folder_ / "flight")->facts().frame_count, 8u);
+  EXPECT_LT(OpenFootage(folder_ / "flight")->metadata().frame_count, 8u);
   folder_.Put("flight/recording/mav0/cam0/notes.txt", "mine");
   try {
     Fly({std::string("time_limit_s=0.1")});
@@ -119,67 +119,67 @@ TEST_F(RecordedFlight, IsReplacedByTheNextOneUnlessItHoldsSomethingElse) {
   EXPECT_EQ(folder_.Content("flight/recording/mav0/cam0/notes.txt"), "mine");
 }
 
-TEST_F(RecordedFlight, TellsThePoseOfTheCameraWithoutAMountingAndChoosesWithoutAnImu) {
+TEST_F(RecordedFlight, GivesCameraPosesWithoutAMountingAndChoosesHypothesesWithoutAnImu) {
   Fly();
   const auto footage = OpenFootage(folder_ / "flight");
-  FootageSetup setup = SetupOf(footage->facts());
+  FootageSetup setup = SetupOf(footage->metadata());
   const SensorMounting mounting = setup.mounting.value();
   setup.mounting.reset();
   setup.imu.clear();
   const auto estimates = EstimateFootage(*footage, setup);
-  std::size_t chosen_by_print = 0, right = 0;
+  std::size_t chosen_by_print = 0, correct = 0;
   std::map<models::Tick, Eigen::Isometry3d> truth;
   for (const TimedPose& pose : ReadTumFile(folder_ / "flight/truth.tum")) {
-    truth[footage->facts().time.FromSeconds(pose.t_s)] = pose.X_WB;
+    truth[footage->metadata().time.FromSeconds(pose.t_s)] = pose.X_WB;
   }
   for (const FootageEstimate& estimate : estimates) {
-    if (!estimate.seen.pose || estimate.seen.choice->reason != estimator::PoseChoice::Reason::kPrint) continue;
+    if (!estimate.result.pose || estimate.result.choice->reason != estimator::PoseChoice::Reason::kPrint) continue;
     ++chosen_by_print;
     const Eigen::Isometry3d X_WC = truth.at(*estimate.mid_exposure) * mounting.X_BC;
-    right += (estimate.seen.pose->X_WB.translation() - X_WC.translation()).norm() < 0.1;
+    correct += (estimate.result.pose->X_WB.translation() - X_WC.translation()).norm() < 0.1;
   }
   EXPECT_GT(chosen_by_print, 40u);
-  EXPECT_GE(right, chosen_by_print * 95 / 100);
+  EXPECT_GE(correct, chosen_by_print * 95 / 100);
   const std::string choices = ChoicesCsv(estimates);
   EXPECT_THAT(choices, HasSubstr(",print,,,"));
 }
 
-/// Pictures of one size, as many as are asked for.
+/// Footage of `count` uniform frames of one size.
 class BlankFootage final : public Footage {
  public:
-  BlankFootage(int width, int height, std::size_t count) : image_(width, height, 200), left_(count) {}
-  const FootageFacts& facts() const override { return facts_; }
+  BlankFootage(int width, int height, std::size_t count) : image_(width, height, 200), remaining_(count) {}
+  const FootageMetadata& metadata() const override { return metadata_; }
   std::optional<FootageFrame> Next() override {
-    if (left_-- == 0) return std::nullopt;
+    if (remaining_-- == 0) return std::nullopt;
     return FootageFrame{"a, \"blank\".png", std::nullopt, image_};
   }
 
  private:
-  FootageFacts facts_;
+  FootageMetadata metadata_;
   models::Image image_;
-  std::size_t left_;
+  std::size_t remaining_;
 };
 
-TEST(EstimateFootage, LeavesCellsEmptyWhereThereIsNothingToTell) {
+TEST(EstimateFootage, LeavesCellsWithoutValueEmpty) {
   BlankFootage footage(640, 480, 1);
   const auto estimates = EstimateFootage(footage, {});
-  EXPECT_EQ(PosesCsv(estimates, footage.facts().time),
+  EXPECT_EQ(PosesCsv(estimates, footage.metadata().time),
             "frame,source,t_s,status,x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg,pad_u_px,pad_v_px,"
             "ellipse_a_px,ellipse_b_px,ellipse_angle_deg,box_x_px,box_y_px,box_w_px,box_h_px\n"
             "0,\"a, \"\"blank\"\".png\",,no_component,,,,,,,,,,,,,,,\n");
 }
 
-TEST(EstimateFootage, RefusesAPictureOfAnotherSizeThanTheCameras) {
+TEST(EstimateFootage, RejectsAFrameOfAnotherSizeThanTheCamera) {
   BlankFootage footage(320, 240, 1);
   try {
     EstimateFootage(footage, {});
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("is 320 x 240 px, but the camera's calibration is for 640 x 480 px"));
+    EXPECT_THAT(error.what(), HasSubstr("image is 320 x 240 px, but the camera calibration is for 640 x 480 px"));
   }
 }
 
-TEST(EstimateFootage, RefusesAnImuBesidePicturesWithoutTimes) {
+TEST(EstimateFootage, RejectsAnImuWithFramesWithoutTimes) {
   BlankFootage footage(640, 480, 1);
   FootageSetup setup;
   setup.imu.resize(1);

@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 using tests::ThrowsInputError;
 
-/// As in the data sets, with keys that nobody here needs.
+/// A sensor.yaml as in the data sets, with keys that are not read.
 constexpr const char* kSensor = R"(#Default camera
 sensor_type: camera
 comment: a camera
@@ -34,10 +34,10 @@ distortion_coefficients: [-0.28340811, 0.07395907, 0.00019359, 1.76187114e-05]
 
 class EurocSensorTest : public ::testing::Test {
  protected:
-  /// Reads kSensor with `instead` in place of `written`.
-  auto ReadingWith(const std::string& written, const std::string& instead) const {
+  /// Reads kSensor after replacing `original` with `replacement`.
+  auto ReadingWith(const std::string& original, const std::string& replacement) const {
     std::string text = kSensor;
-    text.replace(text.find(written), written.size(), instead);
+    text.replace(text.find(original), original.size(), replacement);
     return [this, text] { ReadEurocCamera(folder_.Put("sensor.yaml", text)); };
   }
   tests::TemporaryFolder folder_;
@@ -54,7 +54,7 @@ TEST_F(EurocSensorTest, ReadsACameraAndItsMounting) {
   EXPECT_EQ(camera.X_BC.linear().col(0), Eigen::Vector3d::UnitY());
 }
 
-TEST_F(EurocSensorTest, ReadsBackWhatItWritesToTheLastBit) {
+TEST_F(EurocSensorTest, ReadsBackBitIdenticalValues) {
   models::Vehicle vehicle;
   vehicle.camera.misalignment_deg = {0.6, -1.1, 17.0};
   vehicle.imu.misalignment_deg = {6.0, 11.0, -1.7};
@@ -69,10 +69,11 @@ TEST_F(EurocSensorTest, ReadsBackWhatItWritesToTheLastBit) {
   EXPECT_EQ(X_BU.matrix(), vehicle.X_BU().matrix());
 }
 
-TEST_F(EurocSensorTest, NamesFileLineAndKeyOfWhatIsWrong) {
+TEST_F(EurocSensorTest, NamesFileLineAndKeyOfAnError) {
   EXPECT_THAT(ReadingWith("radial-tangential", "equidistant"),
               ThrowsInputError(HasSubstr("sensor.yaml:15: distortion_model: must be radial-tangential")));
-  EXPECT_THAT(ReadingWith("[0.0, -1.0,", "[0.1, -1.0,"), ThrowsInputError(HasSubstr("T_BS.data: must be a rotation")));
+  EXPECT_THAT(ReadingWith("[0.0, -1.0,", "[0.1, -1.0,"),
+              ThrowsInputError(HasSubstr("T_BS.data: must be a rigid transform: a rotation")));
   EXPECT_THAT(ReadingWith("resolution: [752, 480]", ""), ThrowsInputError(HasSubstr("resolution: must be given")));
   EXPECT_THAT(ReadingWith("intrinsics: [458.654", "intrinsics: [-458.654"),
               ThrowsInputError(HasSubstr("must be above 0")));

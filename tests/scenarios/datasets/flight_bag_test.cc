@@ -1,4 +1,4 @@
-// A flight's bag: as ROS's own reader sees it, and read back as footage.
+// The bag of a flight, read by the reader of ROS and read back as footage.
 #include "scenarios/datasets/flight_bag.h"
 
 #include <gmock/gmock.h>
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 using ::testing::StartsWith;
 using tests::ThrowsInputError;
 
-/// A landing from the air, with sensors that are mounted askew and a lens that distorts.
+/// Landing that starts in the air, with misaligned sensors and lens distortion.
 runner::Scenario Landing(double time_limit_s) {
   return runner::LoadScenario(
       fs::path(TOUCHDOWN_SOURCE_DIR) / "scenarios" / "flights" / "landing.yaml",
@@ -45,26 +45,26 @@ class FlownBag : public ::testing::Test {
 
 std::string PosesOf(const fs::path& input) {
   const auto footage = OpenFootage(input);
-  const FootageFacts& facts = footage->facts();
-  const auto estimates = EstimateFootage(*footage, {.camera = facts.camera.value(),
-                                                    .pad = facts.pad.value(),
-                                                    .mounting = facts.mounting,
-                                                    .imu = facts.imu,
-                                                    .estimator = facts.estimator.value()});
-  return runner::TumText(PosesTrajectory(estimates, facts.time), facts.time);
+  const FootageMetadata& metadata = footage->metadata();
+  const auto estimates = EstimateFootage(*footage, {.camera = metadata.camera.value(),
+                                                    .pad = metadata.pad.value(),
+                                                    .mounting = metadata.mounting,
+                                                    .imu = metadata.imu,
+                                                    .estimator = metadata.estimator.value()});
+  return runner::TumText(PosesTrajectory(estimates, metadata.time), metadata.time);
 }
 
-/// "TIME_NS SHA256" for each picture.
-std::string PicturesOf(Footage& footage) {
+/// One line "TIME_NS SHA256" for each image.
+std::string ImageDigests(Footage& footage) {
   std::ostringstream lines;
   while (const auto frame = footage.Next()) {
     const std::string pixels(frame->image.pixels.begin(), frame->image.pixels.end());
-    lines << footage.facts().time.ToNanoseconds(frame->mid_exposure.value()) << " " << util::Sha256(pixels) << "\n";
+    lines << footage.metadata().time.ToNanoseconds(frame->mid_exposure.value()) << " " << util::Sha256(pixels) << "\n";
   }
   return lines.str();
 }
 
-TEST_F(FlownBag, HoldsToTheLastDigitWhatTheFlightsFilesHold) {
+TEST_F(FlownBag, MatchesTheFilesOfTheFlightExactly) {
   if (std::system("/usr/bin/python3 -c 'import rosbag' 2>/dev/null") != 0) {
     GTEST_SKIP() << "python3-rosbag is missing";
   }
@@ -75,23 +75,23 @@ TEST_F(FlownBag, HoldsToTheLastDigitWhatTheFlightsFilesHold) {
       tests::RunProgram("/usr/bin/python3", {"-B", script, (folder_ / "flight").string()}, folder_.path());
   EXPECT_EQ(run.status, 0) << run.err;
   const auto recording = OpenFootage(folder_ / "flight");
-  EXPECT_EQ(run.out, PicturesOf(*recording));
-  EXPECT_GT(recording->facts().frame_count, 100u);
+  EXPECT_EQ(run.out, ImageDigests(*recording));
+  EXPECT_GT(recording->metadata().frame_count, 100u);
 }
 
-TEST_F(FlownBag, GivesTheFlightsOwnPosesAndPictures) {
+TEST_F(FlownBag, ReproducesThePosesAndImagesOfTheFlight) {
   Fly(Landing(2.0));
   const std::string poses = folder_.Content("flight/estimate.tum");
   EXPECT_EQ(PosesOf(folder_ / "flight" / "flight.bag"), poses);
   EXPECT_EQ(PosesOf(folder_ / "flight"), poses);
   EXPECT_GT(std::count(poses.begin(), poses.end(), '\n'), 100);
   const auto bag = OpenFootage(folder_ / "flight" / "flight.bag"), recording = OpenFootage(folder_ / "flight");
-  EXPECT_EQ(bag->facts().frame_count, recording->facts().frame_count);
-  EXPECT_NEAR(bag->facts().frames_per_s, 60.0, 1e-3);
-  EXPECT_EQ(PicturesOf(*bag), PicturesOf(*recording));
+  EXPECT_EQ(bag->metadata().frame_count, recording->metadata().frame_count);
+  EXPECT_NEAR(bag->metadata().frames_per_s, 60.0, 1e-3);
+  EXPECT_EQ(ImageDigests(*bag), ImageDigests(*recording));
 }
 
-TEST_F(FlownBag, GivesThemFromTheGroundTooWhereTheVehicleLearnsItsBiases) {
+TEST_F(FlownBag, ReproducesThePosesOfAFlightFromTheGround) {
   const runner::Scenario scenario =
       runner::LoadScenario(fs::path(TOUCHDOWN_SOURCE_DIR) / "scenarios" / "flights" / "takeoff_hover_land.yaml",
                            std::vector<runner::Override>{std::string("time_limit_s=4")});
@@ -101,7 +101,7 @@ TEST_F(FlownBag, GivesThemFromTheGroundTooWhereTheVehicleLearnsItsBiases) {
   EXPECT_GT(std::count(poses.begin(), poses.end(), '\n'), 50);
 }
 
-TEST_F(FlownBag, HasTheSameBytesWhenFlownAgain) {
+TEST_F(FlownBag, IsBitIdenticalForTheSameFlight) {
   Fly(Landing(0.3), "a");
   Fly(Landing(0.3), "b");
   const std::string bytes = folder_.Content("a/flight.bag");
@@ -109,7 +109,7 @@ TEST_F(FlownBag, HasTheSameBytesWhenFlownAgain) {
   EXPECT_TRUE(bytes == folder_.Content("b/flight.bag"));
 }
 
-TEST_F(FlownBag, IsRefusedWhereverItIsCut) {
+TEST_F(FlownBag, IsRejectedWhenTruncated) {
   Fly(Landing(0.3));
   const std::string bytes = folder_.Content("flight/flight.bag");
   for (const std::size_t size :
@@ -119,12 +119,12 @@ TEST_F(FlownBag, IsRefusedWhereverItIsCut) {
       OpenFootage(cut);
       ADD_FAILURE() << size;
     } catch (const InputError& error) {
-      EXPECT_EQ(error.what(), cut.string() + ": no ROS bag that can be read, or one that is cut") << size;
+      EXPECT_EQ(error.what(), cut.string() + ": not a readable ROS bag, or truncated") << size;
     }
   }
 }
 
-TEST_F(FlownBag, IsWrittenAndReadByTheProgramWhichKeepsEarlierPosesWhenOneIsCut) {
+TEST_F(FlownBag, IsWrittenAndReadByTheProgramWhichKeepsEarlierPosesAfterAnError) {
   const auto run = [this](const std::vector<std::string>& arguments) {
     return tests::RunProgram(TOUCHDOWN_PROGRAM, arguments, folder_.path());
   };
@@ -139,7 +139,7 @@ TEST_F(FlownBag, IsWrittenAndReadByTheProgramWhichKeepsEarlierPosesWhenOneIsCut)
   folder_.Put("cut.bag", folder_.Content("flight/flight.bag").substr(0, 100'000));
   const tests::ProgramRun cut = run({"estimate", "cut.bag", "--out", "poses"});
   EXPECT_EQ(cut.status, 2);
-  EXPECT_EQ(cut.err, "error: cut.bag: no ROS bag that can be read, or one that is cut\n");
+  EXPECT_EQ(cut.err, "error: cut.bag: not a readable ROS bag, or truncated\n");
   EXPECT_EQ(folder_.Content("poses/poses.csv"), poses);
   EXPECT_EQ(run({"estimate", "flight", "--topic", "/camera/image_raw", "--out", "poses"}).status, 2);
   EXPECT_EQ(run({"fly", "short.yaml", "--video", "off", "--out", "flight"}).status, 1);
@@ -152,13 +152,13 @@ void WriteBag(const runner::Scenario& scenario, const fs::path& file) {
   bag.Finish(runner::FlyClosedLoop(scenario, observers, nullptr));
 }
 
-TEST_F(FlownBag, TellsOfAFullDiskAndLeavesNothing) {
+TEST_F(FlownBag, ReportsAFullDiskAndRemovesTheFile) {
   const runner::Scenario scenario = Landing(0.3);
   const fs::path file = folder_ / "flight.bag";
   ASSERT_NO_THROW(WriteBag(scenario, file));
   const auto whole = static_cast<rlim_t>(fs::file_size(file));
   fs::remove(file);
-  // Full at the start, among the frames, among the truth, in the index, and when the file is closed.
+  // The disk is full at the start, in the frames, in the truth, in the index, and when the file is closed.
   for (const rlim_t bytes : {rlim_t{0}, rlim_t{5000}, whole / 2, whole - 50'000, whole - 3000, whole - 1}) {
     const tests::DiskOfSize disk(bytes);
     EXPECT_THAT([&] { WriteBag(scenario, file); }, ThrowsInputError(StartsWith("bag flight.bag: cannot be written")))
@@ -167,7 +167,7 @@ TEST_F(FlownBag, TellsOfAFullDiskAndLeavesNothing) {
   }
 }
 
-TEST_F(FlownBag, TellsOfAPlaceThatCannotBeWritten) {
+TEST_F(FlownBag, ReportsAPathThatCannotBeWritten) {
   const runner::Scenario scenario = Landing(0.1);
   EXPECT_THAT([&] { WriteBag(scenario, folder_ / "none" / "flight.bag"); },
               ThrowsInputError(StartsWith("bag flight.bag: cannot be written")));
@@ -177,7 +177,7 @@ TEST_F(FlownBag, TellsOfAPlaceThatCannotBeWritten) {
   EXPECT_TRUE(fs::is_directory(folder_ / "folder.bag"));
 }
 
-TEST_F(FlownBag, LeavesNothingOfABagThatIsNotFinished) {
+TEST_F(FlownBag, RemovesAnUnfinishedBag) {
   const fs::path file = folder_ / "flight.bag";
   {
     FlightBag bag(Landing(0.1), file);

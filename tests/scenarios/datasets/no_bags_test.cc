@@ -1,4 +1,4 @@
-// A build without the libraries of ROS bags.
+// A build without ROS bag support.
 #include <gtest/gtest.h>
 
 #include "scenarios/datasets/bag_file.h"
@@ -10,9 +10,9 @@ namespace {
 
 using tests::ThrowsInputError;
 
-TEST(NoBags, SaysThatTheBuildKnowsNone) {
+TEST(NoBags, ReportsThatTheBuildHasNoBagSupport) {
   constexpr const char* kError =
-      "bag flight.bag: built without the ROS packages for bags; packages/test.txt lists them";
+      "bag flight.bag: built without ROS bag support; packages/test.txt lists the required packages";
   EXPECT_THAT([] { FlightBag({}, "out/flight.bag"); }, ThrowsInputError(kError));
   EXPECT_THAT([] { BagFile("out/flight.bag", {}); }, ThrowsInputError(kError));
 }

@@ -22,7 +22,7 @@ runner::Scenario Landing() {
   return runner::LoadScenario(std::filesystem::path(TOUCHDOWN_SOURCE_DIR) / "scenarios" / "flights" / "landing.yaml");
 }
 
-/// A made-up flight's folder, and a recording of it.
+/// Directory and metrics of a synthetic flight.
 class PoseScoreTest : public ::testing::Test {
  protected:
   PoseScoreTest() {
@@ -47,18 +47,18 @@ class PoseScoreTest : public ::testing::Test {
   std::vector<TimedPose> poses_;
 };
 
-TEST_F(PoseScoreTest, GivesTheFlightsOwnPosesTheFlightsOwnMetrics) {
+TEST_F(PoseScoreTest, ReproducesTheMetricsOfAFlightFromItsPoses) {
   const PoseScore score = Score(poses_);
   EXPECT_EQ(score.poses, poses_.size());
   EXPECT_EQ(score.outside, 0u);
   ASSERT_EQ(score.metrics.size(), 9u);
   for (const auto& [name, value] : score.metrics) {
-    if (name == "estimate.false_pads") continue;  // Of a flight's, frames without a pose count too.
+    if (name == "estimate.false_pads") continue;  // The metric of a flight also counts frames without a pose.
     EXPECT_NEAR(value, metrics_.at(name), 1e-9 + 1e-6 * std::abs(metrics_.at(name))) << name;
   }
 }
 
-TEST_F(PoseScoreTest, MeasuresAnOffsetAsItIs) {
+TEST_F(PoseScoreTest, MeasuresAnOffsetWithoutAlignment) {
   std::vector<TimedPose> poses = ReadTumFile(folder_ / "flight/truth.tum");
   for (TimedPose& pose : poses) pose.X_WB.translation() += Eigen::Vector3d(0.03, 0.04, 0.12);
   const PoseScore score = Score(poses);
@@ -69,7 +69,7 @@ TEST_F(PoseScoreTest, MeasuresAnOffsetAsItIs) {
   EXPECT_EQ(score.metrics.at("estimate.availability"), 1.0);
 }
 
-TEST_F(PoseScoreTest, LooksBetweenThePosesOfTheTruthAndNotBeyondThem) {
+TEST_F(PoseScoreTest, InterpolatesTheTruthAndIgnoresPosesOutsideIt) {
   const std::vector<TimedPose> truth = ReadTumFile(folder_ / "flight/truth.tum");
   std::vector<TimedPose> poses(2);
   poses[0].t_s = 0.5 * (truth[100].t_s + truth[101].t_s);
@@ -84,13 +84,13 @@ TEST_F(PoseScoreTest, LooksBetweenThePosesOfTheTruthAndNotBeyondThem) {
   EXPECT_THROW(Score(poses), InputError);
 }
 
-TEST_F(PoseScoreTest, CountsAPoseThatPutsThePadElsewhereInTheImageAsAFalsePad) {
+TEST_F(PoseScoreTest, CountsAPoseWithADistantPadPixelAsAFalsePad) {
   std::vector<TimedPose> poses = poses_;
   poses[3].X_WB.translation().x() += 0.5;
   EXPECT_EQ(Score(poses).metrics.at("estimate.false_pads"), Score(poses_).metrics.at("estimate.false_pads") + 1.0);
 }
 
-TEST_F(PoseScoreTest, ReadsTheTruthOfARecordingToo) {
+TEST_F(PoseScoreTest, ReadsTheTruthOfARecording) {
   folder_.Put("recording/mav0/cam0/data.csv", "0,0.png\n");
   folder_.Put("recording/mav0/state_groundtruth_estimate0/data.csv",
               "#t,p,q\n0,0,0,1,1,0,0,0\n40000000,0.1,0,1,1,0,0,0\n");
@@ -103,12 +103,12 @@ TEST_F(PoseScoreTest, ReadsTheTruthOfARecordingToo) {
   EXPECT_FALSE(score.metrics.contains("estimate.availability"));
 }
 
-TEST_F(PoseScoreTest, RefusesAFolderWithoutATruth) {
+TEST_F(PoseScoreTest, RejectsADirectoryWithoutTruth) {
   try {
     ScorePoses(poses_, folder_.path());
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("is no flight's folder, nor a recording"));
+    EXPECT_THAT(error.what(), HasSubstr("not a flight directory or a recording"));
   }
 }
 

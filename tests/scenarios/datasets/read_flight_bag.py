@@ -22,7 +22,7 @@ def require_equal(what, got, expected):
     if isinstance(got, list) and len(got) == len(expected):
         index, got, expected = next((i, a, b) for i, (a, b) in enumerate(zip(got, expected)) if a != b)
         what = f"{what} at {index}"
-    sys.exit(f"{what}: {str(got)[:500]} is not {str(expected)[:500]}")
+    sys.exit(f"{what}: got {str(got)[:500]}, expected {str(expected)[:500]}")
 
 
 def time_ns(stamp):
@@ -66,8 +66,8 @@ def check_covariances(messages):
     axes = ["x", "y", "z", "rx", "ry", "rz"]
     upper = [(i, j) for i in range(6) for j in range(i, 6)]
     with open(FLIGHT / "frames.csv") as file:
-        seen = [row for row in csv.DictReader(file) if row["status"] == "ok"]
-    expected = [[float(row[f"cov_{axes[i]}_{axes[j]}"]) for i, j in upper] for row in seen]
+        rows = [row for row in csv.DictReader(file) if row["status"] == "ok"]
+    expected = [[float(row[f"cov_{axes[i]}_{axes[j]}"]) for i, j in upper] for row in rows]
     got = [[message.pose.covariance[6 * i + j] for i, j in upper] for message in messages["/estimate"]]
     require_equal("covariances", got, expected)
 
@@ -93,7 +93,7 @@ def check_transforms(messages):
                     2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]
         expected = [matrix[4 * row + column] for row in range(3) for column in range(3)]
         if max(abs(a - b) for a, b in zip(rotation, expected)) > 1e-12:
-            sys.exit(f"/tf_static: {sensor} is turned by {rotation}, not {expected}")
+            sys.exit(f"/tf_static: {sensor} has rotation {rotation} instead of {expected}")
 
 
 def check_imu(messages):
@@ -131,7 +131,7 @@ def main():
             messages.setdefault(topic, []).append(message)
             recorded.append(time)
             if hasattr(message, "header") and message.header.stamp > time:
-                sys.exit(f"{topic}: is recorded before its time")
+                sys.exit(f"{topic}: recording time is before the stamp")
     require_equal("order", recorded, sorted(recorded))
     (scenario,) = messages["/touchdown/scenario"]
     require_equal("scenario", scenario.data, (FLIGHT / "scenario.yaml").read_text())

@@ -17,7 +17,7 @@ using tests::CameraAbovePad;
 
 constexpr double kRadius_m = 0.09;
 
-/// The camera whose optical axis goes through the pad's center.
+/// Pose of a camera whose optical axis passes through the center of the pad.
 Eigen::Isometry3d Centered(double distance_m, double tilt) {
   Eigen::Isometry3d X_WC = CameraAbovePad(Eigen::Vector3d::Zero(), 0.0, tilt);
   X_WC.translation() = -distance_m * X_WC.linear().col(2);
@@ -32,7 +32,7 @@ TEST(CircleLimit, GrowsInProportionToTheNoise) {
   EXPECT_NEAR(twice->tilt_rad, 2.0 * once->tilt_rad, 1e-9);
 }
 
-TEST(CircleLimit, IsNoneSeenFrontally) {
+TEST(CircleLimit, ReturnsNulloptForAFrontalView) {
   EXPECT_FALSE(LimitForCircle({.k1 = 0.0, .k2 = 0.0}, kRadius_m, Centered(1.0, 0.0), 0.01));
   EXPECT_TRUE(LimitForCircle({.k1 = 0.0, .k2 = 0.0}, kRadius_m, Centered(1.0, 0.1), 0.01));
 }
@@ -46,9 +46,9 @@ TEST(CircleLimit, FallsWithTiltAndRisesWithDistance) {
   EXPECT_LT(limit(0.5, 0.3), limit(1.0, 0.3));
 }
 
-// The limit from the pixels themselves: the derivatives of a finely sampled picture of a disc by the pose, by steps so
-// small that an edge stays well within its pixel.
-TEST(CircleLimit, IsThatOfARenderedDisc) {
+// Computes the bound from pixels: the numerical derivatives of a finely sampled image of a disc with respect to the
+// pose, with steps so small that an edge moves by much less than a pixel.
+TEST(CircleLimit, MatchesTheInformationOfARenderedDisc) {
   const models::CameraModel camera{.width_px = 160,
                                    .height_px = 120,
                                    .fx_px = 160,
@@ -57,11 +57,11 @@ TEST(CircleLimit, IsThatOfARenderedDisc) {
                                    .cy_px = 59.5,
                                    .k1 = 0.0,
                                    .k2 = 0.0};
-  constexpr double kNoiseShare = 0.02, kStep = 4e-4;
+  constexpr double kNoiseFraction = 0.02, kStep = 4e-4;
   const Eigen::Isometry3d X_WC = Centered(0.45, 0.8);
-  constexpr int kSide = 16;                           // Samples along each side of a pixel, ...
-  constexpr double kSample_m = 0.45 / 160.0 / kSide;  // ... so far apart on the ground, about.
-  const auto picture = [&](const Eigen::Isometry3d& X) {
+  constexpr int kSide = 16;                           // Samples along each side of a pixel.
+  constexpr double kSample_m = 0.45 / 160.0 / kSide;  // Approximate distance of the samples on the ground.
+  const auto render = [&](const Eigen::Isometry3d& X) {
     Eigen::VectorXd values(camera.width_px * camera.height_px);
     for (int v = 0; v < camera.height_px; ++v) {
       for (int u = 0; u < camera.width_px; ++u) {
@@ -84,15 +84,16 @@ TEST(CircleLimit, IsThatOfARenderedDisc) {
     const auto moved = [&](double step) {
       Eigen::Isometry3d X = X_WC;
       if (k < 3) X.translation()[k] += step;
-      const Eigen::Vector3d turn =
+      const Eigen::Vector3d rotation =
           k < 3 ? Eigen::Vector3d::Zero() : Eigen::Vector3d(step * Eigen::Vector3d::Unit(k - 3));
-      X.linear() = models::RotationExp(turn) * X_WC.linear();
-      return picture(X);
+      X.linear() = models::RotationExp(rotation) * X_WC.linear();
+      return render(X);
     };
     derivatives.col(k) = (moved(kStep) - moved(-kStep)) / (2.0 * kStep);
   }
-  const Eigen::MatrixXd covariance = (derivatives.transpose() * derivatives / (kNoiseShare * kNoiseShare)).inverse();
-  const auto limit = LimitForCircle(camera, kRadius_m, X_WC, kNoiseShare);
+  const Eigen::MatrixXd covariance =
+      (derivatives.transpose() * derivatives / (kNoiseFraction * kNoiseFraction)).inverse();
+  const auto limit = LimitForCircle(camera, kRadius_m, X_WC, kNoiseFraction);
   ASSERT_TRUE(limit);
   EXPECT_NEAR(limit->position_m, std::sqrt(covariance.topLeftCorner(3, 3).trace()), 0.1 * limit->position_m);
   EXPECT_NEAR(limit->tilt_rad, std::sqrt(covariance.bottomRightCorner(2, 2).trace()), 0.1 * limit->tilt_rad);

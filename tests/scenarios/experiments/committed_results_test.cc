@@ -1,4 +1,4 @@
-// docs/paper holds a full run's report. What takes seconds of it is measured again here.
+// docs/paper contains the report of a full run. This test repeats the measurements that take seconds.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,8 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Another type of CPU rounds otherwise (docs/experiments.md); the estimator's own figures are hundreds of times larger.
-constexpr double kSame = 0.01;
+// Tolerance for rounding differences between CPU types (docs/experiments.md). Errors of the estimator are hundreds of
+// times larger than these differences.
+constexpr double kTolerance = 0.01;
 
 std::string Committed(const std::string& name) {
   const fs::path path = fs::path(TOUCHDOWN_SOURCE_DIR) / "docs" / "paper" / name;
@@ -27,7 +28,7 @@ std::string Committed(const std::string& name) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Rows of cells, without the head.
+/// Cells of the rows, without the header.
 std::vector<std::vector<std::string>> CommittedRows(const std::string& name) {
   std::istringstream stream(Committed(name));
   std::vector<std::vector<std::string>> rows;
@@ -41,39 +42,39 @@ std::vector<std::vector<std::string>> CommittedRows(const std::string& name) {
   return rows;
 }
 
-Json TakenAgain(const Experiment& experiment, const std::string& id) {
+Json MeasureAgain(const Experiment& experiment, const std::string& id) {
   for (const Measurement& measurement : experiment.measurements) {
-    if (measurement.id == id) return measurement.take({});
+    if (measurement.id == id) return measurement.measure({});
   }
   throw std::logic_error("no measurement " + id);
 }
 
-TEST(CommittedResults, AreOfAFullRun) {
+TEST(CommittedResults, ComeFromAFullRun) {
   const std::string readme = Committed("README.md");
   EXPECT_THAT(readme, testing::HasSubstr("Made by `touchdown paper --out DIR`"));
   EXPECT_THAT(Committed("paper.json"), testing::HasSubstr("\"quick\": false"));
 }
 
-TEST(CommittedResults, TurnTheHAsThisBuildDoes) {
-  const Json again = TakenAgain(YawExperiment({.seeds = 0}, {}), "yaw_32_cm");
+TEST(CommittedResults, MatchTheYawErrorsOfThisBuild) {
+  const Json again = MeasureAgain(YawExperiment({.seeds = 0}, {}), "yaw_32_cm");
   const auto committed = CommittedRows("figures/yaw_errors.csv");
   ASSERT_EQ(committed.size(), again.size());
   for (std::size_t i = 0; i < committed.size(); ++i) {
     ASSERT_EQ(committed[i].size(), again[i].size());
     for (std::size_t j = 0; j < committed[i].size(); ++j) {
-      EXPECT_NEAR(std::stod(committed[i][j]), again[i][j].get<double>(), kSame) << "row " << i << ", column " << j;
+      EXPECT_NEAR(std::stod(committed[i][j]), again[i][j].get<double>(), kTolerance) << "row " << i << ", column " << j;
     }
   }
 }
 
-TEST(CommittedResults, FlyTheVehicleThatThisBuildCalibrates) {
-  const Json again = TakenAgain(CalibrationsExperiment({.seeds = 1}), "calibration_1");
+TEST(CommittedResults, MatchTheCalibrationOfThisBuild) {
+  const Json again = MeasureAgain(CalibrationsExperiment({.seeds = 1}), "calibration_1");
   const auto committed = CommittedRows("figures/calibrations.table.csv");
   const std::vector<const char*> keys{"focal_error_px",    "principal_point_error_px", "reprojection_px",
                                       "position_error_mm", "rotation_error_deg",       "imu_tilt_error_deg"};
   ASSERT_EQ(committed.size(), keys.size());
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    EXPECT_NEAR(std::stod(committed[i].back()), again.at(keys[i]).get<double>(), kSame) << keys[i];
+    EXPECT_NEAR(std::stod(committed[i].back()), again.at(keys[i]).get<double>(), kTolerance) << keys[i];
   }
 }
 

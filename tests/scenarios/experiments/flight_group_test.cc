@@ -11,7 +11,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Optional;
 
-/// Two flights that ended well, and one that crashed before vision saw anything.
+/// Two flights with the expected outcome, and one that crashed before the first vision pose.
 Measured ThreeFlights() {
   return {{"a_1",
            {{"as_expected", true},
@@ -26,7 +26,7 @@ Measured ThreeFlights() {
           {"a_3", {{"as_expected", false}, {"truth", Json::object()}}}};
 }
 
-TEST(FlightGroup, SumsUpTheFlightsThatHaveAnError) {
+TEST(FlightGroup, AveragesOverTheFlightsThatHaveAnError) {
   const FlightGroup flights(ThreeFlights(), {"a_1", "a_2", "a_3"});
   EXPECT_EQ(flights.count(), 3);
   EXPECT_EQ(flights.ended_as_expected(), 2);
@@ -38,18 +38,18 @@ TEST(FlightGroup, SumsUpTheFlightsThatHaveAnError) {
   EXPECT_EQ(flights.ErrorRow("all", "truth").size(), ErrorHead("flight").size());
 }
 
-TEST(FlightGroup, SaysNoneWhereNoFlightHasAnError) {
+TEST(FlightGroup, PrintsNoneIfNoFlightHasAnError) {
   const FlightGroup crashed(ThreeFlights(), {"a_3"});
   EXPECT_THAT(crashed.Errors("truth", "xy_mm"), IsEmpty());
   EXPECT_EQ(crashed.MeanError("truth", "xy_mm"), std::nullopt);
   EXPECT_THAT(crashed.ErrorRow("crashed", "truth"), ElementsAre("crashed", "none", "none", "none", "none", "none"));
 }
 
-TEST(FlightGroup, HoldsItsFailuresAgainstNone) {
+TEST(FlightGroup, ComparesTheNumberOfFailuresWithZero) {
   const ComparedQuantity failures = FlightGroup(ThreeFlights(), {"a_1", "a_3"}).Failures("Case");
   EXPECT_THAT(failures.ours, Optional(1.0));
-  EXPECT_FALSE(failures.IsKept());
-  EXPECT_TRUE(FlightGroup(ThreeFlights(), {"a_1", "a_2"}).Failures("Case").IsKept());
+  EXPECT_FALSE(failures.MeetsPublished());
+  EXPECT_TRUE(FlightGroup(ThreeFlights(), {"a_1", "a_2"}).Failures("Case").MeetsPublished());
 }
 
 }  // namespace

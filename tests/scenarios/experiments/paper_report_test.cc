@@ -27,8 +27,7 @@ std::vector<PaperSection> Sections() {
                              .caption = "Over yaw.",
                              .csv = "x,y\n1,2\n2,3\n",
                              .plot = "plot data using 'x':'y' with lines lc rgb INK\n"});
-  section.pictures.push_back(
-      {.name = "picture", .title = "Picture", .caption = "Seen.", .jpeg = Jpeg(), .csv = "view\n1\n"});
+  section.images.push_back({.name = "image", .title = "Image", .caption = "View.", .jpeg = Jpeg(), .csv = "view\n1\n"});
   section.tables.push_back(
       {.name = "methods", .caption = "All.", .head = {"method", "error, deg"}, .rows = {{"H", "2.5"}}});
   section.compared = {
@@ -42,22 +41,23 @@ std::vector<PaperSection> Sections() {
 class PaperReportTest : public testing::Test {
  protected:
   std::map<std::string, std::string> files_ = ReportFiles(
-      {.mark = "<!-- mark -->", .quick = true, .command = "touchdown paper", .platform = {{"cpu", "x"}}}, Sections());
+      {.signature = "<!-- signature -->", .quick = true, .command = "touchdown paper", .platform = {{"cpu", "x"}}},
+      Sections());
 };
 
-TEST_F(PaperReportTest, LeavesEveryFigureAndTableAsAFile) {
+TEST_F(PaperReportTest, WritesEveryFigureAndTableToAFile) {
   for (const char* name :
-       {"figures/errors.csv", "figures/errors.pdf", "figures/errors.svg", "figures/picture.jpg", "figures/picture.pdf",
+       {"figures/errors.csv", "figures/errors.pdf", "figures/errors.svg", "figures/image.jpg", "figures/image.pdf",
         "figures/methods.table.csv", "report.html", "README.md", "summary.csv"}) {
     EXPECT_FALSE(files_[name].empty()) << name;
   }
   EXPECT_EQ(files_["figures/errors.csv"], "x,y\n1,2\n2,3\n");
   EXPECT_EQ(files_["figures/methods.table.csv"], "method,\"error, deg\"\nH,2.5\n");
-  EXPECT_EQ(files_["figures/picture.jpg"], Jpeg());
-  EXPECT_EQ(files_["figures/picture.csv"], "view\n1\n");
+  EXPECT_EQ(files_["figures/image.jpg"], Jpeg());
+  EXPECT_EQ(files_["figures/image.csv"], "view\n1\n");
 }
 
-TEST_F(PaperReportTest, SumsUpWhatIsKeptAndWhatIsNot) {
+TEST_F(PaperReportTest, SummarizesTheComparisonWithThePublishedValues) {
   EXPECT_EQ(files_["summary.csv"],
             "section,quantity,unit,published,ours,spread,kept,why\n"
             "yaw,mean |x|,mm,24,6,\"a, b\",yes,W\n"
@@ -70,9 +70,9 @@ TEST_F(PaperReportTest, SumsUpWhatIsKeptAndWhatIsNot) {
   EXPECT_THAT(files_["README.md"], HasSubstr("| roll | deg | 1 | – | – | none | none |"));
 }
 
-TEST_F(PaperReportTest, ShowsSmallFiguresInTheReadmeAndLeavesLargeOnesToThePage) {
+TEST_F(PaperReportTest, ShowsOnlySmallFiguresInTheReadme) {
   EXPECT_THAT(files_["README.md"], HasSubstr("![Errors](figures/errors.svg)"));
-  EXPECT_THAT(files_["README.md"], HasSubstr("![Picture](figures/picture.jpg)"));
+  EXPECT_THAT(files_["README.md"], HasSubstr("![Image](figures/image.jpg)"));
 
   PaperSection section{{.id = "flight", .title = "Flight"}};
   std::string csv = "x,y\n";
@@ -87,15 +87,15 @@ TEST_F(PaperReportTest, ShowsSmallFiguresInTheReadmeAndLeavesLargeOnesToThePage)
   EXPECT_THAT(files["README.md"], Not(HasSubstr("series.svg")));
 }
 
-TEST_F(PaperReportTest, IsOnePageThatNeedsNoOtherFile) {
+TEST_F(PaperReportTest, PageIsSelfContained) {
   const std::string& page = files_["report.html"];
   EXPECT_THAT(page, StartsWith("<!doctype html>"));
-  EXPECT_THAT(page, HasSubstr("<!-- mark -->"));
+  EXPECT_THAT(page, HasSubstr("<!-- signature -->"));
   EXPECT_THAT(page, HasSubstr("Yaw &lt;of&gt; the letter"));
   EXPECT_THAT(page, HasSubstr("With <b>words</b>."));
   EXPECT_THAT(page, HasSubstr("<svg"));
   EXPECT_THAT(page, HasSubstr("data:image/jpeg;base64,/9j/"));
-  EXPECT_THAT(page, HasSubstr("not to be quoted"));
+  EXPECT_THAT(page, HasSubstr("Do not quote its values"));
   EXPECT_THAT(page, Not(HasSubstr("src=\"http")));
   EXPECT_THAT(page, Not(HasSubstr("{{")));
 }

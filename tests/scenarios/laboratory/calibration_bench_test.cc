@@ -17,7 +17,7 @@ using models::DegToRad;
 using models::RadToDeg;
 using ::testing::HasSubstr;
 
-runner::Scenario SkewVehicle(std::uint64_t seed) {
+runner::Scenario MisalignedVehicle(std::uint64_t seed) {
   runner::Scenario scenario;
   scenario.seed = seed;
   scenario.vehicle.camera = {.position_m = {0.03, -0.01, -0.04}, .misalignment_deg = {1.0, -2.0, 3.0}};
@@ -25,18 +25,18 @@ runner::Scenario SkewVehicle(std::uint64_t seed) {
   return scenario;
 }
 
-TEST(CalibrationBench, FindsTheTiltOfAnImuWithoutErrors) {
-  runner::Scenario scenario = SkewVehicle(1);
+TEST(CalibrationBench, EstimatesTheTiltOfAnIdealImuExactly) {
+  runner::Scenario scenario = MisalignedVehicle(1);
   scenario.imu.accelerometer_bias_sigma_m_s2 = 0.0;
   scenario.imu.accelerometer_noise_m_s2_sqrt_hz = 0.0;
   const ImuCalibration imu = CalibrateImu(scenario);
   EXPECT_LT(imu.tilt_error_rad, 1e-9);
-  EXPECT_NEAR(imu.mounting.misalignment_deg.roll, 2.0, 0.02) << "but for a little yaw";
+  EXPECT_NEAR(imu.mounting.misalignment_deg.roll, 2.0, 0.02) << "up to the effect of a small yaw";
   EXPECT_NEAR(imu.mounting.misalignment_deg.pitch, -1.0, 0.02);
 }
 
-TEST(CalibrationBench, ErrsByTheTurnOnBiasWhichIsNotTheFlights) {
-  runner::Scenario scenario = SkewVehicle(1);
+TEST(CalibrationBench, HasATiltErrorFromTheTurnOnBias) {
+  runner::Scenario scenario = MisalignedVehicle(1);
   double squared = 0.0;
   constexpr int kSeeds = 200;
   for (int seed = 1; seed <= kSeeds; ++seed) {
@@ -48,8 +48,8 @@ TEST(CalibrationBench, ErrsByTheTurnOnBiasWhichIsNotTheFlights) {
   EXPECT_NEAR(std::sqrt(squared) / expected, 1.0, 0.15);
 }
 
-TEST(CalibrationBench, FindsTheCameraWithinItsNoise) {
-  const runner::Scenario scenario = SkewVehicle(1);
+TEST(CalibrationBench, EstimatesTheCameraWithinItsNoise) {
+  const runner::Scenario scenario = MisalignedVehicle(1);
   const CameraCalibration camera = CalibrateCamera(scenario);
   EXPECT_GE(camera.views_used(), 24);
   EXPECT_LT(camera.fit.rms_px, 0.15);
@@ -61,8 +61,8 @@ TEST(CalibrationBench, FindsTheCameraWithinItsNoise) {
   EXPECT_NEAR(camera.mounting.misalignment_deg.yaw, 3.0, 0.1);
 }
 
-TEST(CalibrationBench, ErrsLessWithoutNoise) {
-  runner::Scenario scenario = SkewVehicle(2);
+TEST(CalibrationBench, HasSmallerErrorsWithoutNoise) {
+  runner::Scenario scenario = MisalignedVehicle(2);
   scenario.camera.noise_sigma = 0.0;
   scenario.tracking.position_noise_m = scenario.tracking.rotation_noise_deg = scenario.tracking.occlusions_per_s = 0.0;
   CameraCalibrationConfig config;
@@ -73,8 +73,8 @@ TEST(CalibrationBench, ErrsLessWithoutNoise) {
   EXPECT_LT(RadToDeg(camera.rotation_error_rad), 0.05);
 }
 
-TEST(CalibrationBench, GivesTheSameForTheSameSeedAndBearsOutliersOfTheTrackingSystem) {
-  runner::Scenario scenario = SkewVehicle(3);
+TEST(CalibrationBench, IsReproducibleAndToleratesOcclusions) {
+  runner::Scenario scenario = MisalignedVehicle(3);
   scenario.tracking.occlusions_per_s = 1.0;
   CameraCalibrationConfig config;
   config.views = 9;
@@ -86,18 +86,18 @@ TEST(CalibrationBench, GivesTheSameForTheSameSeedAndBearsOutliersOfTheTrackingSy
   EXPECT_NE(CalibrateCamera(scenario, config).fit.model, first.fit.model);
 }
 
-TEST(CalibrationBench, StopsWhenItsObserverThrows) {
+TEST(CalibrationBench, StopsWhenTheProgressFunctionThrows) {
   EXPECT_THROW(CalibrateCamera(runner::Scenario(), {}, [](double) { throw util::Interrupted(); }), util::Interrupted);
 }
 
-TEST(CalibrationBench, RefusesACameraThatSeesNothing) {
-  runner::Scenario dark = SkewVehicle(1);
-  dark.camera.model.width_px = dark.camera.model.height_px = 24;
-  dark.camera.model.cx_px = dark.camera.model.cy_px = 11.5;
+TEST(CalibrationBench, RejectsACameraWithTooFewPixels) {
+  runner::Scenario tiny = MisalignedVehicle(1);
+  tiny.camera.model.width_px = tiny.camera.model.height_px = 24;
+  tiny.camera.model.cx_px = tiny.camera.model.cy_px = 11.5;
   CameraCalibrationConfig config;
   config.views = 4;
   try {
-    CalibrateCamera(dark, config);
+    CalibrateCamera(tiny, config);
     FAIL();
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("calibration pattern"));

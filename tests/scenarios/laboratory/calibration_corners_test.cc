@@ -16,8 +16,8 @@ namespace {
 
 using Eigen::Isometry3d;
 
-SeenCorners Projected(const Chessboard& board, const models::CameraModel& camera, const Isometry3d& X_EC) {
-  SeenCorners corners;
+ImageCorners Projected(const Chessboard& board, const models::CameraModel& camera, const Isometry3d& X_EC) {
+  ImageCorners corners;
   for (const Eigen::Vector3d& p_E : board.Corners()) corners.push_back(camera.Project(X_EC.inverse() * p_E).value());
   return corners;
 }
@@ -33,52 +33,52 @@ models::CameraModel SomeCamera() {
           .k2 = 0.07};
 }
 
-TEST(CalibrationViews, ShowTheBoardWholeAndReachTheImagesCorners) {
+TEST(CalibrationViews, ShowTheWholeBoardAndReachTheImageCorners) {
   const Chessboard board;
   for (const models::CameraModel& camera : {models::CameraModel(), SomeCamera()}) {
     models::RandomStream random(1, "test");
-    Eigen::Vector2d least(1e9, 1e9), most(-1e9, -1e9);
+    Eigen::Vector2d low(1e9, 1e9), high(-1e9, -1e9);
     for (const Isometry3d& X_EC : DrawCalibrationViews(board, camera, 27, random)) {
       EXPECT_GT(X_EC.translation().z(), 0.0) << "above the sheet";
       for (const Eigen::Vector2d& corner : Projected(board, camera, X_EC)) {
         EXPECT_TRUE(camera.Contains(corner));
-        least = least.cwiseMin(corner);
-        most = most.cwiseMax(corner);
+        low = low.cwiseMin(corner);
+        high = high.cwiseMax(corner);
       }
     }
     const Eigen::Vector2d size(camera.width_px, camera.height_px);
-    const double reach_px = 0.2 * size.y();  // A square is between the outermost corners and the board's edge.
-    EXPECT_LT(least.maxCoeff(), reach_px);
-    EXPECT_LT((size - most).maxCoeff(), reach_px);
+    const double reach_px = 0.2 * size.y();  // One square lies between the outermost corners and the edge of the board.
+    EXPECT_LT(low.maxCoeff(), reach_px);
+    EXPECT_LT((size - high).maxCoeff(), reach_px);
   }
 }
 
-TEST(CalibrationCorners, LieWhereThePictureShowsThemInTheBoardsOrder) {
+TEST(CalibrationCorners, AreDetectedInTheOrderOfTheBoard) {
   const Chessboard board;
   const sim::CameraConfig camera;
   models::RandomStream random(2, "test");
   Isometry3d X_WE(Eigen::Translation3d(0.2, -0.1, 0.0));
   X_WE.linear() = models::RotationExp(Eigen::Vector3d(0.0, 0.0, 1.0));
-  ChessboardCamera taker(board, X_WE, camera, 1);
+  ChessboardCamera board_camera(board, X_WE, camera, 1);
   double worst_px = 0.0;
   for (const Isometry3d& X_EC : DrawCalibrationViews(board, camera.model, 5, random)) {
-    const models::Image image = taker.Take(X_WE * X_EC);
+    const models::Image image = board_camera.Capture(X_WE * X_EC);
     const auto found = FindCorners(image.View(), board);
     ASSERT_TRUE(found);
-    const SeenCorners truth = Projected(board, camera.model, X_EC);
+    const ImageCorners truth = Projected(board, camera.model, X_EC);
     ASSERT_EQ(found->size(), truth.size());
     for (std::size_t i = 0; i < truth.size(); ++i) worst_px = std::max(worst_px, ((*found)[i] - truth[i]).norm());
   }
   EXPECT_LT(worst_px, 0.3);
 }
 
-TEST(CalibrationCorners, AreNotFoundWhereThereIsNoBoard) {
+TEST(CalibrationCorners, AreNotFoundWithoutABoard) {
   EXPECT_FALSE(FindCorners(models::Image(640, 480, 128).View(), Chessboard()));
 }
 
-class CameraFitOf : public ::testing::Test {
+class CameraFitTest : public ::testing::Test {
  protected:
-  void See(const models::CameraModel& camera, int count) {
+  void AddViews(const models::CameraModel& camera, int count) {
     models::RandomStream random(3, "test");
     poses_ = DrawCalibrationViews(board_, camera, count, random);
     for (const Isometry3d& X_EC : poses_) views_.push_back(Projected(board_, camera, X_EC));
@@ -87,12 +87,12 @@ class CameraFitOf : public ::testing::Test {
 
   const Chessboard board_;
   std::vector<Isometry3d> poses_;
-  std::vector<SeenCorners> views_;
+  std::vector<ImageCorners> views_;
 };
 
-TEST_F(CameraFitOf, ExactCornersIsTheCamera) {
+TEST_F(CameraFitTest, RecoversTheCameraFromExactCorners) {
   const models::CameraModel camera = SomeCamera();
-  See(camera, 9);
+  AddViews(camera, 9);
   const CameraFit fit = Fit();
   EXPECT_LT(fit.rms_px, 1e-3);
   EXPECT_NEAR(fit.model.fx_px, camera.fx_px, 0.01);
@@ -107,22 +107,22 @@ TEST_F(CameraFitOf, ExactCornersIsTheCamera) {
   for (std::size_t i = 0; i < poses_.size(); ++i) EXPECT_TRUE(fit.X_EC[i].value().isApprox(poses_[i], 1e-4));
 }
 
-TEST_F(CameraFitOf, AllTermsFindsTangentialOnesToo) {
+TEST_F(CameraFitTest, EstimatesTangentialTerms) {
   models::CameraModel camera = SomeCamera();
   camera.p1 = 0.002;
   camera.p2 = -0.001;
-  See(camera, 12);
-  EXPECT_GT(Fit().rms_px, 0.05) << "two terms do not describe it";
+  AddViews(camera, 12);
+  EXPECT_GT(Fit().rms_px, 0.05) << "radial terms are not sufficient";
   const CameraFit fit = Fit(LensTerms::kAll);
   EXPECT_LT(fit.rms_px, 1e-3);
   EXPECT_NEAR(fit.model.p1, camera.p1, 2e-5);
   EXPECT_NEAR(fit.model.p2, camera.p2, 2e-5);
 }
 
-TEST_F(CameraFitOf, LeavesOutAViewWithAWrongCorner) {
-  See(SomeCamera(), 9);
+TEST_F(CameraFitTest, ExcludesAViewWithAWrongCorner) {
+  AddViews(SomeCamera(), 9);
   models::RandomStream random(4, "noise");
-  for (SeenCorners& view : views_) {
+  for (ImageCorners& view : views_) {
     for (Eigen::Vector2d& corner : view) corner += 0.05 * Eigen::Vector2d(random.Normal(), random.Normal());
   }
   views_[4][7] += Eigen::Vector2d(9.0, 4.0);
@@ -131,8 +131,8 @@ TEST_F(CameraFitOf, LeavesOutAViewWithAWrongCorner) {
   EXPECT_LT(fit.rms_px, 0.1);
 }
 
-TEST_F(CameraFitOf, TwoViewsIsRefused) {
-  See(SomeCamera(), 2);
+TEST_F(CameraFitTest, RejectsTwoViews) {
+  AddViews(SomeCamera(), 2);
   EXPECT_THROW(Fit(), InputError);
 }
 

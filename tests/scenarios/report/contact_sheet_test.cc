@@ -11,11 +11,11 @@ cv::Mat Decode(const std::string& png) {
   return cv::imdecode(std::vector<unsigned char>(png.begin(), png.end()), cv::IMREAD_COLOR);
 }
 
-TEST(ContactSheet, IsNoPictureWithoutFrames) {
+TEST(ContactSheet, ReturnsNulloptWithoutFrames) {
   EXPECT_FALSE(ContactSheet(models::CameraModel(), models::TimeBase()).Png());
 }
 
-TEST(ContactSheet, IsOfBoundedSizeWhateverTheFramesShape) {
+TEST(ContactSheet, HasBoundedSizeForAnyAspectRatio) {
   for (const auto& [width, height] : {std::pair(1, 4000), std::pair(4000, 1), std::pair(2000, 2000)}) {
     models::CameraModel camera;
     camera.width_px = width;
@@ -24,14 +24,14 @@ TEST(ContactSheet, IsOfBoundedSizeWhateverTheFramesShape) {
     models::CameraFrame frame;
     frame.image = models::Image(width, height, 128);
     for (int i = 0; i < 12; ++i) sheet.OnFrame(frame, {}, {});
-    const cv::Mat picture = Decode(sheet.Png().value());
-    EXPECT_LE(picture.cols, 4 * 480);
-    EXPECT_LE(picture.rows, 3 * 720);
-    EXPECT_FALSE(picture.empty());
+    const cv::Mat image = Decode(sheet.Png().value());
+    EXPECT_LE(image.cols, 4 * 480);
+    EXPECT_LE(image.rows, 3 * 720);
+    EXPECT_FALSE(image.empty());
   }
 }
 
-TEST(ContactSheet, ShowsTwelveFramesOfALongFlightFromItsStartToItsEnd) {
+TEST(ContactSheet, ShowsTwelveFramesFromStartToEndOfLongFlight) {
   models::CameraModel camera;
   camera.width_px = 64;
   camera.height_px = 48;
@@ -43,12 +43,12 @@ TEST(ContactSheet, ShowsTwelveFramesOfALongFlightFromItsStartToItsEnd) {
     frame.image = models::Image(64, 48, static_cast<std::uint8_t>(i * 250 / kFrames));
     sheet.OnFrame(frame, {}, {});
   }
-  const cv::Mat picture = Decode(sheet.Png().value());
-  ASSERT_EQ(picture.cols, 4 * 480);
-  ASSERT_EQ(picture.rows, 3 * 360);
+  const cv::Mat image = Decode(sheet.Png().value());
+  ASSERT_EQ(image.cols, 4 * 480);
+  ASSERT_EQ(image.rows, 3 * 360);
   int previous = -1;
   for (int tile = 0; tile < 12; ++tile) {
-    const int gray = picture.at<cv::Vec3b>(360 * (tile / 4) + 330, 480 * (tile % 4) + 450)[0];
+    const int gray = image.at<cv::Vec3b>(360 * (tile / 4) + 330, 480 * (tile % 4) + 450)[0];
     EXPECT_GT(gray, previous);
     if (tile > 0) {
       EXPECT_NEAR(gray - previous, 250.0 / 11.0, 12.0);

@@ -23,13 +23,13 @@ Figure Line() {
           .height_cm = 5.0};
 }
 
-TEST(Figure, IsDrawnAsSvgAndPdf) {
+TEST(Figure, DrawsSvgAndPdf) {
   const DrawnFigure drawn = Draw(Line());
   EXPECT_THAT(drawn.svg, HasSubstr("<svg"));
   EXPECT_THAT(drawn.pdf, StartsWith("%PDF-"));
 }
 
-TEST(Figure, FollowsThePagesColorsAndHasNamesOfItsOwn) {
+TEST(Figure, PageSvgUsesColorVariablesAndUniqueIds) {
   const std::string svg = Draw(Line()).page_svg;
   EXPECT_THAT(svg, StartsWith("<svg"));
   EXPECT_THAT(svg, HasSubstr("var(--estimate)"));
@@ -39,15 +39,16 @@ TEST(Figure, FollowsThePagesColorsAndHasNamesOfItsOwn) {
   EXPECT_THAT(svg, Not(HasSubstr("#0072b2")));
 }
 
-TEST(Figure, IsTheSameEachTime) {
+TEST(Figure, DrawsEqualFilesForEqualFigures) {
   const DrawnFigure once = Draw(Line());
-  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // A PDF tells the second in which it was drawn.
+  std::this_thread::sleep_for(
+      std::chrono::milliseconds(1100));  // Longer than the 1 s resolution of the PDF creation date.
   const DrawnFigure again = Draw(Line());
   EXPECT_EQ(once.svg, again.svg);
   EXPECT_EQ(once.pdf, again.pdf);
 }
 
-TEST(Figure, TellsWhatGnuplotSays) {
+TEST(Figure, ThrowsErrorOutputOfGnuplot) {
   Figure figure = Line();
   figure.plot = "plot nonsense using\n";
   try {

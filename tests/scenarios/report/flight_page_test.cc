@@ -30,7 +30,7 @@ runner::Scenario Parsed(const std::string& more = "") {
 
 FlightFiles MadeFiles(double duration_s = 2.0) { return FilesOf(Parsed(), MadeFlight(Parsed(), duration_s)); }
 
-/// What the page's script reads.
+/// Data embedded in the page for its script.
 Json DataOf(const std::string& page) {
   const std::string begin = "<script type=\"application/json\" id=\"flight\">";
   const std::size_t at = page.find(begin) + begin.size();
@@ -41,7 +41,7 @@ Json DataOf(const runner::Scenario& scenario, const runner::FlightLog& log) {
   return DataOf(FlightPage(FilesOf(scenario, log)));
 }
 
-/// Times and values of a curve, by the titles of plot and curve.
+/// Times and values of a curve.
 struct Curve {
   std::vector<double> t_s;
   std::vector<Json> values;
@@ -52,6 +52,7 @@ struct Curve {
   }
 };
 
+/// Curve with the given plot title and label.
 Curve CurveOf(const Json& data, const std::string& title, const std::string& label) {
   for (const Json& plot : data.at("plots")) {
     if (plot.at("title") != title) continue;
@@ -61,17 +62,17 @@ Curve CurveOf(const Json& data, const std::string& title, const std::string& lab
       }
     }
   }
-  ADD_FAILURE() << "no curve " << label << " in a plot " << title;
+  ADD_FAILURE() << "no curve " << label << " in plot " << title;
   return {};
 }
 
-Eigen::Isometry3d TurnedTo(double yaw_deg, double x_m) {
+Eigen::Isometry3d PoseWithYaw(double yaw_deg, double x_m) {
   Eigen::Isometry3d X_WB(Eigen::AngleAxisd(models::DegToRad(yaw_deg), Eigen::Vector3d::UnitZ()));
   X_WB.translation() = Eigen::Vector3d(x_m, 0.0, 1.0);
   return X_WB;
 }
 
-TEST(FlightPage, IsTitledByScenarioSeedAndVerdict) {
+TEST(FlightPage, TitleContainsScenarioSeedAndVerdict) {
   runner::Scenario scenario = Parsed("seed: 7\n");
   scenario.name = "gusts";
   EXPECT_THAT(FlightPage(FilesOf(scenario, MadeFlight(scenario, 2.0))),
@@ -83,7 +84,7 @@ TEST(FlightPage, IsTitledByScenarioSeedAndVerdict) {
   EXPECT_THAT(FlightPage(FilesOf(scenario, crash)), HasSubstr("<title>gusts, seed 7: Error</title>"));
 }
 
-TEST(FlightPage, NeedsNothingButTheVideo) {
+TEST(FlightPage, ReferencesOnlyVideo) {
   FlightFiles files = MadeFiles();
   files.has_video = true;
   const std::string page = FlightPage(files);
@@ -96,13 +97,13 @@ TEST(FlightPage, NeedsNothingButTheVideo) {
   EXPECT_THAT(page, Not(HasSubstr("url(")));
 }
 
-TEST(FlightPage, LeavesTheVideoOutOfAFlightWithoutOne) {
+TEST(FlightPage, OmitsVideoWhenThereIsNone) {
   const std::string page = FlightPage(MadeFiles());
   EXPECT_THAT(page, Not(HasSubstr("flight.mp4\"")));
   EXPECT_THAT(page, HasSubstr("This flight has no video."));
 }
 
-TEST(FlightPage, ShowsWhatAUserWroteAsText) {
+TEST(FlightPage, EscapesUserText) {
   runner::Scenario scenario = Parsed();
   scenario.description = "{{scenario}} </script><script>alert(1)</script>";
   const std::string page = FlightPage(FilesOf(scenario, MadeFlight(scenario, 1.0)));
@@ -110,7 +111,7 @@ TEST(FlightPage, ShowsWhatAUserWroteAsText) {
   EXPECT_THAT(page, HasSubstr("{{scenario}} &lt;/script&gt;"));
 }
 
-TEST(FlightPage, KeepsEveryExtremeOfALongFlight) {
+TEST(FlightPage, KeepsExtremesOfLongFlight) {
   const runner::Scenario scenario = Parsed();
   runner::FlightLog log = MadeFlight(scenario, 66.0);
   log.ticks[6000].truth.X_WB.translation().z() = 1.75;
@@ -125,45 +126,46 @@ TEST(FlightPage, KeepsEveryExtremeOfALongFlight) {
   EXPECT_EQ(CurveOf(DataOf(page), "Vision time per frame", "time").At(2000.0 / 60.0), 40.0);
 }
 
-TEST(FlightPage, DrawsOfTwoTwinsTheOneNearerToTheTruth) {
+TEST(FlightPage, ResolvesYawAmbiguityTowardsTruth) {
   const runner::Scenario scenario = Parsed();
   runner::FlightLog log = MadeFlight(scenario, 1.0);
-  for (runner::TickRecord& record : log.ticks) record.truth.X_WB = TurnedTo(170.0, 0.3);
-  for (runner::FrameRecord& frame : log.frames) frame.X_WB = TurnedTo(170.0, 0.3);
-  log.frames[30].pose->X_WB = TurnedTo(-8.0, -0.29);
-  log.frames[31].pose->X_WB = TurnedTo(-11.0, -0.31);
+  for (runner::TickRecord& record : log.ticks) record.truth.X_WB = PoseWithYaw(170.0, 0.3);
+  for (runner::FrameRecord& frame : log.frames) frame.X_WB = PoseWithYaw(170.0, 0.3);
+  log.frames[30].pose->X_WB = PoseWithYaw(-8.0, -0.29);
+  log.frames[31].pose->X_WB = PoseWithYaw(-11.0, -0.31);
   const Json data = DataOf(scenario, log);
   EXPECT_NEAR(CurveOf(data, "Yaw", "vision").At(30.0 / 60.0), 172.0, 1e-6);
   EXPECT_NEAR(CurveOf(data, "Yaw", "vision").At(31.0 / 60.0), 169.0, 1e-6);
   EXPECT_NEAR(CurveOf(data, "x", "vision").At(30.0 / 60.0), 0.29, 1e-6);
-  EXPECT_NEAR(CurveOf(data, "Vision position, unfiltered, less truth", "x").At(31.0 / 60.0), 10.0, 1e-6);
-  EXPECT_NEAR(CurveOf(data, "Vision attitude, unfiltered, less truth", "yaw").At(31.0 / 60.0), -1.0, 1e-3);
+  EXPECT_NEAR(CurveOf(data, "Vision position error (unfiltered, vision minus truth)", "x").At(31.0 / 60.0), 10.0, 1e-6);
+  EXPECT_NEAR(CurveOf(data, "Vision attitude error (unfiltered, vision minus truth)", "yaw").At(31.0 / 60.0), -1.0,
+              1e-3);
 }
 
-TEST(FlightPage, DrawsATurnWithoutAJump) {
+TEST(FlightPage, UnwrapsYaw) {
   const runner::Scenario scenario = Parsed();
   runner::FlightLog log = MadeFlight(scenario, 1.0);
   for (std::size_t i = 0; i < log.ticks.size(); ++i) {
-    log.ticks[i].truth.X_WB = TurnedTo(static_cast<double>(i) * 3.0, 0.0);
+    log.ticks[i].truth.X_WB = PoseWithYaw(static_cast<double>(i) * 3.0, 0.0);
   }
   const Curve yaw = CurveOf(DataOf(scenario, log), "Yaw", "truth");
   EXPECT_NEAR(yaw.values.back().get<double>(), 600.0, 1e-6);
 }
 
-TEST(FlightPage, LeavesGapsWhereThereIsNothingToTell) {
+TEST(FlightPage, LeavesGapsWhereValuesAreMissing) {
   const runner::Scenario scenario = Parsed();
   runner::FlightLog log = MadeFlight(scenario, 2.0);
   log.frames.erase(log.frames.begin() + 60, log.frames.begin() + 66);
   const Json data = DataOf(scenario, log);
   EXPECT_TRUE(CurveOf(data, "x", "estimate").values.front().is_null());
-  const Curve error = CurveOf(data, "Vision position, unfiltered, less truth", "x");
+  const Curve error = CurveOf(data, "Vision position error (unfiltered, vision minus truth)", "x");
   EXPECT_TRUE(error.values.front().is_null());
   const auto gap = std::find_if(error.t_s.begin(), error.t_s.end(), [](double t) { return t > 60.0 / 60.0; });
   EXPECT_TRUE(error.values[static_cast<std::size_t>(gap - error.t_s.begin())].is_null());
   EXPECT_LT(*gap, 65.0 / 60.0);
 }
 
-TEST(FlightPage, TellsPhasesEventsAndTouchdown) {
+TEST(FlightPage, ContainsPhasesEventsAndTouchdown) {
   const runner::Scenario scenario = Parsed("events: [{at_s: 0.5, do: push, force_n: [3, 4, 0], duration_s: 0.25}]\n");
   const Json data = DataOf(scenario, MadeFlight(scenario, 2.0));
   ASSERT_EQ(data.at("phases").size(), 5u);
@@ -175,7 +177,7 @@ TEST(FlightPage, TellsPhasesEventsAndTouchdown) {
   EXPECT_EQ(data["touchdown"]["y_m"], 0.05);
 }
 
-TEST(FlightPage, MarksTheTouchdownThatTheMetricsGiveAndNoOther) {
+TEST(FlightPage, ShowsTouchdownFromMetricsOnly) {
   const runner::Scenario scenario = Parsed("");
   runner::FlightLog log = MadeFlight(scenario, 2.0);
   log.touchdown->at.tick += 5;
@@ -184,10 +186,10 @@ TEST(FlightPage, MarksTheTouchdownThatTheMetricsGiveAndNoOther) {
   EXPECT_NEAR(data["touchdown"]["t_s"].get<double>(), scenario.time.ToSeconds(log.touchdown->at.tick), 1e-4);
   EXPECT_EQ(data["touchdown"]["y_m"], 0.07);
   log.touchdown.reset();
-  EXPECT_TRUE(DataOf(scenario, log)["touchdown"].is_null()) << "although its table has a contact in the landing";
+  EXPECT_TRUE(DataOf(scenario, log)["touchdown"].is_null()) << "although flight.csv has a contact during the landing";
 }
 
-TEST(FlightPage, SetsTheFiguresBesideThePapers) {
+TEST(FlightPage, ComparesErrorsWithTableOne) {
   const runner::Scenario scenario = Parsed();
   runner::FlightLog log = MadeFlight(scenario, 1.0);
   for (runner::FrameRecord& frame : log.frames) {
@@ -199,7 +201,7 @@ TEST(FlightPage, SetsTheFiguresBesideThePapers) {
                         "<td class=\"number\">33.7</td><td class=\"number\">0.50</td>"));
 }
 
-TEST(FlightPage, IsMadeOfAFlightThatHadNothingToShow) {
+TEST(FlightPage, HandlesFlightsWithoutData) {
   const runner::Scenario scenario = Parsed();
   runner::FlightLog blind = MadeFlight(scenario, 1.0);
   for (runner::FrameRecord& frame : blind.frames) {
@@ -220,7 +222,7 @@ TEST(FlightPage, IsMadeOfAFlightThatHadNothingToShow) {
   }
 }
 
-TEST(FlightPage, NamesWhatIsDamaged) {
+TEST(FlightPage, ThrowsNamingFileAndKeyForInvalidInput) {
   const FlightFiles good = MadeFiles();
   const auto page_with = [&](const std::function<void(FlightFiles&)>& damage) {
     FlightFiles files = good;
@@ -235,13 +237,13 @@ TEST(FlightPage, NamesWhatIsDamaged) {
   EXPECT_THAT(page_with([](FlightFiles& f) { f.frames_csv.insert(f.frames_csv.find('\n') + 3, "x"); }),
               ThrowsInputError("flight/frames.csv:2: t_s: 'x0' is no finite number"));
   EXPECT_THAT(page_with([](FlightFiles& f) { f.frame_timing_csv = "tick,render_ms,vision_ms\n"; }),
-              ThrowsInputError("flight/frame_timing.csv:1: tick: is not that of frames.csv beside it"));
+              ThrowsInputError("flight/frame_timing.csv:1: tick: must equal the column tick of frames.csv"));
   EXPECT_THAT(page_with([](FlightFiles& f) { f.result_json = "{\n\"log_sha256\""; }),
-              ThrowsInputError("flight/result.json:2: is no JSON"));
+              ThrowsInputError("flight/result.json:2: invalid JSON"));
   EXPECT_THAT(page_with([](FlightFiles& f) { f.result_json = "{\"log_sha256\": \"\"}"; }),
-              ThrowsInputError("flight/result.json: metrics: no such key"));
+              ThrowsInputError("flight/result.json: metrics: missing key"));
   EXPECT_THAT(page_with([](FlightFiles& f) { f.timing_json = "[]"; }),
-              ThrowsInputError("flight/timing.json: vision_ms_mean: no such key"));
+              ThrowsInputError("flight/timing.json: vision_ms_mean: missing key"));
   EXPECT_THAT(page_with([](FlightFiles& f) { f.scenario_yaml += "fps: 60\n"; }),
               ThrowsInputError(HasSubstr("fps: unknown key")));
 }

@@ -12,9 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The caption's strip below the two views.
-constexpr int kFilm_px = 512;
-constexpr int kViews_px = 480;
+constexpr int kVideoHeight_px = 512;  ///< With the caption below the two views.
+constexpr int kViewHeight_px = 480;
 
 class FlightVideoTest : public ::testing::Test {
  protected:
@@ -29,7 +28,7 @@ class FlightVideoTest : public ::testing::Test {
     video_->OnStart(*world_);
   }
   models::Tick CameraPeriod() const { return scenario_.time.PeriodOf(scenario_.camera.rate_hz); }
-  /// Shows the frame of that number, plain gray but for a white spot at its middle, at a height that grows with time.
+  /// Passes frame `number`, of uniform gray, to the video. The height of the vehicle grows with time.
   void Show(int number, std::uint8_t gray, bool pad_is_covered = false) {
     const models::CameraModel& model = scenario_.camera.model;
     models::CameraFrame frame;
@@ -42,16 +41,16 @@ class FlightVideoTest : public ::testing::Test {
     video_->OnImu({.tick = frame.mid_exposure}, false);
     video_->OnFrame(frame, {}, record);
   }
-  void FlyOn(double until_s) { video_->OnImu({.tick = scenario_.time.FromSeconds(until_s)}, false); }
+  void ContinueUntil(double until_s) { video_->OnImu({.tick = scenario_.time.FromSeconds(until_s)}, false); }
 
-  cv::VideoCapture Film() const { return cv::VideoCapture(file_.string()); }
-  std::vector<cv::Mat3b> Pictures() const {
-    cv::VideoCapture film = Film();
-    std::vector<cv::Mat3b> pictures;
-    for (cv::Mat picture; film.read(picture);) pictures.push_back(picture.clone());
-    return pictures;
+  cv::VideoCapture OpenVideo() const { return cv::VideoCapture(file_.string()); }
+  std::vector<cv::Mat3b> VideoFrames() const {
+    cv::VideoCapture video = OpenVideo();
+    std::vector<cv::Mat3b> frames;
+    for (cv::Mat frame; video.read(frame);) frames.push_back(frame.clone());
+    return frames;
   }
-  static int OnboardGray(const cv::Mat3b& picture) { return picture(100, 100)[1]; }
+  static int OnboardGray(const cv::Mat3b& frame) { return frame(100, 100)[1]; }
 
   runner::Scenario scenario_;
   std::unique_ptr<sim::World> world_;
@@ -61,52 +60,53 @@ class FlightVideoTest : public ::testing::Test {
       ("flight_video_test_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) + ".mp4");
 };
 
-TEST_F(FlightVideoTest, ShowsTheOnboardCameraBesideTheVehicleInTheFlightsOwnTime) {
+TEST_F(FlightVideoTest, ShowsOnboardAndChaseViewInFlightTime) {
   Start();
   for (int i = 0; i < 60; ++i) Show(i, static_cast<std::uint8_t>(60 + 2 * i));
-  FlyOn(0.999);
+  ContinueUntil(0.999);
   video_->Finish();
-  EXPECT_EQ(Film().get(cv::CAP_PROP_FPS), 30.0);
-  const std::vector<cv::Mat3b> pictures = Pictures();
-  ASSERT_EQ(pictures.size(), 30u);
+  EXPECT_EQ(OpenVideo().get(cv::CAP_PROP_FPS), 30.0);
+  const std::vector<cv::Mat3b> frames = VideoFrames();
+  ASSERT_EQ(frames.size(), 30u);
   for (int k = 0; k < 30; ++k) {
-    const cv::Mat3b& picture = pictures[static_cast<std::size_t>(k)];
-    ASSERT_EQ(picture.size(), cv::Size(640 + kViews_px, kFilm_px));
-    EXPECT_NEAR(OnboardGray(picture), 60 + 4 * k, 3.0) << "picture k shows frame 2k";
+    const cv::Mat3b& frame = frames[static_cast<std::size_t>(k)];
+    ASSERT_EQ(frame.size(), cv::Size(640 + kViewHeight_px, kVideoHeight_px));
+    EXPECT_NEAR(OnboardGray(frame), 60 + 4 * k, 3.0) << "video frame k shows camera frame 2k";
   }
-  // The vehicle rises on the right, and the caption changes below.
-  const cv::Rect right(640, 0, kViews_px, kViews_px), caption(0, kViews_px, 640, kFilm_px - kViews_px);
-  EXPECT_GT(cv::norm(pictures.front()(right), pictures.back()(right), cv::NORM_L1), 5e5);
-  EXPECT_GT(cv::norm(pictures.front()(caption), pictures.back()(caption), cv::NORM_L1), 1e4);
+  // The vehicle rises in the right view, and the caption changes.
+  const cv::Rect right(640, 0, kViewHeight_px, kViewHeight_px),
+      caption(0, kViewHeight_px, 640, kVideoHeight_px - kViewHeight_px);
+  EXPECT_GT(cv::norm(frames.front()(right), frames.back()(right), cv::NORM_L1), 5e5);
+  EXPECT_GT(cv::norm(frames.front()(caption), frames.back()(caption), cv::NORM_L1), 1e4);
 }
 
-TEST_F(FlightVideoTest, HoldsThePictureWhileFramesAreLostAndToTheEndOfTheFlight) {
+TEST_F(FlightVideoTest, RepeatsLastFrameWhileFramesAreMissingAndUntilEndOfFlight) {
   Start();
   for (int i = 0; i < 120; ++i) {
     if (i < 30 || (i > 60 && i < 90)) Show(i, static_cast<std::uint8_t>(60 + i));
   }
-  FlyOn(3.01);
+  ContinueUntil(3.01);
   video_->Finish();
-  const std::vector<cv::Mat3b> pictures = Pictures();
-  ASSERT_EQ(pictures.size(), 91u);
+  const std::vector<cv::Mat3b> frames = VideoFrames();
+  ASSERT_EQ(frames.size(), 91u);
   for (const auto& [k, frame] : {std::pair(0, 0), std::pair(14, 28), std::pair(15, 28), std::pair(30, 28),
                                  std::pair(31, 62), std::pair(44, 88), std::pair(45, 88), std::pair(90, 88)}) {
-    EXPECT_NEAR(OnboardGray(pictures[static_cast<std::size_t>(k)]), 60 + frame, 3.0) << k;
+    EXPECT_NEAR(OnboardGray(frames[static_cast<std::size_t>(k)]), 60 + frame, 3.0) << k;
   }
 }
 
-TEST_F(FlightVideoTest, TakesAWholeFractionOfTheCamerasRate) {
+TEST_F(FlightVideoTest, DividesCameraRateByInteger) {
   for (const auto& [camera_hz, fps] : {std::pair(30, 30.0), std::pair(50, 25.0), std::pair(100, 25.0),
                                        std::pair(200, 200.0 / 7.0), std::pair(12, 12.0), std::pair(1, 1.0)}) {
     Start(camera_hz);
     for (int i = 0; i <= 2 * camera_hz; ++i) Show(i, 100);
     video_->Finish();
-    EXPECT_NEAR(Film().get(cv::CAP_PROP_FPS), fps, 1e-3);
-    EXPECT_EQ(Pictures().size(), static_cast<std::size_t>(std::floor(2.0 * fps + 1e-9) + 1)) << camera_hz;
+    EXPECT_NEAR(OpenVideo().get(cv::CAP_PROP_FPS), fps, 1e-3);
+    EXPECT_EQ(VideoFrames().size(), static_cast<std::size_t>(std::floor(2.0 * fps + 1e-9) + 1)) << camera_hz;
   }
 }
 
-TEST_F(FlightVideoTest, TakesACameraOfAnySize) {
+TEST_F(FlightVideoTest, AcceptsAnyCameraSize) {
   for (const auto& [width, height, onboard_px] :
        {std::tuple(320, 240, 640), std::tuple(641, 479, 642), std::tuple(1, 1, 480), std::tuple(1, 1000, 2),
         std::tuple(2000, 100, 854), std::tuple(1920, 1080, 854)}) {
@@ -114,29 +114,29 @@ TEST_F(FlightVideoTest, TakesACameraOfAnySize) {
     Show(0, 200);
     Show(2, 200);
     video_->Finish();
-    const std::vector<cv::Mat3b> pictures = Pictures();
-    ASSERT_EQ(pictures.size(), 2u);
-    EXPECT_EQ(pictures[0].size(), cv::Size(onboard_px + kViews_px, kFilm_px)) << width << "x" << height;
+    const std::vector<cv::Mat3b> frames = VideoFrames();
+    ASSERT_EQ(frames.size(), 2u);
+    EXPECT_EQ(frames[0].size(), cv::Size(onboard_px + kViewHeight_px, kVideoHeight_px)) << width << "x" << height;
     if (onboard_px > 2) {
-      EXPECT_NEAR(pictures[0](kViews_px / 2 - 15, onboard_px / 2 - 10)[1], 200, 10) << width << "x" << height;
+      EXPECT_NEAR(frames[0](kViewHeight_px / 2 - 15, onboard_px / 2 - 10)[1], 200, 10) << width << "x" << height;
     }
   }
 }
 
-TEST_F(FlightVideoTest, ShowsThatThePadIsCovered) {
+TEST_F(FlightVideoTest, ShowsPadCover) {
   Start();
   Show(0, 100, false);
   Show(2, 100, true);
   video_->Finish();
-  const std::vector<cv::Mat3b> pictures = Pictures();
-  const cv::Rect right(640, 0, kViews_px, kViews_px);
-  // The room is unpainted, all white: the cover alone is a little darker.
-  EXPECT_GT(cv::norm(pictures[0](right), pictures[1](right), cv::NORM_INF), 15.0);
+  const std::vector<cv::Mat3b> frames = VideoFrames();
+  const cv::Rect right(640, 0, kViewHeight_px, kViewHeight_px);
+  // Everything in the unpainted room is white, except for the slightly darker cover.
+  EXPECT_GT(cv::norm(frames[0](right), frames[1](right), cv::NORM_INF), 15.0);
 }
 
-TEST_F(FlightVideoTest, IsNoFileWithoutFrames) {
+TEST_F(FlightVideoTest, WritesNoFileWithoutFrames) {
   Start();
-  FlyOn(1.0);
+  ContinueUntil(1.0);
   video_->Finish();
   EXPECT_FALSE(fs::exists(file_));
 }

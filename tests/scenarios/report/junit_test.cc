@@ -7,7 +7,7 @@
 namespace touchdown::report {
 namespace {
 
-runner::Scenario Named() {
+runner::Scenario NamedScenario() {
   runner::Scenario scenario;
   scenario.name = "calm";
   scenario.seed = 7;
@@ -28,12 +28,12 @@ runner::FlightResult Result(runner::Verdict verdict) {
 
 std::string Xml(runner::Verdict verdict) {
   const runner::FlightResult result = Result(verdict);
-  return JunitXml({SuiteOf(Named(), result.verdict, result.reason, result.metrics, result.checks)});
+  return JunitXml({SuiteOf(NamedScenario(), result.verdict, result.reason, result.metrics, result.checks)});
 }
 
-TEST(Junit, SumsUpItsSuites) {
+TEST(Junit, SumsCountsOfSuites) {
   const runner::FlightResult result = Result(runner::Verdict::kFail);
-  const JunitSuite suite = SuiteOf(Named(), result.verdict, result.reason, result.metrics, result.checks);
+  const JunitSuite suite = SuiteOf(NamedScenario(), result.verdict, result.reason, result.metrics, result.checks);
   pugi::xml_document document;
   ASSERT_TRUE(document.load_string(JunitXml({suite, suite}).c_str()));
   const pugi::xml_node suites = document.child("testsuites");
@@ -42,7 +42,7 @@ TEST(Junit, SumsUpItsSuites) {
   EXPECT_EQ(suites.attribute("time").as_double(), 25.0);
 }
 
-TEST(Junit, HasACaseForEachCheckAndCountsThoseThatFailed) {
+TEST(Junit, WritesCasePerCheckAndCountsFailures) {
   pugi::xml_document document;
   ASSERT_TRUE(document.load_string(Xml(runner::Verdict::kFail).c_str()));
   const pugi::xml_node suite = document.child("testsuites").child("testsuite");
@@ -57,7 +57,7 @@ TEST(Junit, HasACaseForEachCheckAndCountsThoseThatFailed) {
   EXPECT_STREQ(failed.child("failure").attribute("message").value(), "is 11.5 deg, must be <= 10");
 }
 
-TEST(Junit, IsAnErrorOfEveryCaseWhenTheSimulationWentWrong) {
+TEST(Junit, WritesErrorInEveryCaseAfterSimulationError) {
   const std::string text = Xml(runner::Verdict::kError);
   EXPECT_NE(text.find(kJunitSignature), std::string::npos);
   pugi::xml_document document;

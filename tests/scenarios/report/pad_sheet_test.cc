@@ -25,7 +25,7 @@ using models::LandingPad;
 constexpr int kDotsPerInch = 600;
 constexpr double kPxPerMm = kDotsPerInch / 25.4;
 
-/// What a printer puts on paper. The page's x runs to the right, its y down, in mm.
+/// Rasterized page of a pad sheet. Page coordinates are in mm, x to the right and y down.
 class Raster {
  public:
   explicit Raster(const LandingPad& pad) {
@@ -38,13 +38,13 @@ class Raster {
     if (std::system(command.c_str()) != 0) throw std::runtime_error(command);
     image_ = cv::imread((folder / "pad.pgm").string(), cv::IMREAD_GRAYSCALE);
     fs::remove_all(folder);
-    if (image_.empty()) throw std::runtime_error("pdftoppm left no raster");
+    if (image_.empty()) throw std::runtime_error("pdftoppm wrote no image");
   }
 
   double width_mm() const { return image_.cols / kPxPerMm; }
   double height_mm() const { return image_.rows / kPxPerMm; }
 
-  /// Gray level, 255 beyond the page.
+  /// Interpolated gray level; 255 outside the page.
   double At(const Vector2d& p_mm) const {
     const double u = p_mm.x() * kPxPerMm - 0.5, v = p_mm.y() * kPxPerMm - 0.5;
     const int left = static_cast<int>(std::floor(u)), top = static_cast<int>(std::floor(v));
@@ -54,7 +54,7 @@ class Raster {
            wv * ((1 - wu) * image_(top + 1, left) + wu * image_(top + 1, left + 1));
   }
 
-  /// Where the ink ends, in mm along `direction` from `from`, which lies on ink.
+  /// Distance in mm along `direction` from `from`, which must be black, to the end of the black area.
   double InkEnd(const Vector2d& from_mm, const Vector2d& direction) const {
     constexpr double kStep_mm = 0.005;
     double along = 0.0;
@@ -66,7 +66,7 @@ class Raster {
   cv::Mat1b image_;
 };
 
-/// Gray of the printed sheet in the pad's frame, whose X points up the page.
+/// Gray level of the printed sheet as a function of the position in the pad frame, whose X axis points up the page.
 std::function<std::optional<double>(const Vector2d&)> Printed(const Raster& raster, const LandingPad& pad) {
   return [&raster, center = Vector2d(500.0 * pad.sheet_width_m, 500.0 * pad.sheet_length_m),
           half = Vector2d(0.5 * pad.sheet_length_m, 0.5 * pad.sheet_width_m)](
@@ -76,7 +76,7 @@ std::function<std::optional<double>(const Vector2d&)> Printed(const Raster& rast
   };
 }
 
-TEST(PadSheet, MeasuresWhatThePadIsInThePrint) {
+TEST(PadSheet, PrintsPadToScale) {
   const LandingPad pad;
   const Raster raster(pad);
   EXPECT_NEAR(raster.width_mm(), 210.0, 0.1);
@@ -99,19 +99,19 @@ TEST(PadSheet, MeasuresWhatThePadIsInThePrint) {
   EXPECT_NEAR(raster.InkEnd(stroke + 20.0 * down, -right), 8.0, 0.05);
 }
 
-TEST(PadSheet, PrintsASolidRectangleWithoutASeam) {
+TEST(PadSheet, PrintsSolidRectangleWithoutSeam) {
   LandingPad pad;
   pad.h_stroke_m = 0.5 * pad.h_width_m;
   const Raster raster(pad);
   const Vector2d center(105.0, 148.5);
   EXPECT_NEAR(raster.InkEnd(center, {1.0, 0.0}), 28.0, 0.05);
   EXPECT_NEAR(raster.InkEnd(center, {0.0, 1.0}), 50.0, 0.05);
-  for (double x = -27.9; x < 27.9; x += 0.01) {  // The edge itself is gray over a pixel of 0.04 mm.
+  for (double x = -27.9; x < 27.9; x += 0.01) {  // The edge is gray, one pixel (0.04 mm) wide.
     EXPECT_LT(raster.At(center + Vector2d(x, 30.0)), 10.0) << x;
   }
 }
 
-TEST(PadSheet, MeasuresWhatTheMarksAreInThePrint) {
+TEST(PadSheet, PrintsMarkingsToScale) {
   LandingPad pad;
   pad.marks = {{.shape = models::PadMark::Shape::kDisc, .center_m = {0.02, 0.05}, .diameter_m = 0.01},
                {.shape = models::PadMark::Shape::kBar,
@@ -134,20 +134,20 @@ TEST(PadSheet, MeasuresWhatTheMarksAreInThePrint) {
     EXPECT_NEAR(raster.InkEnd(bar, direction(30.0 + half_turn)), 10.0, 0.05);
     EXPECT_NEAR(raster.InkEnd(bar, direction(120.0 + half_turn)), 2.0, 0.05);
   }
-  EXPECT_NEAR(raster.InkEnd(over_stroke, direction(0.0)), 15.0, 0.05) << "beyond the stroke";
-  EXPECT_NEAR(raster.InkEnd(over_stroke, direction(180.0)), 100.0, 0.05) << "over the stroke, which stays black";
+  EXPECT_NEAR(raster.InkEnd(over_stroke, direction(0.0)), 15.0, 0.05) << "outside the stroke";
+  EXPECT_NEAR(raster.InkEnd(over_stroke, direction(180.0)), 100.0, 0.05) << "along the stroke, which stays black";
 }
 
-TEST(PadSheet, HasARulerOfAHundredMillimeters) {
+TEST(PadSheet, HasRulerOf100Millimeters) {
   const Raster raster((LandingPad()));
   std::vector<double> ticks_mm;
-  // A row that the ticks of whole centimeters alone reach.
+  // Finds a row that only the centimeter ticks reach.
   double row_mm = 0.0;
   for (double y = 245.0; y < 290.0 && ticks_mm.size() < 11; y += 0.1) {
     ticks_mm.clear();
     for (double x = 5.0; x < 205.0; x += 0.01) {
-      const bool falls = raster.At({x, y}) < 200.0 && raster.At({x - 0.01, y}) >= 200.0;
-      if (falls) ticks_mm.push_back(x);
+      const bool is_falling_edge = raster.At({x, y}) < 200.0 && raster.At({x - 0.01, y}) >= 200.0;
+      if (is_falling_edge) ticks_mm.push_back(x);
     }
     row_mm = y;
     if (ticks_mm.size() != 11) ticks_mm.clear();
@@ -157,7 +157,7 @@ TEST(PadSheet, HasARulerOfAHundredMillimeters) {
   EXPECT_NEAR(ticks_mm.back() - ticks_mm.front(), 100.0, 0.1);
 }
 
-TEST(PadSheet, IsFoundByTheEstimatorInThePrint) {
+TEST(PadSheet, PrintedPadIsFoundByEstimator) {
   LandingPad large;
   large.ring_width_m = 0.008;
   large.h_height_m = 0.120;
@@ -172,14 +172,14 @@ TEST(PadSheet, IsFoundByTheEstimatorInThePrint) {
     tests::PadPicture picture{.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5};
     picture.paint = Printed(raster, pad);
     const models::Image image = tests::RenderPad(setup.camera, pad, X_WC, picture, &random);
-    const auto seen = estimator::paper::PaperEstimator(setup).Estimate(image.View(), 0, tests::GravityIn(X_WB));
-    ASSERT_TRUE(seen.pose) << seen.reason;
-    EXPECT_LT((seen.pose->X_WB.translation() - X_WB.translation()).norm(), 0.02);
-    EXPECT_LT(models::RotationLog(seen.pose->X_WB.linear().transpose() * X_WB.linear()).norm(), 0.06);
+    const auto result = estimator::paper::PaperEstimator(setup).Estimate(image.View(), 0, tests::GravityIn(X_WB));
+    ASSERT_TRUE(result.pose) << result.reason;
+    EXPECT_LT((result.pose->X_WB.translation() - X_WB.translation()).norm(), 0.02);
+    EXPECT_LT(models::RotationLog(result.pose->X_WB.linear().transpose() * X_WB.linear()).norm(), 0.06);
   }
 }
 
-TEST(PadSheet, MakesThePageLargerWhereItsSheetIsTooSmallForTheRuler) {
+TEST(PadSheet, EnlargesPageWhenRulerDoesNotFitOnSheet) {
   LandingPad small;
   small.outer_radius_m = 0.030;
   small.ring_width_m = 0.005;
@@ -195,7 +195,7 @@ TEST(PadSheet, MakesThePageLargerWhereItsSheetIsTooSmallForTheRuler) {
   EXPECT_NEAR(raster.InkEnd(center, {1.0, 0.0}), 9.5, 0.05);
 }
 
-TEST(PadSheet, IsAnSvgOfTheSameSize) {
+TEST(PadSheet, WritesSvgOfSameSize) {
   const std::string svg = PadSheet({}, SheetFormat::kSvg);
   EXPECT_THAT(svg, testing::StartsWith("<?xml"));
   EXPECT_THAT(svg, testing::ContainsRegex("width=\"595\\.27.*pt\" height=\"841\\.8.*pt\""));
@@ -203,7 +203,7 @@ TEST(PadSheet, IsAnSvgOfTheSameSize) {
   EXPECT_THAT(PadSheet({}, SheetFormat::kPdf), testing::HasSubstr(kPadSheetSignature));
 }
 
-TEST(PadSheet, RefusesAPadThatIsNone) {
+TEST(PadSheet, ThrowsForInvalidPad) {
   LandingPad pad;
   pad.ring_width_m = 0.1;
   EXPECT_THROW(PadSheet(pad, SheetFormat::kPdf), InputError);

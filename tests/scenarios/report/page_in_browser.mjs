@@ -1,22 +1,22 @@
-// What a reader does with a flight's page, in a real browser: node page_in_browser.mjs FLIGHT [OTHER]...
-// FLIGHT is the page of a flight with its video; each OTHER one of a flight that has less to show, the first of them over
-// a pad with a disc of 10 mm at (0.02, 0.05) and a bar of 20 x 4 mm at (-0.02, 0.05), turned by 30 degrees.
+// Tests the interaction with a flight report in a browser: node page_in_browser.mjs FLIGHT [OTHER]...
+// FLIGHT is the report of a flight with video. Each OTHER is a report without video. The pad of the first OTHER has a
+// disc with a diameter of 10 mm at (0.02, 0.05) m and a bar of 20 x 4 mm at (-0.02, 0.05) m, rotated by 30 degrees.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { openPage } from "./browser.mjs";
 
 const [flightPage, ...otherPages] = process.argv.slice(2);
 const browsers = [];
-let page, complaints, requests;
+let page, problems, requests;
 
-async function open(file, look) {
-  const opened = await openPage(file, look);
+async function open(file, options) {
+  const opened = await openPage(file, options);
   browsers.push(opened.browser);
   return opened;
 }
 
 before(async () => {
-  ({ page, complaints, requests } = await open(flightPage));
+  ({ page, problems, requests } = await open(flightPage));
   await page.waitForFunction(() => document.getElementById("video").readyState >= 1, null, { timeout: 20000 });
   await page.evaluate(() => {
     window.pixelsOf = ({ ctx: { canvas } }) => {
@@ -32,8 +32,8 @@ const count = () => page.evaluate(() => touchdown.plots.length);
 const ranges = () => page.evaluate(() => touchdown.plots.map(({ scales: { x } }) => [x.min, x.max]));
 const reset = () => page.evaluate(() => touchdown.view.reset());
 
-/** Where in the window the share `across` of a plot's width lies, halfway up. */
-async function placeIn(index, across) {
+/** Window position in a plot at the fraction `across` of its width and at half its height. */
+async function positionIn(index, across) {
   const plot = page.locator(".plot .u-over").nth(index);
   await plot.scrollIntoViewIfNeeded();
   await plot.evaluate((element) => element.scrollIntoView({ block: "center" }));
@@ -42,7 +42,7 @@ async function placeIn(index, across) {
 }
 
 async function drag(index, from, to) {
-  const [start, end] = [await placeIn(index, from), await placeIn(index, to)];
+  const [start, end] = [await positionIn(index, from), await positionIn(index, to)];
   await page.mouse.move(start.x, start.y);
   await page.mouse.down();
   await page.mouse.move(end.x, end.y, { steps: 4 });
@@ -50,68 +50,69 @@ async function drag(index, from, to) {
 }
 
 function assertNear(actual, expected, tolerance, what) {
-  assert.ok(Math.abs(actual - expected) <= tolerance, `${what}: ${actual} is not ${expected} +- ${tolerance}`);
+  assert.ok(Math.abs(actual - expected) <= tolerance, `${what}: ${actual} differs from ${expected} by more than ${tolerance}`);
 }
 
-test("it opens without a complaint and asks for nothing but the files beside it", () => {
-  assert.deepEqual(complaints, []);
+test("opens without problems and requests only local files", () => {
+  assert.deepEqual(problems, []);
   for (const address of requests) assert.match(address, /^(file|data|blob):/);
 });
 
-test("its title tells scenario, seed and verdict", async () => {
+test("title contains scenario, seed and verdict", async () => {
   assert.equal(await page.title(), "takeoff_hover_land, seed 1: Passed");
 });
 
-test("every curve of every plot is drawn", async () => {
+test("draws every curve of every plot", async () => {
   const changed = await page.evaluate(() => {
     const difference = (a, b) => a.reduce((sum, value, i) => sum + (value !== b[i] ? 1 : 0), 0);
     const nextFrame = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
-    const showAll = (chart, seen) => chart.series.forEach((_, i) => i > 0 && chart.setSeries(i, { show: seen(i) }));
+    const setVisible = (chart, isVisible) =>
+      chart.series.forEach((_, i) => i > 0 && chart.setSeries(i, { show: isVisible(i) }));
     return (async () => {
       const differences = [];
       for (const [index, chart] of touchdown.plots.entries()) {
         const { title, lanes } = touchdown.flight.plots[index];
         if (lanes) continue;
         const [min, max] = [chart.scales.y.min, chart.scales.y.max];
-        const still = chart.scales.y.range;
+        const originalRange = chart.scales.y.range;
         chart.scales.y.range = () => [min, max];
-        showAll(chart, () => false);
+        setVisible(chart, () => false);
         await nextFrame();
         const empty = pixelsOf(chart);
         for (let i = 1; i < chart.series.length; ++i) {
-          showAll(chart, (k) => k === i);
+          setVisible(chart, (k) => k === i);
           await nextFrame();
           differences.push([`${title} ${i}`, difference(empty, pixelsOf(chart))]);
         }
-        chart.scales.y.range = still;
-        showAll(chart, () => true);
+        chart.scales.y.range = originalRange;
+        setVisible(chart, () => true);
         await nextFrame();
       }
       return differences;
     })();
   });
   assert.equal(changed.length, 6 * 4 + 4 * 3 + 1 + 4);
-  for (const [curve, pixels] of changed) assert.ok(pixels > 300, `${curve}: ${pixels} values of the picture differ`);
+  for (const [curve, pixels] of changed) assert.ok(pixels > 300, `${curve}: ${pixels} values of the image differ`);
 });
 
-test("the lanes of the detection show frames with and without the pad", async () => {
+test("detection lanes show frames with and without the pad", async () => {
   const colors = await page.evaluate(() => {
     const index = touchdown.flight.plots.findIndex(({ lanes }) => lanes);
-    const wanted = ["--estimate", "--failed"].map((name) => {
+    const expected = ["--estimate", "--failed"].map((name) => {
       const [, ...hex] = getComputedStyle(document.documentElement).getPropertyValue(name).trim().match(/#(..)(..)(..)/);
       return hex.map((digits) => parseInt(digits, 16));
     });
     const data = pixelsOf(touchdown.plots[index]);
-    const found = wanted.map(() => 0);
+    const found = expected.map(() => 0);
     for (let i = 0; i < data.length; i += 4) {
-      wanted.forEach((color, k) => (found[k] += color.every((value, c) => value === data[i + c]) ? 1 : 0));
+      expected.forEach((color, k) => (found[k] += color.every((value, c) => value === data[i + c]) ? 1 : 0));
     }
     return found;
   });
   for (const pixels of colors) assert.ok(pixels > 200, `${colors}`);
 });
 
-test("a drag on one plot zooms all, a double click shows the whole flight again", async () => {
+test("dragging in one plot zooms all plots, double-clicking shows the whole flight", async () => {
   const whole = await ranges();
   const [min, max] = whole[0];
   await drag(1, 0.3, 0.6);
@@ -122,12 +123,12 @@ test("a drag on one plot zooms all, a double click shows the whole flight again"
     assertNear(to, min + 0.6 * (max - min), 0.01 * (max - min), "end");
     assert.deepEqual([from, to], zoomed[0]);
   }
-  const place = await placeIn(4, 0.5);
-  await page.mouse.dblclick(place.x, place.y);
+  const position = await positionIn(4, 0.5);
+  await page.mouse.dblclick(position.x, position.y);
   assert.deepEqual(await ranges(), whole);
 });
 
-test("a button of the timeline zooms to its phase", async () => {
+test("timeline buttons zoom to their phase", async () => {
   await page.getByRole("button", { name: /hover/ }).click();
   const { from_s, to_s } = await page.evaluate(() => touchdown.flight.phases.find(({ name }) => name === "hover"));
   for (const [from, to] of await ranges()) {
@@ -137,21 +138,21 @@ test("a button of the timeline zooms to its phase", async () => {
   assertNear((await ranges())[0][0], 0, 1e-9, "begin");
 });
 
-test("a click on any plot takes the video to its time", async () => {
+test("clicking in a plot moves the video to that time", async () => {
   const duration = await page.evaluate(() => touchdown.flight.duration_s);
   for (const [index, across] of [[0, 0.25], [8, 0.5], [12, 0.75]]) {
-    const place = await placeIn(index, across);
-    await page.mouse.click(place.x, place.y);
+    const position = await positionIn(index, across);
+    await page.mouse.click(position.x, position.y);
     await page.waitForFunction(() => !document.getElementById("video").seeking);
     const time = await page.evaluate(() => document.getElementById("video").currentTime);
-    assertNear(time, across * duration, 0.01 * duration, "the video's time");
+    assertNear(time, across * duration, 0.01 * duration, "video time");
     assert.equal(await page.locator(".played:visible").count(), await count());
   }
 });
 
-test("the cursor of one plot moves in all, with the values of all at its time", async () => {
-  const place = await placeIn(2, 0.5);
-  await page.mouse.move(place.x, place.y);
+test("all plots show the cursor and their values at its time", async () => {
+  const position = await positionIn(2, 0.5);
+  await page.mouse.move(position.x, position.y);
   const lefts = await page.evaluate(() => touchdown.plots.map(({ cursor }) => Math.round(cursor.left)));
   assert.equal(new Set(lefts).size, 1, `${lefts}`);
   assert.ok(lefts[0] > 0);
@@ -163,33 +164,33 @@ test("the cursor of one plot moves in all, with the values of all at its time", 
     const at = t_s.findIndex((t) => t >= touchdown.view.pointed);
     return series.find(({ label }) => label === "truth").values[at];
   });
-  assertNear(Number(values[8].replace("−", "-")), truth, 0.01, "the true height in the legend");
+  assertNear(Number(values[8].replace("−", "-")), truth, 0.01, "true height in the legend");
   assert.equal(await page.locator(".vehicle").getAttribute("visibility"), "visible");
 });
 
-test("a button of the legend hides its curve and shows it again", async () => {
+test("legend buttons hide and show curves", async () => {
   const button = page.getByRole("button", { name: "truth" }).first();
-  const seen = () => page.evaluate(() => touchdown.plots[0].series.filter(({ show }) => show).length);
-  const all = await seen();
+  const countVisible = () => page.evaluate(() => touchdown.plots[0].series.filter(({ show }) => show).length);
+  const all = await countVisible();
   await button.click();
-  assert.equal(await seen(), all - 1);
+  assert.equal(await countVisible(), all - 1);
   assert.equal(await button.getAttribute("aria-pressed"), "false");
   await button.click();
-  assert.equal(await seen(), all);
+  assert.equal(await countVisible(), all);
 });
 
-test("the keyboard points, zooms, plays and goes back", async () => {
+test("keys move the cursor, zoom, seek, play and reset", async () => {
   const plot = page.locator(".chart").nth(3);
   await plot.focus();
   await page.evaluate(() => touchdown.view.seek(5));
   await page.keyboard.press("ArrowRight");
   const pointed = await page.evaluate(() => touchdown.view.pointed);
-  assertNear(pointed, 5 + (await ranges())[0][1] / 100, 0.01, "the time pointed at");
+  assertNear(pointed, 5 + (await ranges())[0][1] / 100, 0.01, "time of the cursor");
   await page.keyboard.press("+");
   const [from, to] = (await ranges())[7];
   assert.ok(to - from < 8 && from < pointed && pointed < to, `${from} ${to}`);
   await page.keyboard.press("Enter");
-  assertNear(await page.evaluate(() => touchdown.view.played), pointed, 1e-6, "the time gone to");
+  assertNear(await page.evaluate(() => touchdown.view.played), pointed, 1e-6, "time after seeking");
   await page.keyboard.press(" ");
   await page.waitForFunction((t) => touchdown.view.played > t + 0.2 && !document.getElementById("video").paused, pointed, { timeout: 8000 });
   await page.keyboard.press(" ");
@@ -198,38 +199,38 @@ test("the keyboard points, zooms, plays and goes back", async () => {
   assertNear((await ranges())[0][0], 0, 1e-9, "begin");
 });
 
-test("the video stays in view beside the plots of a wide window", async () => {
-  await placeIn(12, 0.5);
+test("the video stays visible next to the plots in a wide window", async () => {
+  await positionIn(12, 0.5);
   const box = await page.locator("#video").boundingBox();
   assert.ok(box.y >= 0 && box.y + box.height <= page.viewportSize().height);
 });
 
-test("the button of the theme turns light into dark, plots too, and back", async () => {
-  const looks = () =>
+test("the theme button switches page and plots between light and dark", async () => {
+  const appearance = () =>
     page.evaluate(() => ({
       theme: document.documentElement.dataset.theme,
       paper: getComputedStyle(document.body).backgroundColor,
       ink: touchdown.plots.map((chart) => pixelsOf(chart).reduce((sum, value) => sum + value, 0)),
     }));
-  const light = await looks();
+  const light = await appearance();
   assert.equal(light.theme, "light");
   const button = page.getByRole("button", { name: /light and dark/ });
   await button.click();
-  const dark = await looks();
+  const dark = await appearance();
   assert.equal(dark.theme, "dark");
   assert.notEqual(dark.paper, light.paper);
   dark.ink.forEach((ink, index) => assert.notEqual(ink, light.ink[index], `plot ${index}`));
   await button.click();
-  assert.deepEqual(await looks(), light);
+  assert.deepEqual(await appearance(), light);
 });
 
-test("it follows the system's theme", async () => {
+test("follows the system theme", async () => {
   const dark = await open(flightPage, { theme: "dark" });
   assert.equal(await dark.page.evaluate(() => document.documentElement.dataset.theme), "dark");
-  assert.deepEqual(dark.complaints, []);
+  assert.deepEqual(dark.problems, []);
 });
 
-test("it fits a narrow window, one thing under the other", async () => {
+test("uses one column in a narrow window", async () => {
   const narrow = await open(flightPage, { width: 420, height: 900 });
   const { content, video, plot } = await narrow.page.evaluate(() => ({
     content: document.documentElement.scrollWidth,
@@ -238,10 +239,10 @@ test("it fits a narrow window, one thing under the other", async () => {
   }));
   assert.equal(content, 420);
   assert.ok(video < plot);
-  assert.deepEqual(narrow.complaints, []);
+  assert.deepEqual(narrow.problems, []);
 });
 
-test("it prints on light pages that hold the plots", async () => {
+test("prints with the light theme and with plots", async () => {
   await page.getByRole("button", { name: /light and dark/ }).click();
   const printed = page.evaluate(() => new Promise((done) => {
     addEventListener("beforeprint", () => done(document.documentElement.dataset.theme), { once: true });
@@ -252,12 +253,12 @@ test("it prints on light pages that hold the plots", async () => {
   await page.waitForFunction(() => document.documentElement.dataset.theme === "dark");
 });
 
-test("nothing that was done drew a complaint", () => assert.deepEqual(complaints, []));
+test("the interactions caused no problems", () => assert.deepEqual(problems, []));
 
-test("the pad's marks are drawn where they lie", async () => {
+test("the markings of the pad are drawn at their positions", async () => {
   const { page: marked } = await open(otherPages[0]);
   const points = await marked.evaluate(() => {
-    const [, , disc, bar] = document.querySelectorAll(".top-view .black"); // After ring and letter.
+    const [, , disc, bar] = document.querySelectorAll(".top-view .black"); // After ring and H.
     const of = (name) => disc[name].baseVal.value;
     const corners = [...bar.points].map(({ x, y }) => [x, y]);
     const middle = (i, j) => [0, 1].map((k) => (corners[i][k] + corners[j][k]) / 2);
@@ -283,14 +284,14 @@ test("the pad's marks are drawn where they lie", async () => {
 });
 
 for (const other of otherPages) {
-  test(`${other} opens without a complaint`, async () => {
+  test(`${other} opens without problems`, async () => {
     const opened = await open(other);
-    assert.deepEqual(opened.complaints, []);
+    assert.deepEqual(opened.problems, []);
     assert.equal(await opened.page.locator(".plot canvas").count(), 13);
     assert.equal(await opened.page.locator("video").count(), 0);
     await opened.page.locator(".plot .u-over").first().click();
     await opened.page.locator(".plot .u-over").first().dblclick();
     await opened.page.keyboard.press("Escape");
-    assert.deepEqual(opened.complaints, []);
+    assert.deepEqual(opened.problems, []);
   });
 }

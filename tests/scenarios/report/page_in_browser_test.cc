@@ -1,5 +1,5 @@
-// The page of a real flight, that of the paper's experiments and a sweep's, in Chromium, as a reader uses them: the
-// scripts beside this, which ctest runs through it.
+// Tests the flight report, the paper report and the sweep report in Chromium. Each test writes a page and runs a script
+// of this folder on it.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -35,13 +35,13 @@ class PageInABrowser : public ::testing::Test {
     setenv("CHROMIUM", TOUCHDOWN_CHROMIUM, 1);
   }
 
-  /// Leaves a page that has no video beside it.
+  /// Writes a page without a video and returns its path.
   std::string PageOf(const std::string& name, const runner::Scenario& scenario, const runner::FlightLog& log) const {
     return folder_.Put(name, FlightPage(tests::FilesOf(scenario, log))).string();
   }
 
-  /// Expects that a script of this test's folder succeeds.
-  void Node(const std::string& script, const std::vector<std::string>& arguments) const {
+  /// Runs a script of this folder and expects that it succeeds.
+  void RunScript(const std::string& script, const std::vector<std::string>& arguments) const {
     std::vector<std::string> all{"--test-reporter=spec",
                                  std::string(TOUCHDOWN_SOURCE_DIR) + "/tests/scenarios/report/" + script};
     all.insert(all.end(), arguments.begin(), arguments.end());
@@ -56,12 +56,12 @@ runner::Scenario TakeoffHoverLand() {
   return runner::LoadScenario(fs::path(TOUCHDOWN_SOURCE_DIR) / "scenarios" / "flights" / "takeoff_hover_land.yaml");
 }
 
-/// The same flight's page is off by 0.05, by what the wall clock says; another seed's by 2.5; one with everything below
-/// a table moved by 2 px by 5.6. To remake the picture:
+/// Tolerance of the screenshot. The page of the same flight differs by 0.05, because of measured times; the page of
+/// another seed by 2.5; a page on which everything below a table moved by 2 px by 5.6. To update the screenshot:
 ///   TOUCHDOWN_WRITE_DOCS=1 build/release/tests/scenarios/report/report_browser_tests
 constexpr double kSameLayout = 4.0;
 
-TEST_F(PageInABrowser, DoesWhatItsReaderAsksAndLooksAsInTheDocs) {
+TEST_F(PageInABrowser, FlightReportSupportsInteractionAndMatchesDocs) {
   const runner::Scenario scenario = TakeoffHoverLand();
   const fs::path flight = folder_ / "flight";
   cli::FlyIntoFolder(scenario, flight);
@@ -77,16 +77,16 @@ TEST_F(PageInABrowser, DoesWhatItsReaderAsksAndLooksAsInTheDocs) {
   without_frames.frames.clear();
   runner::FlightLog nothing;
   nothing.time = scenario.time;
-  Node("page_in_browser.mjs",
-       {(flight / "report.html").string(), PageOf("marked.html", marked, tests::MadeFlight(marked, 2.0)),
-        PageOf("without_frames.html", scenario, without_frames), PageOf("nothing.html", scenario, nothing)});
+  RunScript("page_in_browser.mjs",
+            {(flight / "report.html").string(), PageOf("marked.html", marked, tests::MadeFlight(marked, 2.0)),
+             PageOf("without_frames.html", scenario, without_frames), PageOf("nothing.html", scenario, nothing)});
 
-  const std::string picture = (folder_ / "report.png").string();
-  Node("photograph_page.mjs", {(flight / "report.html").string(), picture, "1600", "1500"});
-  tests::ExpectPicture("report.png", cv::imread(picture), kSameLayout);
+  const std::string screenshot = (folder_ / "report.png").string();
+  RunScript("screenshot_page.mjs", {(flight / "report.html").string(), screenshot, "1600", "1500"});
+  tests::ExpectPicture("report.png", cv::imread(screenshot), kSameLayout);
 }
 
-TEST_F(PageInABrowser, ShowsEveryFigureOfThePaperWholeInAnyWindow) {
+TEST_F(PageInABrowser, PaperReportFitsWideAndNarrowWindows) {
   experiments::PaperSection section{{.id = "yaw", .title = "Yaw from the letter"}};
   section.paragraphs = {"Each <b>method</b> on the same frames."};
   for (const std::string name : {"position", "attitude", "error"}) {
@@ -98,29 +98,29 @@ TEST_F(PageInABrowser, ShowsEveryFigureOfThePaperWholeInAnyWindow) {
   }
   std::vector<unsigned char> jpeg;
   cv::imencode(".jpg", cv::Mat1b(480, 1920, 100), jpeg);
-  section.pictures.push_back({.name = "stages",
-                              .title = "Stages",
-                              .caption = "A wide image.",
-                              .jpeg = {jpeg.begin(), jpeg.end()},
-                              .csv = "view\n1\n"});
+  section.images.push_back({.name = "stages",
+                            .title = "Stages",
+                            .caption = "A wide image.",
+                            .jpeg = {jpeg.begin(), jpeg.end()},
+                            .csv = "view\n1\n"});
   section.tables.push_back(
       {.name = "methods", .caption = "All.", .head = {"method", "error, deg"}, .rows = {{"ellipse", "2.5"}}});
   section.compared = {{.quantity = "yaw", .unit = "deg", .published = 3.0, .ours = 0.4, .spread = "", .why = ""}};
   for (const auto& [name, content] : experiments::ReportFiles({.command = "touchdown paper"}, {section})) {
     folder_.Put(name, content);
   }
-  Node("section_page_in_browser.mjs", {(folder_ / "report.html").string(), "4"});
+  RunScript("section_page_in_browser.mjs", {(folder_ / "report.html").string(), "4"});
 }
 
-TEST_F(PageInABrowser, ShowsEveryFigureOfASweepWholeInAnyWindow) {
+TEST_F(PageInABrowser, SweepReportFitsWideAndNarrowWindows) {
   const fs::path page = folder_.Put(
       "report.html", sweeper::SweepPage(tests::MadeSweep(), sweeper::Summarize(tests::MadeSweep()), folder_.path()));
-  // A pass rate over each of three parameters and each two of them, the touchdowns, and a histogram.
-  Node("section_page_in_browser.mjs", {page.string(), "8"});
+  // Pass rates over three parameters and three pairs of parameters, touchdown positions, and a histogram.
+  RunScript("section_page_in_browser.mjs", {page.string(), "8"});
 }
 
-/// The page of the wind's sweep, from its rows in docs/sweeps.
-TEST_F(PageInABrowser, OfTheSweepOverTheWindLooksAsInTheDocs) {
+/// Builds the report of the wind sweep from its rows in docs/sweeps.
+TEST_F(PageInABrowser, WindSweepReportMatchesDocs) {
   const fs::path root = TOUCHDOWN_SOURCE_DIR;
   const sweeper::SweepFile file = sweeper::LoadSweepFile(root / "scenarios/sweeps/wind.yaml");
   sweeper::SweepOutcome sweep{.terms = sweeper::TermsOf(file),
@@ -129,9 +129,9 @@ TEST_F(PageInABrowser, OfTheSweepOverTheWindLooksAsInTheDocs) {
   for (sweeper::SweepResult& result : sweep.results)
     result.row.scenario = runner::ScenarioYaml(runner::LoadScenario(file.base));
   const fs::path page = folder_.Put("report.html", sweeper::SweepPage(sweep, sweeper::Summarize(sweep), "out/wind"));
-  const std::string picture = (folder_ / "sweep.png").string();
-  Node("photograph_page.mjs", {page.string(), picture, "1200", "1290"});
-  tests::ExpectPicture("sweep.png", cv::imread(picture), 1.0);
+  const std::string screenshot = (folder_ / "sweep.png").string();
+  RunScript("screenshot_page.mjs", {page.string(), screenshot, "1200", "1290"});
+  tests::ExpectPicture("sweep.png", cv::imread(screenshot), 1.0);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// docs/scenarios.md lists every key and metric as the program has them. To bring it up to date:
+// Compares the lists of keys and metrics in docs/scenarios.md with the program. To update the lists:
 //   TOUCHDOWN_WRITE_DOCS=1 build/release/tests/scenarios/report/report_tests --gtest_filter=Docs.*
 #include "scenarios/report/reference_markdown.h"
 
@@ -33,9 +33,9 @@ void ExpectInDoc(const std::string& name, const std::string& table) {
   }
 }
 
-TEST(Docs, ListEveryMetric) { ExpectInDoc("metrics", MetricsMarkdown()); }
+TEST(Docs, ListAllMetrics) { ExpectInDoc("metrics", MetricsMarkdown()); }
 
-TEST(Docs, ListEveryKey) { ExpectInDoc("keys", KeysMarkdown()); }
+TEST(Docs, ListAllKeys) { ExpectInDoc("keys", KeysMarkdown()); }
 
 }  // namespace
 }  // namespace touchdown::report

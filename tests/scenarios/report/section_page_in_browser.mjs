@@ -1,5 +1,5 @@
-// What a reader sees of a page of sections, the paper's or a sweep's, with so many figures:
-// node section_page_in_browser.mjs PAGE FIGURES
+// Tests a paper report or a sweep report in a browser: node section_page_in_browser.mjs PAGE FIGURES
+// FIGURES is the number of figures on the page.
 import assert from "node:assert/strict";
 import { existsSync } from "node:fs";
 import { dirname, join } from "node:path";
@@ -10,30 +10,30 @@ const [file, figures] = process.argv.slice(2);
 const browsers = [];
 after(() => Promise.all(browsers.map((browser) => browser.close())));
 
-async function open(look) {
-  const opened = await openPage(file, { ...look, isReady: () => document.readyState === "complete" });
+async function open(options) {
+  const opened = await openPage(file, { ...options, isReady: () => document.readyState === "complete" });
   browsers.push(opened.browser);
   return opened;
 }
 
-test("it opens without a complaint and asks for no other file", async () => {
-  const { complaints, requests } = await open({});
-  assert.deepEqual(complaints, []);
+test("opens without problems and requests no other file", async () => {
+  const { problems, requests } = await open({});
+  assert.deepEqual(problems, []);
   for (const address of requests) assert.match(address, /^(file:.*\/report\.html|data:.*)$/s);
 });
 
-test("every file and section that it links to is there", async () => {
+test("every linked file and section exists", async () => {
   const { page } = await open({});
   const links = await page.evaluate(() => [...document.links].map((link) => link.getAttribute("href")));
   assert.ok(links.length > 4);
   for (const link of links) {
-    const isThere = link.startsWith("#") ? await page.locator(`[id="${link.slice(1)}"]`).count() === 1 : existsSync(join(dirname(file), link));
-    assert.ok(isThere, link);
+    const exists = link.startsWith("#") ? await page.locator(`[id="${link.slice(1)}"]`).count() === 1 : existsSync(join(dirname(file), link));
+    assert.ok(exists, link);
   }
 });
 
 for (const width of [1600, 420]) {
-  test(`every figure is seen whole, ${width} px wide`, async () => {
+  test(`every figure fits in a window of ${width} px`, async () => {
     const { page } = await open({ width });
     const sizes = await page.evaluate(() =>
       [...document.querySelectorAll("figure.drawn :is(svg, img)")]
@@ -42,11 +42,11 @@ for (const width of [1600, 420]) {
         .map(({ left, right, height }) => ({ left, right, height })));
     assert.equal(sizes.length, Number(figures));
     for (const { left, right, height } of sizes) assert.ok(left >= 0 && right <= width && height > 50, `${left} to ${right}, ${height}`);
-    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, "nothing sticks out");
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, "no horizontal overflow");
   });
 }
 
-test("the dark theme turns page and figures dark", async () => {
+test("the dark theme applies to page and figures", async () => {
   const { page } = await open({ theme: "dark" });
   const brightness = (selector, property) =>
     page.locator(selector).first().evaluate((element, name) => {

@@ -13,8 +13,8 @@ using Rows = std::vector<std::size_t>;
 
 constexpr std::size_t kBuckets = 10;
 
-/// Values with gaps.
-Series Drawn(std::size_t rows, std::mt19937& random) {
+/// Random values with gaps.
+Series RandomSeries(std::size_t rows, std::mt19937& random) {
   Series series(rows);
   for (std::optional<double>& value : series) {
     if (random() % 5 != 0) value = static_cast<double>(random() % 2000) / 10.0;
@@ -22,7 +22,7 @@ Series Drawn(std::size_t rows, std::mt19937& random) {
   return series;
 }
 
-/// Smallest and largest value between two rows, the second not included.
+/// Smallest and largest value in rows `begin` to `end` - 1.
 std::pair<std::optional<double>, std::optional<double>> Extremes(const Series& series, std::size_t begin,
                                                                  std::size_t end) {
   std::optional<double> smallest, largest;
@@ -34,17 +34,17 @@ std::pair<std::optional<double>, std::optional<double>> Extremes(const Series& s
   return {smallest, largest};
 }
 
-TEST(Thinning, KeepsAllOfFewRows) {
+TEST(Thinning, KeepsAllRowsOfShortSeries) {
   EXPECT_THAT(ThinnedRows(std::vector<Series>{{1.0, std::nullopt, 2.0}}, kBuckets), testing::ElementsAre(0, 1, 2));
   EXPECT_TRUE(ThinnedRows(std::vector<Series>{{}}, kBuckets).empty());
   EXPECT_TRUE(ThinnedRows({}, kBuckets).empty());
 }
 
-TEST(Thinning, KeepsEveryExtremeOfEverySeriesInItsBucket) {
+TEST(Thinning, KeepsExtremesOfEachSeriesInEachBucket) {
   std::mt19937 random(1);
   for (int repetition = 0; repetition < 100; ++repetition) {
     const std::size_t rows = 50 + random() % 2000;
-    const std::vector<Series> series = {Drawn(rows, random), Drawn(rows, random)};
+    const std::vector<Series> series = {RandomSeries(rows, random), RandomSeries(rows, random)};
     const Rows kept = ThinnedRows(series, kBuckets);
     ASSERT_TRUE(std::is_sorted(kept.begin(), kept.end()));
     for (const Series& one : series) {
@@ -58,7 +58,7 @@ TEST(Thinning, KeepsEveryExtremeOfEverySeriesInItsBucket) {
   }
 }
 
-TEST(Thinning, KeepsASpikeOfOneRowAmongFewOthers) {
+TEST(Thinning, KeepsSpikesAndFewOtherRows) {
   std::mt19937 random(2);
   for (int repetition = 0; repetition < 100; ++repetition) {
     const std::size_t rows = 100 + random() % 3000, at = random() % rows;
@@ -70,7 +70,7 @@ TEST(Thinning, KeepsASpikeOfOneRowAmongFewOthers) {
   }
 }
 
-TEST(Thinning, KeepsTheEdgesOfAGap) {
+TEST(Thinning, KeepsRowsAtGapBoundaries) {
   Series series(1000, 1.0);
   for (std::size_t i = 333; i < 444; ++i) series[i] = std::nullopt;
   const Rows kept = ThinnedRows(std::vector<Series>{series}, kBuckets);

@@ -1,7 +1,7 @@
-# Bundles the page again and compares it with the committed bundle, byte by byte.
+# Bundles the script and the style sheet and compares the result byte by byte with the committed bundle.
 #   cmake -D NODE=... -D MODULES=... -D WEB_DIR=... -D WORK_DIR=... -P web_bundle.cmake
 if(NOT NODE OR NOT EXISTS ${MODULES}/esbuild)
-  message("Skipped: Node.js or the packages of npm are missing")
+  message("Skipped: Node.js or the npm packages are missing")
   return()
 endif()
 file(REMOVE_RECURSE ${WORK_DIR})
@@ -11,6 +11,6 @@ foreach(file main.js page.css uPlot.LICENSE)
   execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${WORK_DIR}/${file} ${WEB_DIR}/dist/${file}
     RESULT_VARIABLE differs)
   if(differs)
-    message(FATAL_ERROR "${WEB_DIR}/dist/${file} is out of date; `ninja web_bundle` remakes it")
+    message(FATAL_ERROR "${WEB_DIR}/dist/${file} is out of date; run `ninja web_bundle` to update it")
   endif()
 endforeach()

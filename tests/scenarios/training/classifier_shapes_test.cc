@@ -10,7 +10,7 @@ namespace touchdown::training {
 namespace {
 
 std::vector<GroundShape> ShapesOfPad(const models::LandingPad& pad) {
-  return ShapesOf(sim::MakeScene(tests::EmptyRoomConfig(), pad, 1));
+  return FindGroundShapes(sim::MakeScene(tests::EmptyRoomConfig(), pad, 1));
 }
 
 TEST(ClassifierShapes, OfAPadAreItsRingAndItsHWithoutItsMarks) {
@@ -25,7 +25,7 @@ TEST(ClassifierShapes, OfAPadAreItsRingAndItsHWithoutItsMarks) {
   EXPECT_NEAR(shapes[1].radius_m, std::hypot(0.050, 0.028), 0.001);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     EXPECT_EQ(shapes[i].hull_m, plain[i].hull_m);
-    EXPECT_EQ(shapes[i].ink_share, plain[i].ink_share);
+    EXPECT_EQ(shapes[i].ink_fraction, plain[i].ink_fraction);
   }
 }
 
@@ -36,7 +36,7 @@ TEST(ClassifierShapes, OfARectangleAreSolid) {
   ASSERT_EQ(shapes.size(), 2u);
   EXPECT_EQ(shapes[1].label, estimator::paper::ComponentClass::kH);
   EXPECT_NEAR(shapes[1].radius_m, std::hypot(0.050, 0.028), 0.001);
-  EXPECT_EQ(shapes[1].ink_share, 1.0);
+  EXPECT_EQ(shapes[1].ink_fraction, 1.0);
   EXPECT_NEAR(shapes[1].gap_m, 0.056, 0.002) << "as wide as the rectangle";
 }
 
@@ -46,11 +46,11 @@ TEST(ClassifierShapes, OfASceneAreTheLoneLettersOfThePadsKind) {
   models::LandingPad pad;
   pad.h_stroke_m = 0.5 * pad.h_width_m;
   sim::Scene drawn = sim::MakeScene(scene, pad, 1);
-  const std::vector<GroundShape> rectangles = ShapesOf(drawn);
+  const std::vector<GroundShape> rectangles = FindGroundShapes(drawn);
   ASSERT_EQ(rectangles.size(), 5u);
-  for (std::size_t i = 2; i < rectangles.size(); ++i) EXPECT_EQ(rectangles[i].ink_share, 1.0);
+  for (std::size_t i = 2; i < rectangles.size(); ++i) EXPECT_EQ(rectangles[i].ink_fraction, 1.0);
   drawn.items.back().kind = sim::SceneItem::Kind::kLetterH;
-  EXPECT_EQ(ShapesOf(drawn).size(), 4u) << "an H is clutter beside rectangles";
+  EXPECT_EQ(FindGroundShapes(drawn).size(), 4u) << "an H is clutter beside rectangles";
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ using models::PadLetter;
 using testing::IsSupersetOf;
 
 constexpr std::uint64_t kSeed = 1;
-constexpr double kLeastAgreement = 0.995;
+constexpr double kMinAgreement = 0.995;
 
 std::string Read(const std::string& path) {
   std::ifstream file(TOUCHDOWN_SOURCE_DIR "/" + path);
@@ -33,27 +33,27 @@ std::string ContentOf(const std::string& name, const std::vector<StudyFile>& fil
 /// The comment that says how a network was made.
 std::string Head(const std::string& code) { return code.substr(0, code.find("*/")); }
 
-void ExpectAllClassesWellRecognized(const ConfusionMatrix& matrix, int least_count, double least_recall) {
+void ExpectAllClassesWellRecognized(const ConfusionMatrix& matrix, int min_count, double min_recall) {
   for (int label = 0; label < kClasses; ++label) {
-    EXPECT_GT(matrix.Total(label), least_count);
-    EXPECT_GE(matrix.Recall(label), least_recall) << "class " << label;
+    EXPECT_GT(matrix.Total(label), min_count);
+    EXPECT_GE(matrix.Recall(label), min_recall) << "class " << label;
   }
 }
 
 /// `touchdown train --letter LETTER` as the docs have it, against what is committed.
-void ExpectRemade(PadLetter letter, const std::string& weights, int least_count, double least_recall) {
+void ExpectRemade(PadLetter letter, const std::string& weights, int min_count, double min_recall) {
   const ClassifierStudy study = StudyClassifier(ClassifierStudyConfig::For(letter), kSeed);
-  ExpectAllClassesWellRecognized(study.test, least_count, least_recall);
+  ExpectAllClassesWellRecognized(study.test, min_count, min_recall);
 
   ConfusionMatrix compiled_in;
   int agreeing = 0;
   for (const LabeledPattern& each : study.test_patterns) {
     const estimator::paper::ComponentClass label = estimator::paper::Classify(each.pattern, letter).label;
     ++compiled_in.count[static_cast<std::size_t>(each.label)][static_cast<std::size_t>(label)];
-    agreeing += label == LabelOf(study.network, each.pattern) ? 1 : 0;
+    agreeing += label == PredictLabel(study.network, each.pattern) ? 1 : 0;
   }
-  ExpectAllClassesWellRecognized(compiled_in, least_count, least_recall);
-  EXPECT_GE(agreeing, kLeastAgreement * static_cast<double>(study.test_patterns.size()));
+  ExpectAllClassesWellRecognized(compiled_in, min_count, min_recall);
+  EXPECT_GE(agreeing, kMinAgreement * static_cast<double>(study.test_patterns.size()));
 
   const std::string remade = ContentOf(weights, ClassifierFiles(study));
   const std::string committed = Read("estimator/paper/" + weights);

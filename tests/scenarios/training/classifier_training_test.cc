@@ -23,7 +23,7 @@ std::vector<TrainingSample> Rings(int count, std::uint64_t seed) {
   return samples;
 }
 
-double ShareRight(const Perceptron& network, const std::vector<TrainingSample>& samples) {
+double Accuracy(const Perceptron& network, const std::vector<TrainingSample>& samples) {
   int right = 0;
   for (const TrainingSample& sample : samples) {
     const std::vector<double> posterior = network.Posteriors(sample.input);
@@ -42,13 +42,13 @@ TEST(Training, LearnsTheExclusiveOr) {
                               .weight_decay = 0.0};
   const TrainingResult result = Train(samples, samples, config, 1);
   EXPECT_LT(BalancedLoss(result.network, samples), 0.05);
-  EXPECT_EQ(ShareRight(result.network, samples), 1.0);
+  EXPECT_EQ(Accuracy(result.network, samples), 1.0);
 }
 
 TEST(Training, GeneralizesToSamplesThatItNeverSaw) {
   const TrainingConfig config{.max_epochs = 300, .patience_epochs = 300, .learning_rate = 0.2, .weight_decay = 0.0};
   const TrainingResult result = Train(Rings(1500, 1), Rings(500, 2), config, 1);
-  EXPECT_GT(ShareRight(result.network, Rings(2000, 3)), 0.95);
+  EXPECT_GT(Accuracy(result.network, Rings(2000, 3)), 0.95);
 }
 
 TEST(Training, CountsAllClassesAlikeHoweverManySamplesTheyHave) {

@@ -15,7 +15,7 @@ constexpr int kViews = 200;
 
 const models::CameraModel kCamera;
 
-GroundShape TurnedShape() {
+GroundShape RotatedShape() {
   GroundShape shape;
   shape.position_m = {0.4, -0.2};
   shape.yaw = 0.7;
@@ -27,7 +27,7 @@ std::vector<View> DrawViews(const ViewConfig& config, std::uint64_t seed = 1) {
   models::RandomStream random(seed, "tests.classifier_views");
   std::vector<View> views;
   for (int i = 0; i < kViews; ++i)
-    views.push_back(DrawView(config, tests::EmptyRoom(), TurnedShape(), kCamera, random));
+    views.push_back(DrawView(config, tests::EmptyRoom(), RotatedShape(), kCamera, random));
   return views;
 }
 
@@ -36,11 +36,11 @@ double TiltOf(const View& view) { return std::acos(-view.X_WC.linear()(2, 2)); }
 /// Angle between the image's up and the nearest of the shape's axes, seen from above.
 double OffAxis(const View& view) {
   const Eigen::Vector3d up_W = -view.X_WC.linear().col(1);
-  return std::abs(std::remainder(std::atan2(up_W.y(), up_W.x()) - TurnedShape().yaw, models::kPi / 2.0));
+  return std::abs(std::remainder(std::atan2(up_W.y(), up_W.x()) - RotatedShape().yaw, models::kPi / 2.0));
 }
 
 TEST(DrawView, HoversLevelAtRestInFocusAndAlongTheShapesAxes) {
-  for (const View& view : DrawViews({.hovering_share = 1.0})) {
+  for (const View& view : DrawViews({.hovering_fraction = 1.0})) {
     EXPECT_LE(TiltOf(view), models::DegToRad(3.01));
     EXPECT_LT(OffAxis(view), models::DegToRad(9.0));
     EXPECT_EQ(view.v_WC.norm() + view.w_WC_C.norm() + view.defocus_px, 0.0);
@@ -48,17 +48,17 @@ TEST(DrawView, HoversLevelAtRestInFocusAndAlongTheShapesAxes) {
 }
 
 TEST(DrawView, TiltsTurnsMovesAndDefocusesElsewhere) {
-  double largest_tilt = 0.0, fastest = 0.0, off_axis = 0.0;
+  double max_tilt = 0.0, fastest = 0.0, off_axis = 0.0;
   int defocused = 0;
-  const ViewConfig config{.hovering_share = 0.0};
+  const ViewConfig config{.hovering_fraction = 0.0};
   for (const View& view : DrawViews(config)) {
-    EXPECT_LE(TiltOf(view), models::DegToRad(config.largest_tilt_deg + 0.01));
-    largest_tilt = std::max(largest_tilt, TiltOf(view));
+    EXPECT_LE(TiltOf(view), models::DegToRad(config.max_tilt_deg + 0.01));
+    max_tilt = std::max(max_tilt, TiltOf(view));
     fastest = std::max(fastest, view.v_WC.norm());
     off_axis += OffAxis(view) / kViews;
     defocused += view.defocus_px > 0.0 ? 1 : 0;
   }
-  EXPECT_GT(largest_tilt, models::DegToRad(45.0));
+  EXPECT_GT(max_tilt, models::DegToRad(45.0));
   EXPECT_GT(fastest, 0.7);
   EXPECT_NEAR(off_axis, models::DegToRad(22.5), models::DegToRad(4.0));
   EXPECT_NEAR(defocused, kViews / 2, kViews / 8);
@@ -71,8 +71,8 @@ TEST(DrawView, HasTheShapeInTheImageWithinItsDistances) {
     const auto pixel = kCamera.Project(p_C);
     ASSERT_TRUE(pixel);
     EXPECT_TRUE(kCamera.Contains(*pixel));
-    EXPECT_GE(p_C.norm(), 0.999 * config.nearest_m);
-    EXPECT_LE(p_C.norm(), 1.001 * config.farthest_m);
+    EXPECT_GE(p_C.norm(), 0.999 * config.min_distance_m);
+    EXPECT_LE(p_C.norm(), 1.001 * config.max_distance_m);
     EXPECT_GT(view.X_WC.translation().z(), 0.0);
   }
 }
@@ -85,9 +85,9 @@ TEST(DrawView, GivesTheSameViewsForTheSameSeed) {
 
 TEST(ViewConfig, RefusesEmptyRangesAndImpossibleShares) {
   EXPECT_NO_THROW(ViewConfig{}.Validate());
-  EXPECT_THROW((ViewConfig{.nearest_m = 2.0, .farthest_m = 1.0}.Validate()), InputError);
-  EXPECT_THROW((ViewConfig{.hovering_share = -0.1}.Validate()), InputError);
-  EXPECT_THROW((ViewConfig{.hovering_share = 1.1}.Validate()), InputError);
+  EXPECT_THROW((ViewConfig{.min_distance_m = 2.0, .max_distance_m = 1.0}.Validate()), InputError);
+  EXPECT_THROW((ViewConfig{.hovering_fraction = -0.1}.Validate()), InputError);
+  EXPECT_THROW((ViewConfig{.hovering_fraction = 1.1}.Validate()), InputError);
   EXPECT_THROW((ViewConfig{.noise_sigmas = {}}.Validate()), InputError);
 }
 

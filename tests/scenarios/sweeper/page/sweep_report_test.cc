@@ -63,12 +63,12 @@ TEST_F(SweepReportTest, JudgesTheCriteria) {
   EXPECT_THAT(Table("criteria").rows[0],
               ElementsAre("pass_rate", "0.75", "0.336–0.9468", "", "≥ 0.9", "not yet judged"))
       << "flights are missing";
-  EXPECT_THAT(Page(), AllOf(HasSubstr("3 of 23 flights are yet to be"), Not(HasSubstr("Criteria not kept"))));
+  EXPECT_THAT(Page(), AllOf(HasSubstr("3 of 23 flights have not been"), Not(HasSubstr("Criteria not met"))));
   sweep_.planned = sweep_.whole = 20;
   const report::ReportTable table = Table("criteria");
   EXPECT_EQ(table.rows[0].back(), "✗ no");
   EXPECT_THAT(table.rows[1], ElementsAre("flight.touchdown_xy_error_m at 0.5", "0.01", "?–?", "m", "≤ 0.05", "✓ yes"));
-  EXPECT_THAT(Page(), HasSubstr("Criteria not kept"));
+  EXPECT_THAT(Page(), HasSubstr("Criteria not met"));
 }
 
 TEST_F(SweepReportTest, HoldsTheFirstVariantAgainstEachOther) {
@@ -173,10 +173,10 @@ TEST_F(SweepReportTest, IsOneSafePage) {
   EXPECT_THAT(page,
               AllOf(HasSubstr(kSweepPageSignature), HasSubstr("night &lt;1&gt;"), HasSubstr("Of &amp; for people.")));
   EXPECT_THAT(page, Not(HasSubstr("night <1>")));
-  EXPECT_THAT(page, HasSubstr("Not done: 3 of 23 flights are yet to be flown or collected."));
-  EXPECT_THAT(page, Not(HasSubstr("Criteria not kept"))) << "not yet";
+  EXPECT_THAT(page, HasSubstr("Incomplete: 3 of 23 flights have not been flown or collected yet."));
+  EXPECT_THAT(page, Not(HasSubstr("Criteria not met"))) << "not yet";
   sweep_.planned = sweep_.whole = sweep_.results.size();
-  EXPECT_THAT(Page(), AllOf(HasSubstr("Criteria not kept"), Not(HasSubstr("Not done"))));
+  EXPECT_THAT(Page(), AllOf(HasSubstr("Criteria not met"), Not(HasSubstr("Incomplete"))));
   EXPECT_THAT(page, AllOf(Not(HasSubstr("{{")), Not(HasSubstr("href=\"figures/")), Not(HasSubstr("src=\"http"))));
 }
 
@@ -185,7 +185,7 @@ TEST_F(SweepReportTest, TellsOfASweepInWhichNothingWasFlownOrFailed) {
   sweep_.terms.criteria.clear();
   EXPECT_THAT(Page(), AllOf(HasSubstr("No flight failed."), Not(HasSubstr("Criteria"))));
   sweep_.results.clear();
-  EXPECT_THAT(Page(), AllOf(HasSubstr("23 of 23 flights are yet to be flown"), Not(HasSubstr("Pass rate"))));
+  EXPECT_THAT(Page(), AllOf(HasSubstr("23 of 23 flights have not been flown"), Not(HasSubstr("Pass rate"))));
 }
 
 TEST(SweepFigures, TakeForNumbersWhatIsOne) {

@@ -1,4 +1,4 @@
-// `touchdown test` and `touchdown compare` as CI meets them.
+// `touchdown test` and `touchdown compare`, run as programs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ class TestCommand : public tests::ProgramFixture {
       "0.1}]\n";
 };
 
-TEST_F(TestCommand, PassesWhenEveryScenarioOfTheFolderDoes) {
+TEST_F(TestCommand, PassesWhenEveryScenarioPasses) {
   folder_.Put("flights/a.yaml", kShort);
   folder_.Put("flights/b.yaml", kShort);
   folder_.Put("flights/lens.txt", "no scenario");
@@ -30,7 +30,7 @@ TEST_F(TestCommand, PassesWhenEveryScenarioOfTheFolderDoes) {
   EXPECT_THAT(folder_.Content("j.xml"), AllOf(HasSubstr("\"a.seed1\""), HasSubstr("failures=\"0\"")));
 }
 
-TEST_F(TestCommand, SaysWhichCriterionFailedAndHowToSeeIt) {
+TEST_F(TestCommand, PrintsTheFailedCriterionAndHowToReproduceIt) {
   folder_.Put("flights/a.yaml", kShort);
   folder_.Put("flights/b.yaml", kShort + "criteria: [{metric: flight.sim_time_s, max: 0.1}]\n");
   const ProgramRun run = Run({"test", "flights", "--junit", "j.xml", "--jobs", "1"});
@@ -40,7 +40,7 @@ TEST_F(TestCommand, SaysWhichCriterionFailedAndHowToSeeIt) {
   EXPECT_THAT(folder_.Content("j.xml"), AllOf(HasSubstr("failures=\"1\""), HasSubstr("must be &lt;= 0.1")));
 }
 
-TEST_F(TestCommand, FliesNothingWhenAScenarioIsWrong) {
+TEST_F(TestCommand, FliesNothingWhenAScenarioIsInvalid) {
   folder_.Put("flights/a.yaml", kShort);
   folder_.Put("flights/b.yaml", kShort + "sed: 1\n");
   EXPECT_THAT(ErrorOf({"test", "flights"}), HasSubstr("b.yaml:3: sed: unknown key"));
@@ -49,11 +49,11 @@ TEST_F(TestCommand, FliesNothingWhenAScenarioIsWrong) {
   EXPECT_THAT(ErrorOf({"test", "empty"}), HasSubstr("empty: no scenarios in this folder"));
 }
 
-TEST_F(TestCommand, AStoredBaselineGatesAChangeThatMakesFlightsWorse) {
+TEST_F(TestCommand, ComparisonWithABaselineFailsWhenFlightsGetWorse) {
   folder_.Put("short.yaml", kShort + "criteria: [{metric: estimate.availability, min: 0.5}]\n");
   folder_.Put("sweep.yaml", "base: short.yaml\nseeds: {count: 8}\n");
   ASSERT_EQ(Run({"sweep", "sweep.yaml", "--out", "before", "--csv", "baseline.csv", "--quiet"}).status, 0);
-  // The change: nothing is to be seen.
+  // The change: the pad is missing.
   folder_.Put("short.yaml", kShort + "scene: {pad: false}\ncriteria: [{metric: estimate.availability, min: 0.5}]\n");
   ASSERT_EQ(Run({"sweep", "sweep.yaml", "--out", "after", "--quiet"}).status, 0);
   const ProgramRun run = Run({"compare", "baseline.csv", "after"});
@@ -66,8 +66,8 @@ TEST_F(TestCommand, AStoredBaselineGatesAChangeThatMakesFlightsWorse) {
   csv.resize(csv.rfind('\n', csv.size() - 2) + 1);
   folder_.Put("part.csv", csv);
   EXPECT_THAT(Run({"compare", "baseline.csv", "part.csv"}).err,
-              HasSubstr("part.csv lacks flights of baseline.csv: 1 not compared"));
-  EXPECT_THAT(ErrorOf({"compare", "baseline.csv"}), HasSubstr("name two sweeps, or one and --variants"));
+              HasSubstr("part.csv lacks 1 flights of baseline.csv, which are not compared"));
+  EXPECT_THAT(ErrorOf({"compare", "baseline.csv"}), HasSubstr("give two sweeps, or one sweep and --variants"));
   EXPECT_THAT(ErrorOf({"compare", "before", "--variants", "old", "new"}), HasSubstr("has no flight of a variant old"));
   EXPECT_THAT(ErrorOf({"compare", "baseline.csv", "none.csv"}), HasSubstr("none.csv: cannot be read"));
   EXPECT_THAT(ErrorOf({"compare", "baseline.csv", "before", "--margin", "pass_rate"}), HasSubstr("NAME=NUMBER"));

@@ -1,11 +1,11 @@
-#include "scenarios/experiments/still_room.h"
+#include "scenarios/experiments/static_scene.h"
 
 #include "sim/render/camera_optics.h"
 
 namespace touchdown::experiments {
 
-StillRoom::StillRoom(const runner::Scenario& nominal, const sim::Scene& scene, std::uint64_t seed,
-                     std::span<const double> noise_sigmas)
+StaticScene::StaticScene(const runner::Scenario& nominal, const sim::Scene& scene, std::uint64_t seed,
+                         std::span<const double> noise_sigmas)
     : camera_(scene, sim::CameraOptics(nominal.camera.model), noise_sigmas, seed),
       R_BU_(nominal.assumed_vehicle().X_BU().linear()),
       estimator_(estimator::MakeEstimator(nominal.estimator, {.camera = nominal.assumed_camera(),
@@ -14,12 +14,14 @@ StillRoom::StillRoom(const runner::Scenario& nominal, const sim::Scene& scene, s
                                                               .R_BU = R_BU_,
                                                               .time = nominal.time})) {}
 
-estimator::FrameResult StillRoom::Estimate(const models::Image& image, const Eigen::Vector3d& gravity_B) {
+estimator::FrameResult StaticScene::Estimate(const models::Image& image, const Eigen::Vector3d& gravity_B) {
   estimator_->Reset();
   estimator_->AddImu({.specific_force_U = -models::kGravity_m_s2 * (R_BU_.transpose() * gravity_B)}, false);
   return estimator_->AddFrame(image.View(), 0);
 }
 
-Eigen::Vector3d DownIn(const Eigen::Isometry3d& X_WB) { return -X_WB.linear().transpose() * Eigen::Vector3d::UnitZ(); }
+Eigen::Vector3d DownInBody(const Eigen::Isometry3d& X_WB) {
+  return -X_WB.linear().transpose() * Eigen::Vector3d::UnitZ();
+}
 
 }  // namespace touchdown::experiments

@@ -1,4 +1,4 @@
-#include "scenarios/experiments/flown_flight.h"
+#include "scenarios/experiments/flight_summary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ using models::RadToDeg;
 
 double Rounded(double value, double step) { return std::round(value / step) * step; }
 
-/// In mm and deg, by short names.
+/// Errors of the frames in mm and deg, by the keys of kTableOne.
 Json ErrorsJson(std::span<const runner::FrameRecord> frames) {
   const runner::Metrics errors = runner::PoseErrors(frames);
   Json json = Json::object();
@@ -33,7 +33,7 @@ Json ErrorsJson(std::span<const runner::FrameRecord> frames) {
   return json;
 }
 
-/// The tracking system's word at a tick, between its poses before and after; nullopt in its gaps.
+/// Pose of the tracking system at a tick, interpolated between the poses before and after; nullopt in its gaps.
 std::optional<Eigen::Isometry3d> TrackedAt(std::span<const runner::TrackingRecord> tracking, models::Tick tick,
                                            models::Tick period) {
   const auto after =
@@ -44,26 +44,26 @@ std::optional<Eigen::Isometry3d> TrackedAt(std::span<const runner::TrackingRecor
   if (after == tracking.begin()) return std::nullopt;
   const models::TrackedPose &a = (after - 1)->tracked, &b = after->tracked;
   if (b.tick - a.tick > period) return std::nullopt;
-  const double share = static_cast<double>(tick - a.tick) / static_cast<double>(b.tick - a.tick);
-  return models::InterpolatePose(a.X_WB, b.X_WB, share);
+  const double fraction = static_cast<double>(tick - a.tick) / static_cast<double>(b.tick - a.tick);
+  return models::InterpolatePose(a.X_WB, b.X_WB, fraction);
 }
 
-/// The frames with the tracking system's word in place of the truth, without those that it has none for.
-std::vector<runner::FrameRecord> AgainstTracking(std::span<const runner::FrameRecord> frames,
-                                                 std::span<const runner::TrackingRecord> tracking,
-                                                 models::Tick period) {
-  std::vector<runner::FrameRecord> against;
+/// The frames with the pose of the tracking system instead of the truth, without the frames in its gaps.
+std::vector<runner::FrameRecord> WithTrackingAsTruth(std::span<const runner::FrameRecord> frames,
+                                                     std::span<const runner::TrackingRecord> tracking,
+                                                     models::Tick period) {
+  std::vector<runner::FrameRecord> result;
   for (runner::FrameRecord frame : frames) {
     const auto tracked = TrackedAt(tracking, frame.mid_exposure, period);
     if (!tracked) continue;
     frame.X_WB = *tracked;
-    against.push_back(std::move(frame));
+    result.push_back(std::move(frame));
   }
-  return against;
+  return result;
 }
 
-/// x, y, z in m and roll, pitch, yaw in deg; null for each where there is no pose.
-void PutPose(Json& row, const std::optional<Eigen::Isometry3d>& X_WB) {
+/// Appends x, y, z in m and roll, pitch, yaw in deg to a row, or six nulls for nullopt.
+void AppendPose(Json& row, const std::optional<Eigen::Isometry3d>& X_WB) {
   if (!X_WB) {
     for (int i = 0; i < 6; ++i) row.push_back(nullptr);
     return;
@@ -74,27 +74,28 @@ void PutPose(Json& row, const std::optional<Eigen::Isometry3d>& X_WB) {
   for (const double angle : {angles.roll, angles.pitch, angles.yaw}) row.push_back(Rounded(RadToDeg(angle), kStep_deg));
 }
 
-/// Rows of time, truth, tracking and vision: at most so many.
+/// At most kMaxRows rows of time, true pose, tracked pose and vision pose.
 Json SeriesJson(const runner::FlightLog& log, models::Tick tracking_period) {
-  constexpr std::size_t kMostRows = 700;
-  const std::size_t stride = 1 + log.frames.size() / kMostRows;
+  constexpr std::size_t kMaxRows = 700;
+  const std::size_t stride = 1 + log.frames.size() / kMaxRows;
   Json rows = Json::array();
   for (std::size_t i = 0; i < log.frames.size(); i += stride) {
     const runner::FrameRecord& frame = log.frames[i];
     Json row = Json::array({Rounded(log.time.ToSeconds(frame.mid_exposure), 1e-4)});
-    PutPose(row, frame.X_WB);
-    PutPose(row, TrackedAt(log.tracking, frame.mid_exposure, tracking_period));
-    std::optional<Eigen::Isometry3d> seen;
+    AppendPose(row, frame.X_WB);
+    AppendPose(row, TrackedAt(log.tracking, frame.mid_exposure, tracking_period));
+    std::optional<Eigen::Isometry3d> vision;
     if (frame.status == estimator::FrameStatus::kOk) {
-      seen =
+      vision =
           models::ResolveYawAmbiguity(frame.pose.value().X_WB, models::TaitBryanFromRotation(frame.X_WB.linear()).yaw);
     }
-    PutPose(row, seen);
+    AppendPose(row, vision);
     rows.push_back(std::move(row));
   }
   return rows;
 }
 
+/// Deviations of the vehicle at the end of the flight from the pad's center and heading.
 Json RestJson(const runner::FlightLog& log) {
   const Eigen::Isometry3d& X_WB = log.ticks.back().truth.X_WB;
   return {{"x_mm", 1e3 * X_WB.translation().x()},
@@ -110,17 +111,17 @@ runner::Scenario ShippedFlight(const std::string& name, std::uint64_t seed, cons
   for (const auto& [flight, yaml] : ShippedFlights()) {
     if (flight == name) return runner::ParseScenario(std::string(yaml), name + ".yaml", {}, overrides);
   }
-  throw std::logic_error("no flight of the name " + name);
+  throw std::logic_error("unknown flight " + name);
 }
 
-Json FlyAndSumUp(const runner::Scenario& scenario, const FlightSummaryOptions& options,
-                 const util::StopRequested& stop_requested) {
+Json FlyAndSummarize(const runner::Scenario& scenario, const FlightSummaryOptions& options,
+                     const util::StopRequested& stop_requested) {
   std::optional<ShadowEstimator> shadow;
   std::vector<runner::FlightObserver*> observers;
   if (options.integer_contours) {
-    estimator::EstimatorConfig whole_pixels = scenario.estimator;
-    whole_pixels.paper.contour_points = estimator::pad::ContourPoints::kInteger;
-    observers.push_back(&shadow.emplace(scenario, whole_pixels));
+    estimator::EstimatorConfig integer_points = scenario.estimator;
+    integer_points.paper.contour_points = estimator::pad::ContourPoints::kInteger;
+    observers.push_back(&shadow.emplace(scenario, integer_points));
   }
   const runner::FlightLog log = runner::FlyClosedLoop(scenario, observers, stop_requested);
   if (log.outcome == runner::Outcome::kError) throw std::runtime_error(scenario.name + ": " + log.reason);
@@ -134,7 +135,7 @@ Json FlyAndSumUp(const runner::Scenario& scenario, const FlightSummaryOptions& o
       {"as_expected", log.outcome == scenario.expected_outcome()},
       {"passed", std::all_of(checks.begin(), checks.end(), [](const runner::Check& check) { return check.pass; })},
       {"truth", ErrorsJson(log.frames)},
-      {"tracking", ErrorsJson(AgainstTracking(log.frames, log.tracking, tracking_period))}};
+      {"tracking", ErrorsJson(WithTrackingAsTruth(log.frames, log.tracking, tracking_period))}};
   if (shadow) json["integer"] = ErrorsJson(shadow->frames());
   for (const char* name :
        {"estimate.availability", "estimate.false_pads", "estimate.ring_frames", "flight.max_tilt_deg",

@@ -1,4 +1,4 @@
-#include "scenarios/report/picture_pdf.h"
+#include "scenarios/report/jpeg_pdf.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,17 +19,17 @@ std::string Jpeg() {
   return {bytes.begin(), bytes.end()};
 }
 
-TEST(PicturePdf, HoldsTheJpegAsItIs) {
-  const std::string pdf = PicturePdf(Jpeg(), 10.0);
+TEST(JpegPdf, ContainsUnchangedJpeg) {
+  const std::string pdf = JpegPdf(Jpeg(), 10.0);
   EXPECT_THAT(pdf, StartsWith("%PDF-"));
   EXPECT_THAT(pdf, HasSubstr("/DCTDecode"));
   EXPECT_THAT(pdf, HasSubstr(Jpeg()));
-  EXPECT_EQ(pdf, PicturePdf(Jpeg(), 10.0));
+  EXPECT_EQ(pdf, JpegPdf(Jpeg(), 10.0));
 }
 
-TEST(PicturePdf, RefusesWhatIsNoPicture) {
-  EXPECT_THROW(PicturePdf("no picture", 10.0), std::invalid_argument);
-  EXPECT_THROW(PicturePdf("", 10.0), std::invalid_argument);
+TEST(JpegPdf, ThrowsForInvalidJpeg) {
+  EXPECT_THROW(JpegPdf("not a JPEG", 10.0), std::invalid_argument);
+  EXPECT_THROW(JpegPdf("", 10.0), std::invalid_argument);
 }
 
 }  // namespace
