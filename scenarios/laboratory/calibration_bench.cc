@@ -73,10 +73,10 @@ estimator::calibration::PoseMean MeanMounting(const std::vector<TrackedView>& tr
 }
 
 void CompareWithTruth(const runner::Scenario& scenario, CameraCalibration& result) {
-  const models::CameraModel &found = result.fit.model, &truth = scenario.camera.model;
+  const models::CameraModel &estimated = result.fit.model, &truth = scenario.camera.model;
   const Isometry3d X_BC = scenario.vehicle.X_BC();
-  result.focal_error_px = std::max(std::abs(found.fx_px - truth.fx_px), std::abs(found.fy_px - truth.fy_px));
-  result.principal_point_error_px = std::hypot(found.cx_px - truth.cx_px, found.cy_px - truth.cy_px);
+  result.focal_error_px = std::max(std::abs(estimated.fx_px - truth.fx_px), std::abs(estimated.fy_px - truth.fy_px));
+  result.principal_point_error_px = std::hypot(estimated.cx_px - truth.cx_px, estimated.cy_px - truth.cy_px);
   result.position_error_m = (result.X_BC.X_AB.translation() - X_BC.translation()).norm();
   result.rotation_error_rad = models::RotationLog(result.X_BC.X_AB.linear() * X_BC.linear().transpose()).norm();
 }
@@ -126,11 +126,11 @@ CameraCalibration CalibrateCamera(const runner::Scenario& scenario, const Camera
     const Isometry3d X_WC = X_WE * X_EC;
     CalibrationView view{.image = board_camera.Capture(X_WC), .corners = {}};
     view.corners = FindCorners(view.image.View(), config.board);
-    const TrackedView poses_W{.X_WB = vehicle.Measure(X_WC * X_CB, config.rest_s),
-                              .X_WE = board.Measure(X_WE, config.rest_s)};
+    const TrackedView tracked_view{.X_WB = vehicle.Measure(X_WC * X_CB, config.rest_s),
+                                   .X_WE = board.Measure(X_WE, config.rest_s)};
     if (view.corners) {
       corners.push_back(*view.corners);
-      tracked.push_back(poses_W);
+      tracked.push_back(tracked_view);
     }
     result.views.push_back(std::move(view));
   }

@@ -31,8 +31,8 @@ struct SceneCamera::Impl {
   sim::MujocoModel model;
   sim::MujocoData data;
   sim::Imager imager;
-  sim::FineImage exposed;  ///< The view taken last, without noise ...
-  int noise_level = -1;    ///< ... and which noise is its.
+  sim::FineImage exposed;  ///< Last view without noise.
+  int noise_level = -1;    ///< Noise level of the last view; -1 before the first view.
 };
 
 SceneCamera::SceneCamera(const sim::Scene& scene, const sim::CameraOptics& optics, std::span<const double> noise_sigmas,
@@ -54,7 +54,7 @@ models::Image SceneCamera::Capture(const View& view) {
 }
 
 models::Image SceneCamera::CaptureAgain() {
-  if (impl_->noise_level < 0) throw std::logic_error("no view was taken before");
+  if (impl_->noise_level < 0) throw std::logic_error("CaptureAgain requires an earlier call of Capture");
   return impl_->imager.AddNoise(impl_->exposed, static_cast<std::size_t>(impl_->noise_level));
 }
 

@@ -11,12 +11,12 @@
 
 namespace touchdown::training {
 
-/// Takes frames of a scene from any place, with the flight's imager: renderer, distortion, exposure blur, noise; and,
-/// beside them, lens blur and weak contrast.
+/// Renders frames of a scene from any pose with the imager of a flight (renderer, distortion, exposure blur and noise),
+/// plus defocus, contrast and brightness.
 class SceneCamera {
  public:
-  /// Builds the scene's model and its GL context. `noise_sigmas`, of 255, are the levels of noise that
-  /// View::noise_level chooses from; `seed` is the noise's. Throws std::runtime_error when there is no context.
+  /// Builds the model of the scene and its GL context. `noise_sigmas` (of 255) are the values that View::noise_level
+  /// selects from. `seed` is the seed of the noise. Throws std::runtime_error when no GL context is available.
   SceneCamera(const sim::Scene& scene, const sim::CameraOptics& optics, std::span<const double> noise_sigmas,
               std::uint64_t seed);
   ~SceneCamera();
@@ -24,8 +24,7 @@ class SceneCamera {
   SceneCamera& operator=(const SceneCamera&) = delete;
 
   models::Image Capture(const View& view);
-  /// Another frame of the view taken last, from which its noise alone tells it. Throws std::logic_error when there was
-  /// none.
+  /// Renders the last view again with new noise. Throws std::logic_error when there is no last view.
   models::Image CaptureAgain();
 
  private:

@@ -85,7 +85,7 @@ std::string ClassifierCode(const Perceptron& network, models::PadLetter letter,
                            const std::vector<std::pair<std::string, std::string>>& provenance) {
   const Perceptron::Shape& shape = network.shape();
   if (shape.inputs != 196 || shape.outputs != 3)
-    throw std::invalid_argument("the classifier has 196 inputs, 3 outputs");
+    throw std::invalid_argument("the classifier must have 196 inputs and 3 outputs");
   std::string code = "/* Written by `touchdown train`: see docs/classifier.md. Do not edit.\n";
   for (const auto& [name, value] : provenance) code += fmt::format(" *   {}: {}\n", name, value);
   code += " */\n// clang-format off\n";

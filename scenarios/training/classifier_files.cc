@@ -28,7 +28,7 @@ std::string Png(const cv::Mat& image) {
   return {bytes.begin(), bytes.end()};
 }
 
-/// The images at half size, side by side.
+/// Grid of the images at half size.
 cv::Mat3b ContactSheet(const std::vector<cv::Mat3b>& images) {
   constexpr int kColumns = 3;
   const cv::Size size = images.front().size() / 2;
@@ -63,8 +63,8 @@ cv::Mat1b MisclassifiedSheet(const ClassifierStudy& study) {
 std::vector<StudyFile> ClassifierFiles(const ClassifierStudy& study) {
   std::vector<StudyFile> files{
       {"confusion.json", ToJson(study.test, study.letter)},
-      {"confusion.txt", "Scenes never trained on\n" + ToText(study.test, study.letter) + "\nTraining set\n" +
-                            ToText(study.training, study.letter)},
+      {"confusion.txt",
+       "Test scenes\n" + ToText(study.test, study.letter) + "\nTraining set\n" + ToText(study.training, study.letter)},
       {WeightsFile(study.letter), ClassifierCode(study.network, study.letter, Provenance(study))},
       {"mistaken.png", Png(MisclassifiedSheet(study))},
   };

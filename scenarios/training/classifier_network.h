@@ -15,21 +15,21 @@ class Perceptron {
     int hidden = 20;
     int outputs = 3;
 
-    /// Weights and biases of both layers together.
+    /// Number of weights and biases of both layers.
     int parameters() const { return (inputs + 1) * hidden + (hidden + 1) * outputs; }
 
     friend bool operator==(const Shape&, const Shape&) = default;
   };
 
-  /// All weights 0.
+  /// Sets all weights and biases to 0.
   explicit Perceptron(const Shape& shape);
 
-  /// Weights uniform within +-1/sqrt(fan-in), biases 0; drawn from the stream "classifier.weights" of `seed`.
+  /// Draws weights uniformly from +-1/sqrt(fan-in) with the stream "classifier.weights" of `seed`. Biases are 0.
   static Perceptron Random(const Shape& shape, std::uint64_t seed);
 
   const Shape& shape() const { return shape_; }
 
-  /// In this order: hidden weights [input][hidden], hidden biases, output weights [hidden][output], output biases.
+  /// All parameters: hidden weights [input][hidden], hidden biases, output weights [hidden][output], output biases.
   std::span<double> parameters() { return parameters_; }
   std::span<const double> parameters() const { return parameters_; }
 
@@ -38,14 +38,14 @@ class Perceptron {
   std::span<const double> output_weights() const;
   std::span<const double> output_biases() const;
 
-  /// Posterior probability of each class; sums to 1. `input` has shape().inputs values.
+  /// Posterior probability of each class; the sum is 1. `input` has shape().inputs values.
   std::vector<double> Posteriors(std::span<const float> input) const;
 
-  /// Cross-entropy -ln(posterior of `target`), in nats, times `weight`. Adds its gradient with respect to parameters()
-  /// to `gradient`.
+  /// Returns the weighted cross-entropy -weight * ln(posterior of `target`), in nats. Adds its gradient with respect to
+  /// parameters() to `gradient`.
   double Backpropagate(std::span<const float> input, int target, double weight, std::span<double> gradient) const;
 
-  /// The same network with every parameter rounded to single precision, as the C code has it.
+  /// Returns the network with all parameters rounded to single precision, as in the C code.
   Perceptron Rounded() const;
 
  private:

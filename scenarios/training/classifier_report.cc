@@ -39,21 +39,21 @@ double ConfusionMatrix::Recall(int true_class) const {
   return total == 0 ? 1.0 : static_cast<double>(count[i][i]) / total;
 }
 
-double ConfusionMatrix::FalsePositiveRate(int given_class) const {
+double ConfusionMatrix::FalsePositiveRate(int predicted_class) const {
   int wrong = 0, total = 0;
   for (int i = 0; i < kClasses; ++i) {
-    if (i == given_class) continue;
-    wrong += count[static_cast<std::size_t>(i)][static_cast<std::size_t>(given_class)];
+    if (i == predicted_class) continue;
+    wrong += count[static_cast<std::size_t>(i)][static_cast<std::size_t>(predicted_class)];
     total += Total(i);
   }
   return total == 0 ? 0.0 : static_cast<double>(wrong) / total;
 }
 
-ConfusionMatrix Confuse(const Perceptron& network, std::span<const LabeledPattern> patterns) {
+ConfusionMatrix ComputeConfusion(const Perceptron& network, std::span<const LabeledPattern> patterns) {
   ConfusionMatrix matrix;
   for (const LabeledPattern& sample : patterns) {
-    const auto given = static_cast<std::size_t>(PredictLabel(network, sample.pattern));
-    ++matrix.count[static_cast<std::size_t>(sample.label)][given];
+    const auto predicted = static_cast<std::size_t>(PredictLabel(network, sample.pattern));
+    ++matrix.count[static_cast<std::size_t>(sample.label)][predicted];
   }
   return matrix;
 }
@@ -61,7 +61,7 @@ ConfusionMatrix Confuse(const Perceptron& network, std::span<const LabeledPatter
 std::string ToText(const ConfusionMatrix& matrix, PadLetter letter) {
   const auto names = NamesFor(letter);
   std::string text =
-      fmt::format("{:<14}{:>10}{:>10}{:>10}{:>10}\n", "true \\ given", names[0], names[1], names[2], "right");
+      fmt::format("{:<14}{:>10}{:>10}{:>10}{:>10}\n", "true\\predicted", names[0], names[1], names[2], "recall");
   for (int i = 0; i < kClasses; ++i) {
     const auto& row = matrix.count[static_cast<std::size_t>(i)];
     text += fmt::format("{:<14}{:>10}{:>10}{:>10}{:>9.2f}%\n", names[static_cast<std::size_t>(i)], row[0], row[1],
@@ -78,8 +78,8 @@ std::string ToJson(const ConfusionMatrix& matrix, PadLetter letter) {
   for (int i = 0; i < kClasses; ++i) {
     const std::string name(names[static_cast<std::size_t>(i)]);
     for (int j = 0; j < kClasses; ++j) {
-      const std::string given(names[static_cast<std::size_t>(j)]);
-      json["given"][name][given] = matrix.count[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+      const std::string predicted(names[static_cast<std::size_t>(j)]);
+      json["given"][name][predicted] = matrix.count[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
     }
     json["right"][name] = matrix.Recall(i);
     json["false_positive_rate"][name] = matrix.FalsePositiveRate(i);
@@ -96,8 +96,8 @@ cv::Mat1b PatternSheet(std::span<const LabeledPattern> patterns, ComponentClass 
     cv::Mat1b small(estimator::paper::kPatternSide, estimator::paper::kPatternSide);
     std::transform(sample.pattern.begin(), sample.pattern.end(), small.begin(),
                    [](float cell) { return cv::saturate_cast<std::uint8_t>(255.0F * (1.0F - cell)); });
-    const cv::Rect place((placed % columns) * kPitch + 2, (placed / columns) * kPitch + 2, kPitch - 4, kPitch - 4);
-    cv::resize(small, sheet(place), place.size(), 0, 0, cv::INTER_NEAREST);
+    const cv::Rect cell((placed % columns) * kPitch + 2, (placed / columns) * kPitch + 2, kPitch - 4, kPitch - 4);
+    cv::resize(small, sheet(cell), cell.size(), 0, 0, cv::INTER_NEAREST);
     ++placed;
   }
   return sheet;

@@ -14,31 +14,32 @@ namespace touchdown::training {
 
 inline constexpr int kClasses = 3;
 
-/// "circle", "h" (or "rectangle") or "other".
+/// Name of a class: "circle", "h" ("rectangle" for a rectangle pad) or "other".
 std::string_view ClassName(estimator::paper::ComponentClass label, models::PadLetter letter);
 
-/// The class of the network's largest posterior.
+/// Class with the largest posterior of the network.
 estimator::paper::ComponentClass PredictLabel(const Perceptron& network, const estimator::paper::Pattern& pattern);
 
-/// How many patterns of each true class (row) were given each class (column), in the order of ComponentClass.
+/// Number of patterns by true class (row) and predicted class (column), in the order of ComponentClass.
 struct ConfusionMatrix {
   std::array<std::array<int, kClasses>, kClasses> count{};
 
   int Total(int true_class) const;
-  /// Share of the true class that was given its own; 1 when there are none of it.
+  /// Fraction of the patterns of a class that are predicted correctly; 1 when there are none.
   double Recall(int true_class) const;
-  /// Share of the other classes' patterns that were given `given_class`: p1 and p2 of Sec. IV-A.4.
-  double FalsePositiveRate(int given_class) const;
+  /// Fraction of the patterns of other classes that are predicted as this class: p1 and p2 of Sec. IV-A.4.
+  double FalsePositiveRate(int predicted_class) const;
 };
 
-ConfusionMatrix Confuse(const Perceptron& network, std::span<const LabeledPattern> patterns);
+/// Confusion matrix of a network for labeled patterns.
+ConfusionMatrix ComputeConfusion(const Perceptron& network, std::span<const LabeledPattern> patterns);
 
-/// The matrix of a network for pads of this letter as a table for people ...
+/// Text table of the confusion matrix of a network for pads with this letter.
 std::string ToText(const ConfusionMatrix& matrix, models::PadLetter letter);
-/// ... and for programs.
+/// The confusion matrix as JSON.
 std::string ToJson(const ConfusionMatrix& matrix, models::PadLetter letter);
 
-/// The first patterns of a class as a sheet of `columns` x `rows` enlarged pictures.
+/// Image with the first patterns of a class, enlarged, in a grid of `columns` x `rows`.
 cv::Mat1b PatternSheet(std::span<const LabeledPattern> patterns, estimator::paper::ComponentClass label, int columns,
                        int rows);
 

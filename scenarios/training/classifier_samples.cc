@@ -19,7 +19,7 @@ using Labels = std::vector<std::optional<ComponentClass>>;
 
 constexpr double kPadViewProbability = 0.4;
 
-/// Every third rectangle becomes an H.
+/// Replaces every third rectangle by an H.
 void ReplaceEveryThirdRectangle(std::vector<sim::SceneItem>& items) {
   int rectangles = 0;
   for (sim::SceneItem& item : items) {
@@ -55,7 +55,7 @@ cv::Mat3b AnnotatedImage(models::Image& image, const ComponentSet& set, const La
   return annotated;
 }
 
-/// Adds every circle and H of the frame, and at most `max_clutter` others.
+/// Adds the patterns of all circles and letters of a frame, and of at most `max_clutter` clutter components.
 void AddPatterns(const ComponentSet& set, const Labels& labels, int max_clutter, RandomStream& random,
                  SceneSamples& samples) {
   std::vector<std::size_t> clutter;
@@ -83,7 +83,7 @@ void SceneSamplesConfig::Validate() const {
   camera.Validate();
   views.Validate();
   if (frames < 1 || lone_circles < 1 || lone_letters < 1 || clutter_per_frame < 1) {
-    throw InputError("the training set needs frames, lone circles, lone letters and clutter");
+    throw InputError("training set: frames, lone circles, lone letters and clutter per frame must be at least 1");
   }
 }
 

@@ -16,40 +16,40 @@
 
 namespace touchdown::training {
 
-/// A component as the classifier sees it, and what it is.
+/// Input pattern of the classifier and its true class.
 struct LabeledPattern {
   estimator::paper::Pattern pattern{};
   estimator::paper::ComponentClass label = estimator::paper::ComponentClass::kOther;
 };
 
-/// What one scene gives.
+/// Settings for the samples of one scene.
 struct SceneSamplesConfig {
-  models::PadLetter letter = models::PadLetter::kH;  ///< Of the scene's pad and of its lone letters.
+  models::PadLetter letter = models::PadLetter::kH;  ///< Letter of the pad and of the lone letters.
   models::CameraModel camera;
   ViewConfig views;
   TruthConfig truth;
   int frames = 24;
-  int lone_circles = 26;  ///< More decoys than a flight's scene has: each adds proportions of its own.
+  int lone_circles = 26;  ///< Distractors; more than in a flight's scene, because each has its own proportions.
   int lone_letters = 28;
-  int clutter_per_frame = 24;  ///< At most; drawn at random from the frame's.
+  int clutter_per_frame = 24;  ///< Maximum number of clutter components, selected at random from a frame.
 
-  /// Throws InputError when a count is not positive or the views' settings are unusable.
+  /// Throws InputError when a count is not positive, or the camera or the view settings are invalid.
   void Validate() const;
 };
 
 struct SceneSamples {
   std::vector<LabeledPattern> patterns;
-  int unclear = 0;                          ///< Components left out since their truth is unclear.
-  std::vector<cv::Mat3b> annotated_frames;  ///< The first frames, with each component's box in its label's color.
+  int unclear = 0;                          ///< Number of components excluded because their true class is unclear.
+  std::vector<cv::Mat3b> annotated_frames;  ///< First frames, with component boxes colored by label.
 };
 
-/// A landing pad of this letter, of proportions that somebody might print: half the time those of the default one.
+/// Draws a landing pad with this letter: default dimensions with probability 0.5, else random plausible proportions.
 models::LandingPad DrawPad(models::PadLetter letter, models::RandomStream& random);
 
-/// Builds a scene from the seed, renders frames of it from many views, and binarizes, labels and classifies by the
-/// truth. Four views in ten look for the pad, the others for a lone ring or letter. Among lone rectangles every third
-/// is an H instead: clutter. The same seed gives the same samples. `optics` are config.camera's. `pictures` is how many
-/// annotated frames to keep.
+/// Builds a random scene, renders frames from random views, and labels the components of each binarized frame with
+/// their true classes. A view aims at the ring of the pad with probability 0.4, else at another ring or letter. For
+/// rectangle pads, every third lone rectangle is replaced by an H, which is clutter. The same seed gives the same
+/// samples. `optics` must belong to config.camera. `annotated_count` is the number of annotated frames to keep.
 SceneSamples CollectSceneSamples(const SceneSamplesConfig& config, const sim::CameraOptics& optics, std::uint64_t seed,
                                  int annotated_count);
 

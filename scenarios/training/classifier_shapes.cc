@@ -14,9 +14,9 @@ using estimator::paper::ComponentClass;
 
 constexpr double kTexelsPerMeter = 1000.0;
 
-/// A sheet on the floor: what is printed on it, and where it lies.
+/// Printed sheet on the floor: its ink and its pose.
 struct Sheet {
-  cv::Mat1b ink;  ///< 255 where ink lies; column 0 at the sheet's -X edge, row 0 at its +Y edge.
+  cv::Mat1b ink;  ///< 255 for ink; column 0 is at the -X edge of the sheet, row 0 at its +Y edge.
   Eigen::Vector2d position_m = Eigen::Vector2d::Zero();
   double yaw = 0.0;
   Eigen::Vector2d size_m = Eigen::Vector2d::Zero();
@@ -39,7 +39,7 @@ cv::Mat1b WhiteInsideHull(const std::vector<cv::Point>& hull, const cv::Mat1b& i
   return white;
 }
 
-/// Diameter of the largest disc that fits into the texels that are not 0, m.
+/// Diameter of the largest disc inside the nonzero texels, m.
 double LargestDiscDiameter(const cv::Mat1b& texels) {
   cv::Mat1f distance;
   cv::distanceTransform(texels, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);

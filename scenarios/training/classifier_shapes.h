@@ -12,31 +12,31 @@
 
 namespace touchdown::training {
 
-/// A ring or a letter as the pad's printed on the floor, as the truth has it.
+/// True geometry of a ring or letter printed on the floor, of the pad or of a distractor.
 struct GroundShape {
   estimator::paper::ComponentClass label = estimator::paper::ComponentClass::kOther;
-  Eigen::Vector2d position_m = Eigen::Vector2d::Zero();  ///< Center of its ink's bounding box, in W.
-  double yaw = 0.0;                                      ///< Of its axes, from W's.
-  double radius_m = 0.0;                                 ///< From there to the farthest ink.
-  std::vector<Eigen::Vector2d> hull_m;                   ///< Convex hull of its ink, in W.
-  double ink_fraction = 0.0;                             ///< Ink's area over the hull's.
-  double gap_m = 0.0;  ///< Diameter of the largest disc of white within the hull; of ink where the shape is solid.
+  Eigen::Vector2d position_m = Eigen::Vector2d::Zero();  ///< Center of the bounding box of the ink, in W.
+  double yaw = 0.0;                                      ///< Rotation of its axes from W, rad.
+  double radius_m = 0.0;                                 ///< Distance from the center to the farthest ink.
+  std::vector<Eigen::Vector2d> hull_m;                   ///< Convex hull of the ink, in W.
+  double ink_fraction = 0.0;                             ///< Area of the ink divided by the area of the hull.
+  double gap_m = 0.0;  ///< Diameter of the largest white disc in the hull; of the largest ink disc for a solid shape.
 };
 
-/// Every ring and letter of the scene: the pad's two, and the lone ones of the same kinds as they are printed.
+/// Finds all rings and letters of a scene: first ring and letter of the pad, then lone rings and letters of its kind.
 std::vector<GroundShape> FindGroundShapes(const sim::Scene& scene);
 
-/// Where a shape appears in the image.
+/// Projection of a shape into the image.
 struct ProjectedShape {
-  cv::Rect2d box;          ///< Of its ink, px; a pixel at (u, v) covers [u - 0.5, u + 0.5] x [v - 0.5, v + 0.5].
-  cv::Rect2d visible_box;  ///< The part of `box` inside the image; empty when it is outside.
-  double gap = 0.0;        ///< Of the shape's gap_m, foreshortened in the direction that is worst, px.
-  double obliquity = 0.0;  ///< Angle between the ray to the shape's center and the floor's normal, rad.
-  double hull_area = 0.0;  ///< Of the whole shape's convex hull, square px.
-  double ink_area = 0.0;   ///< Of its ink, square px; as large as hull_area where the shape is solid.
+  cv::Rect2d box;          ///< Bounding box, px; pixel (u, v) covers [u - 0.5, u + 0.5] x [v - 0.5, v + 0.5].
+  cv::Rect2d visible_box;  ///< Part of `box` inside the image; empty when outside.
+  double gap = 0.0;        ///< GroundShape::gap_m along its most foreshortened direction, px.
+  double obliquity = 0.0;  ///< Angle between the ray to the center and the floor normal, rad.
+  double hull_area = 0.0;  ///< Area of the convex hull of the whole shape, px^2.
+  double ink_area = 0.0;   ///< Area of the ink, px^2; equal to hull_area for a solid shape.
 };
 
-/// nullopt when a part of the shape lies behind the camera or beyond the radius at which its distortion folds.
+/// Projects a shape; nullopt when a part is behind the camera or outside the valid radius of the distortion model.
 std::optional<ProjectedShape> Project(const GroundShape& shape, const models::CameraModel& camera,
                                       const Eigen::Isometry3d& X_WC);
 

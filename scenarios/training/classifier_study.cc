@@ -22,10 +22,10 @@ std::uint64_t SceneSeed(std::uint64_t seed, const std::string& part, int scene) 
   return RandomStream(seed, fmt::format("classifier.{}.{}", part, scene)).Bits();
 }
 
-/// An epoch takes about a fifth of a scene's time.
+/// Duration of an epoch, in units of the duration of a scene.
 constexpr double kScenesPerEpoch = 0.2;
 
-/// Counts what is done of a study.
+/// Reports the progress of a study.
 class ProgressCounter {
  public:
   ProgressCounter(const ClassifierStudyConfig& config, const StudyProgress& progress)
@@ -44,20 +44,21 @@ class ProgressCounter {
   const StudyProgress& progress_;
 };
 
+/// Samples of several scenes.
 struct Pool {
   Patterns patterns;
   std::vector<cv::Mat3b> annotated_frames;
   int unclear = 0;
 };
 
-/// What the part's scenes give, the first frame of each of the first scenes kept as a picture.
+/// Collects the samples of all scenes of a part. Keeps one annotated frame of each of the first scenes.
 Pool Collect(const ClassifierStudyConfig& config, std::uint64_t seed, const std::string& part, int scenes,
              ProgressCounter& counter) {
   const sim::CameraOptics optics(config.scene.camera);
   Pool pool;
   for (int scene = 0; scene < scenes; ++scene) {
-    const int annotated_frames = scene < kAnnotatedFrames ? 1 : 0;
-    SceneSamples samples = CollectSceneSamples(config.scene, optics, SceneSeed(seed, part, scene), annotated_frames);
+    const int annotated_count = scene < kAnnotatedFrames ? 1 : 0;
+    SceneSamples samples = CollectSceneSamples(config.scene, optics, SceneSeed(seed, part, scene), annotated_count);
     std::move(samples.patterns.begin(), samples.patterns.end(), std::back_inserter(pool.patterns));
     std::move(samples.annotated_frames.begin(), samples.annotated_frames.end(),
               std::back_inserter(pool.annotated_frames));
@@ -74,14 +75,14 @@ Patterns FilterByClass(const Patterns& patterns, ComponentClass label) {
   return result;
 }
 
-/// `count` of the patterns, or all when there are fewer, drawn at random.
+/// Random subset of at most `count` patterns.
 Patterns RandomSubset(Patterns patterns, int count, RandomStream& random) {
-  const std::size_t wanted = std::min(patterns.size(), static_cast<std::size_t>(count));
-  for (std::size_t i = 0; i < wanted; ++i) {
+  const std::size_t size = std::min(patterns.size(), static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < size; ++i) {
     const int last = static_cast<int>(patterns.size() - 1);
     std::swap(patterns[i], patterns[static_cast<std::size_t>(random.UniformInt(static_cast<int>(i), last))]);
   }
-  patterns.resize(wanted);
+  patterns.resize(size);
   return patterns;
 }
 
@@ -95,7 +96,7 @@ std::vector<TrainingSample> SamplesOf(const Patterns& patterns) {
   return samples;
 }
 
-/// The clutter that `network` finds least like clutter comes first.
+/// Sorts clutter by increasing posterior of the class "other".
 void SortHardestFirst(Patterns& clutter, const Perceptron& network) {
   constexpr auto kOther = static_cast<std::size_t>(ComponentClass::kOther);
   std::vector<double> posterior;
@@ -109,7 +110,7 @@ void SortHardestFirst(Patterns& clutter, const Perceptron& network) {
   clutter = std::move(sorted);
 }
 
-/// The training set: circles, letters and clutter at random, then a part of the clutter exchanged for the hardest.
+/// Selects the training set: random circles and letters, the hardest clutter of a first network, and random clutter.
 Patterns ChooseTrainingSet(const ClassifierStudyConfig& config, const Patterns& pool, const Patterns& validation,
                            std::uint64_t seed) {
   RandomStream random(seed, "classifier.choice");
@@ -151,9 +152,9 @@ void ClassifierStudyConfig::Validate() const {
   training.Validate();
   if (std::min({training_scenes, validation_scenes, test_scenes, circles, letters, clutter, first_network_epochs}) <
       1) {
-    throw InputError("the classifier's study needs scenes and samples of every kind");
+    throw InputError("classifier study: numbers of scenes, samples and epochs must be at least 1");
   }
-  if (!(hard_clutter >= 0.0 && hard_clutter <= 1.0)) throw InputError("the share of hard clutter must be in [0, 1]");
+  if (!(hard_clutter >= 0.0 && hard_clutter <= 1.0)) throw InputError("classifier study: hard_clutter must be 0 to 1");
 }
 
 ClassifierStudy StudyClassifier(const ClassifierStudyConfig& config, std::uint64_t seed,
@@ -175,8 +176,8 @@ ClassifierStudy StudyClassifier(const ClassifierStudyConfig& config, std::uint64
   ClassifierStudy study{.letter = config.scene.letter,
                         .seed = seed,
                         .network = result.network,
-                        .training = Confuse(result.network, set),
-                        .test = Confuse(result.network, test.patterns),
+                        .training = ComputeConfusion(result.network, set),
+                        .test = ComputeConfusion(result.network, test.patterns),
                         .test_patterns = std::move(test.patterns),
                         .misclassified = {},
                         .annotated_frames = std::move(test.annotated_frames),

@@ -16,13 +16,13 @@ constexpr double kFinalRateFactor = 0.02;
 
 Perceptron::Shape NetworkShape(std::span<const TrainingSample> training, std::span<const TrainingSample> validation,
                                int hidden_units) {
-  if (training.empty() || validation.empty()) throw std::invalid_argument("training and validation need samples");
+  if (training.empty() || validation.empty()) throw std::invalid_argument("both sample sets must not be empty");
   Perceptron::Shape shape{
       .inputs = static_cast<int>(training.front().input.size()), .hidden = hidden_units, .outputs = 0};
   for (const auto& samples : {training, validation}) {
     for (const TrainingSample& sample : samples) {
       if (static_cast<int>(sample.input.size()) != shape.inputs) {
-        throw std::invalid_argument("the samples' inputs differ in size");
+        throw std::invalid_argument("all inputs must have the same size");
       }
       shape.outputs = std::max(shape.outputs, sample.target + 1);
     }
@@ -36,7 +36,7 @@ void Shuffle(std::vector<std::size_t>& order, models::RandomStream& random) {
   }
 }
 
-/// What a sample of each class counts for, so that all classes count alike: 1 on average.
+/// Weight of a sample of each class, so that all classes have equal total weight; the mean over all samples is 1.
 std::vector<double> ClassWeights(std::span<const TrainingSample> samples, int classes) {
   std::vector<double> weights(static_cast<std::size_t>(classes), 0.0);
   for (const TrainingSample& sample : samples) weights[static_cast<std::size_t>(sample.target)] += 1.0;
@@ -46,7 +46,7 @@ std::vector<double> ClassWeights(std::span<const TrainingSample> samples, int cl
   return weights;
 }
 
-/// Gradient descent with momentum over one network.
+/// Gradient descent with momentum.
 class Descent {
  public:
   Descent(Perceptron& network, std::vector<double> class_weights, const TrainingConfig& config,
@@ -59,7 +59,7 @@ class Descent {
         gradient_(network.parameters().size(), 0.0),
         velocity_(network.parameters().size(), 0.0) {}
 
-  /// Takes one step on the mean gradient of the batch. Returns the sum of the samples' losses before it.
+  /// Makes one step along the mean gradient of the batch. Returns the sum of the losses before the step.
   double Step(std::span<const TrainingSample> samples, std::span<const std::size_t> batch, double learning_rate) {
     std::fill(gradient_.begin(), gradient_.end(), 0.0);
     double loss = 0.0;
@@ -104,10 +104,10 @@ class Descent {
 
 void TrainingConfig::Validate() const {
   if (hidden_units < 1 || max_epochs < 1 || patience_epochs < 1 || batch_size < 1) {
-    throw InputError("hidden units, epochs, patience and batch size must be positive");
+    throw InputError("hidden units, epochs, patience and batch size must be at least 1");
   }
   if (!(learning_rate > 0.0) || !(momentum >= 0.0 && momentum < 1.0) || !(weight_decay >= 0.0)) {
-    throw InputError("the learning rate must be positive, the momentum in [0, 1), the weight decay not negative");
+    throw InputError("learning rate must be above 0, momentum at least 0 and below 1, weight decay at least 0");
   }
 }
 
@@ -142,8 +142,8 @@ TrainingResult Train(std::span<const TrainingSample> training, std::span<const T
   TrainingResult best{
       .network = network.Rounded(), .best_epoch = 0, .validation_loss = BalancedLoss(network, validation)};
   for (int epoch = 1; epoch <= config.max_epochs && epoch - best.best_epoch <= config.patience_epochs; ++epoch) {
-    const double done = static_cast<double>(epoch - 1) / config.max_epochs;
-    const double learning_rate = config.learning_rate * std::pow(kFinalRateFactor, done);
+    const double progress = static_cast<double>(epoch - 1) / config.max_epochs;
+    const double learning_rate = config.learning_rate * std::pow(kFinalRateFactor, progress);
     Shuffle(order, random);
     double loss = 0.0;
     for (std::size_t begin = 0; begin < order.size(); begin += static_cast<std::size_t>(config.batch_size)) {

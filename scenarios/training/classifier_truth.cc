@@ -14,7 +14,7 @@ using estimator::paper::ComponentSet;
 
 enum class Match { kNone, kUnclear, kFragment, kShape };
 
-/// The component's box in the same continuous coordinates as ProjectedShape::box.
+/// Bounding box of a component in the coordinates of ProjectedShape::box.
 cv::Rect2d ComponentBox(const Component& component) {
   return {component.u - 0.5, component.v - 0.5, static_cast<double>(component.width),
           static_cast<double>(component.height)};
@@ -35,7 +35,7 @@ bool TouchesBorder(const Component& component, const cv::Size& image) {
          component.v + component.height >= image.height;
 }
 
-/// Whether as much of the shape is ink, and as much of what it encloses is white, if any of it is, as should be.
+/// Returns whether the areas of ink and of enclosed white (if any) match the shape.
 bool HasExpectedInk(const Component& component, const ProjectedShape& shape, const TruthConfig& config) {
   const double ink = component.area / shape.ink_area;
   const double white_area = shape.hull_area - shape.ink_area;
@@ -43,8 +43,8 @@ bool HasExpectedInk(const Component& component, const ProjectedShape& shape, con
   return ink >= config.min_ink && ink <= config.max_ink && has_white;
 }
 
-/// Whether the middle ninth of the component's box is all but free of it: a ring's must be, or it has melted together
-/// with the letter inside.
+/// Returns whether the central ninth of the component's box is almost free of its pixels. This holds for a ring that
+/// has not merged with the letter inside.
 bool IsHollow(const ComponentSet& set, const Component& component) {
   const int left = component.u + component.width / 3, right = component.u + component.width - component.width / 3;
   const int top = component.v + component.height / 3, bottom = component.v + component.height - component.height / 3;
@@ -63,10 +63,10 @@ Match MatchComponent(const Component& component, const ProjectedShape& shape, co
                      const TruthConfig& config) {
   if (shape.visible_box.empty()) return Match::kNone;
   const cv::Rect2d box = ComponentBox(component);
-  const bool whole = shape.visible_box.area() >= shape.box.area() * (1.0 - 1e-9);
+  const bool is_whole = shape.visible_box.area() >= shape.box.area() * (1.0 - 1e-9);
   const double tolerance = config.edge_tolerance_px + 0.5 * blur_px +
                            config.edge_tolerance_fraction * std::max(shape.box.width, shape.box.height);
-  if (whole && !TouchesBorder(component, image) && MaxEdgeError(box, shape.box) <= tolerance &&
+  if (is_whole && !TouchesBorder(component, image) && MaxEdgeError(box, shape.box) <= tolerance &&
       HasExpectedInk(component, shape, config)) {
     return IsLegible(shape, blur_px, config) ? Match::kShape : Match::kUnclear;
   }
@@ -90,8 +90,8 @@ std::vector<std::optional<ComponentClass>> LabelComponents(const ComponentSet& s
           projections[i] ? MatchComponent(component, *projections[i], image, blur_px, config) : Match::kNone;
       if (match == Match::kUnclear) label.reset();
       if (match == Match::kShape) {
-        const bool melted = shapes[i].label == ComponentClass::kCircle && !IsHollow(set, component);
-        label = melted ? std::nullopt : std::optional(shapes[i].label);
+        const bool merged = shapes[i].label == ComponentClass::kCircle && !IsHollow(set, component);
+        label = merged ? std::nullopt : std::optional(shapes[i].label);
         break;
       }
     }

@@ -10,22 +10,25 @@
 
 namespace touchdown::training {
 
-/// How far a component's box may lie from a shape's to be that shape.
+/// Criteria for matching a component with a projected shape.
 struct TruthConfig {
-  double edge_tolerance_px = 1.5;         ///< Of each edge, for the threshold and the pixel grid ...
-  double edge_tolerance_fraction = 0.06;  ///< ... and this much of the shape's longer side.
-  double min_ink = 0.7;                   ///< Component's pixels over the shape's ink: gaps, and things that cover it.
-  double max_ink = 1.8;                   ///< Letters and rings a few pixels small come out fat.
-  double min_white = 0.45;  ///< Of the white within the shape's hull that must be left: else its strokes have melted.
-  double min_gap_px = 3.0;  ///< A shape whose white is narrower is not legible ...
-  double max_obliquity_deg = 60.0;  ///< ... nor is one seen flatter.
-  double unclear_overlap = 0.25;    ///< Overlap of the boxes from which a component that is no match is left out.
-  double fragment_fraction = 0.4;   ///< A shape of which less is in the image is clutter: nobody could tell it.
+  /// Tolerance of each edge of the box: this constant, half the blur, and edge_tolerance_fraction of its longer side.
+  double edge_tolerance_px = 1.5;
+  double edge_tolerance_fraction = 0.06;
+  double min_ink = 0.7;     ///< Minimum area of the component divided by the ink area of the shape.
+  double max_ink = 1.8;     ///< Maximum of the same ratio; the strokes of small shapes become thicker.
+  double min_white = 0.45;  ///< Minimum remaining fraction of the white in the hull; below it the strokes have merged.
+  double min_gap_px = 3.0;  ///< A shape whose gap is smaller than this plus the blur is unclear.
+  double max_obliquity_deg = 60.0;  ///< A shape at a larger obliquity is unclear.
+  /// A component that overlaps a shape at least this much (IoU of the boxes), but does not match it, is unclear.
+  double unclear_overlap = 0.25;
+  double fragment_fraction = 0.4;  ///< A shape with a smaller visible fraction of its box is clutter.
 };
 
-/// The class of each component, from where the scene's rings and letters are known to be (the n-th of `shapes` appears
-/// as the n-th of `projections`). nullopt where the truth is unclear: what is partly hidden, cut by the image's border,
-/// or has melted together with its neighbors is in no set. `blur_px` is how far the image moved over its exposure.
+/// True class of each component, from the known projections of the rings and letters of the scene. `projections` has
+/// one element per element of `shapes`. nullopt when the class is unclear: the shape is partly occluded, cut by the
+/// image border, or merged with its neighbors; such components are not used. `blur_px` is the blur of the image: motion
+/// during the exposure plus defocus.
 std::vector<std::optional<estimator::paper::ComponentClass>> LabelComponents(
     const estimator::paper::ComponentSet& set, std::span<const GroundShape> shapes,
     std::span<const std::optional<ProjectedShape>> projections, const cv::Size& image, double blur_px,

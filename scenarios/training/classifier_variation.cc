@@ -13,7 +13,7 @@ using models::RandomStream;
 constexpr double kMaxShear = 0.2;
 constexpr double kMaxKeystone = 0.15;
 constexpr int kSide = estimator::paper::kPatternSide;
-constexpr int kOversampling = 2;  ///< Samples of a cell along each side.
+constexpr int kOversampling = 2;  ///< Samples along each side of a cell.
 
 cv::Mat1f RandomSymmetry(const cv::Mat1f& pattern, RandomStream& random) {
   const int symmetry = random.UniformInt(0, 7);
@@ -24,7 +24,7 @@ cv::Mat1f RandomSymmetry(const cv::Mat1f& pattern, RandomStream& random) {
   return transformed;
 }
 
-/// A homography of coordinates that run from -1 to 1 over the pattern.
+/// Random homography in coordinates from -1 to 1 over the pattern.
 cv::Matx33d DrawHomography(RandomStream& random) {
   const double shear_x = kMaxShear * random.Uniform(-1.0, 1.0), shear_y = kMaxShear * random.Uniform(-1.0, 1.0);
   const double tilt_x = kMaxKeystone * random.Uniform(-1.0, 1.0);
@@ -32,12 +32,12 @@ cv::Matx33d DrawHomography(RandomStream& random) {
   return {1.0, shear_x, 0.0, shear_y, 1.0, 0.0, tilt_x, tilt_y, 1.0};
 }
 
-/// From cells (pixel centers at whole numbers) to [-1, 1].
+/// Transform from cell coordinates (centers at integers) to coordinates from -1 to 1.
 cv::Matx33d Normalized(int side) {
   return {2.0 / side, 0.0, 1.0 / side - 1.0, 0.0, 2.0 / side, 1.0 / side - 1.0, 0.0, 0.0, 1.0};
 }
 
-/// Where the corners of all cells with ink go.
+/// Images of the corners of all cells with ink.
 std::vector<cv::Point2d> WarpedInkCorners(const cv::Matx33d& homography, const cv::Mat1f& pattern) {
   std::vector<cv::Point> cells;
   cv::findNonZero(pattern > 0.0f, cells);

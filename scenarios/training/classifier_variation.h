@@ -6,9 +6,9 @@
 
 namespace touchdown::training {
 
-/// A pattern that the same thing might give from elsewhere: mirrored or turned by a multiple of 90 degrees, and half
-/// the time seen through a slight homography, then stretched to its bounding box again. A ring, an H and clutter stay
-/// what they are. `pattern` has estimator::kPatternSize cells.
+/// Data augmentation for patterns: applies a random mirroring or rotation by a multiple of 90 degrees and, with
+/// probability 0.5, a slight homography followed by stretching to the bounding box. The class does not change.
+/// `pattern` has estimator::paper::kPatternSide^2 cells.
 std::vector<float> VaryPattern(const std::vector<float>& pattern, models::RandomStream& random);
 
 }  // namespace touchdown::training

@@ -14,9 +14,9 @@ using models::RandomStream;
 constexpr double kMinHeight_m = 0.06;
 constexpr double kLowContrast = 0.6;
 constexpr double kClearance_m = 0.05;
-constexpr double kMinRayCosine = 0.35;  ///< Cosine, against the floor's normal, of the ray to the target.
+constexpr double kMinRayCosine = 0.35;  ///< Cosine of the angle between the ray to the target and the floor normal.
 
-/// A camera that looks down, turned by `yaw`, then tilted by `tilt` about the horizontal axis at `direction`.
+/// R_WC of a camera that looks down, rotated by `yaw`, then tilted by `tilt` about the horizontal axis at `direction`.
 Eigen::Matrix3d LookDown(double yaw, double tilt, double direction) {
   const Eigen::Matrix3d R_down = Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();
   const Eigen::Vector3d axis(std::cos(direction), std::sin(direction), 0.0);
@@ -34,7 +34,7 @@ double LogUniform(double low, double high, RandomStream& random) {
   return std::exp(random.Uniform(std::log(low), std::log(high)));
 }
 
-/// A pixel at which a target of `radius_px` fits into the image, or nearly.
+/// Draws a pixel at which a target with radius `radius_px` fits in the image if possible.
 Eigen::Vector2d DrawPixel(const models::CameraModel& camera, double radius_px, RandomStream& random) {
   const double u_margin = std::min(1.1 * radius_px, 0.5 * camera.width_px);
   const double v_margin = std::min(1.1 * radius_px, 0.5 * camera.height_px);
@@ -43,7 +43,7 @@ Eigen::Vector2d DrawPixel(const models::CameraModel& camera, double radius_px, R
   return {u - 0.5, v - 0.5};
 }
 
-/// R_WC of a camera that hovers over the target, along one of its axes.
+/// Draws R_WC of a hovering camera, aligned with one of the axes of the target.
 Eigen::Matrix3d DrawHoverRotation(const GroundShape& target, RandomStream& random) {
   constexpr double kAlong_deg = 1.5, kLevel_deg = 3.0;
   const double yaw =
@@ -52,7 +52,7 @@ Eigen::Matrix3d DrawHoverRotation(const GroundShape& target, RandomStream& rando
   return LookDown(yaw, tilt, random.Uniform(-models::kPi, models::kPi));
 }
 
-/// R_WC of a camera that looks down at any heading and tilt.
+/// Draws R_WC of a camera that looks down with random heading and tilt.
 Eigen::Matrix3d DrawTiltedRotation(double max_tilt_deg, RandomStream& random) {
   const double tilt = models::DegToRad(max_tilt_deg) * random.Uniform();
   const double yaw = random.Uniform(-models::kPi, models::kPi), direction = random.Uniform(-models::kPi, models::kPi);
@@ -84,10 +84,10 @@ void ViewConfig::Validate() const {
   const bool ranges = min_distance_m > 0.0 && max_distance_m >= min_distance_m && std::isfinite(max_distance_m) &&
                       max_tilt_deg >= 0.0 && max_tilt_deg < 80.0 && min_exposure_s > 0.0 &&
                       max_exposure_s >= min_exposure_s && std::isfinite(max_exposure_s);
-  const bool effects = hovering_fraction >= 0.0 && hovering_fraction <= 1.0 && max_speed_m_s >= 0.0 &&
-                       max_rate_rad_s >= 0.0 && max_defocus_px >= 0.0 && !noise_sigmas.empty() && min_contrast > 0.0 &&
-                       min_contrast <= 1.0;
-  if (!ranges || !effects) throw InputError("the training set's views have an empty range");
+  const bool effects = hovering_fraction >= 0.0 && hovering_fraction <= 1.0 && speed_scale_m_s >= 0.0 &&
+                       rate_scale_rad_s >= 0.0 && max_defocus_px >= 0.0 && !noise_sigmas.empty() &&
+                       min_contrast > 0.0 && min_contrast <= 1.0;
+  if (!ranges || !effects) throw InputError("training set: invalid range of the views");
 }
 
 Eigen::Isometry3d View::PoseAt(double offset_s) const {
@@ -103,8 +103,8 @@ View DrawView(const ViewConfig& config, const sim::Scene& scene, const GroundSha
   View view{.X_WC = DrawPose(config, hovering, scene, target, camera, random)};
   view.exposure_s = LogUniform(config.min_exposure_s, config.max_exposure_s, random);
   if (!hovering) {
-    view.v_WC = random.Uniform() * config.max_speed_m_s * random.NormalVector3() / std::sqrt(3.0);
-    view.w_WC_C = random.Uniform() * config.max_rate_rad_s * random.NormalVector3() / std::sqrt(3.0);
+    view.v_WC = random.Uniform() * config.speed_scale_m_s * random.NormalVector3() / std::sqrt(3.0);
+    view.w_WC_C = random.Uniform() * config.rate_scale_rad_s * random.NormalVector3() / std::sqrt(3.0);
     view.defocus_px = random.Chance(0.5) ? config.max_defocus_px * random.Uniform() : 0.0;
   }
   view.contrast = random.Chance(0.5) ? random.Uniform(config.min_contrast, 1.0) : 1.0;

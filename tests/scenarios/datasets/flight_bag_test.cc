@@ -156,10 +156,11 @@ TEST_F(FlownBag, ReportsAFullDiskAndRemovesTheFile) {
   const runner::Scenario scenario = Landing(0.3);
   const fs::path file = folder_ / "flight.bag";
   ASSERT_NO_THROW(WriteBag(scenario, file));
-  const auto whole = static_cast<rlim_t>(fs::file_size(file));
+  const auto full_size = static_cast<rlim_t>(fs::file_size(file));
   fs::remove(file);
   // The disk is full at the start, in the frames, in the truth, in the index, and when the file is closed.
-  for (const rlim_t bytes : {rlim_t{0}, rlim_t{5000}, whole / 2, whole - 50'000, whole - 3000, whole - 1}) {
+  for (const rlim_t bytes :
+       {rlim_t{0}, rlim_t{5000}, full_size / 2, full_size - 50'000, full_size - 3000, full_size - 1}) {
     const tests::DiskOfSize disk(bytes);
     EXPECT_THAT([&] { WriteBag(scenario, file); }, ThrowsInputError(StartsWith("bag flight.bag: cannot be written")))
         << bytes;

@@ -26,7 +26,7 @@ Perceptron RandomClassifier(std::uint64_t seed) {
   return network.Rounded();
 }
 
-/// The numbers of the code's tables, in their order in the file.
+/// Numbers of the tables in the code, in the order of the file.
 std::vector<float> Numbers(const std::string& code) {
   const std::string tables = code.substr(0, code.find("void "));
   const std::regex literal(R"([-+]?[0-9][0-9.]*(e[-+]?[0-9]+)?f\b)");
@@ -37,7 +37,7 @@ std::vector<float> Numbers(const std::string& code) {
   return numbers;
 }
 
-TEST(ClassifierCode, HoldsEveryParameterSoThatItReadsBackAsItself) {
+TEST(ClassifierCode, ContainsLiteralsThatReadBackExactly) {
   Perceptron network = RandomClassifier(1);
   network.parameters()[0] = 1.0;
   network.parameters()[1] = static_cast<float>(-1.25e-12);
@@ -48,7 +48,7 @@ TEST(ClassifierCode, HoldsEveryParameterSoThatItReadsBackAsItself) {
   for (std::size_t i = 0; i < numbers.size(); ++i) EXPECT_EQ(numbers[i], static_cast<float>(network.parameters()[i]));
 }
 
-TEST(ClassifierCode, SaysAtItsHeadHowItWasMade) {
+TEST(ClassifierCode, WritesTheProvenanceInTheFirstComment) {
   const std::string code = ClassifierCode(RandomClassifier(2), PadLetter::kH, kProvenance);
   EXPECT_NE(code.substr(0, code.find("*/")).find("seed: 7\n *   machine: abacus\n"), std::string::npos);
 }
@@ -63,7 +63,7 @@ TEST(ClassifierCode, NamesItsFunctionByTheLetter) {
   EXPECT_EQ(std::regex_replace(rectangle, std::regex(name), "TouchdownClassifierPosteriors"), h);
 }
 
-TEST(ClassifierCode, KeepsToTheHousesLineLength) {
+TEST(ClassifierCode, LimitsTheLineLength) {
   const std::string code = ClassifierCode(RandomClassifier(2), PadLetter::kH, kProvenance);
   std::istringstream lines(code);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 120U) << line;
@@ -96,7 +96,7 @@ TEST(ClassifierCode, CompilesToTheSameNetwork) {
   }
 }
 
-TEST(ClassifierCode, RefusesANetworkOfAnotherShape) {
+TEST(ClassifierCode, RejectsANetworkOfAnotherShape) {
   EXPECT_THROW(ClassifierCode(Perceptron(Perceptron::Shape{10, 20, 3}), PadLetter::kH, {}), std::invalid_argument);
   EXPECT_THROW(ClassifierCode(Perceptron(Perceptron::Shape{196, 20, 4}), PadLetter::kH, {}), std::invalid_argument);
 }

@@ -47,7 +47,7 @@ TEST(Perceptron, StaysFiniteForHugeActivations) {
   EXPECT_TRUE(std::isfinite(network.Backpropagate(std::vector<float>{1.0F}, 0, 1.0, gradient)));
 }
 
-TEST(Perceptron, BackpropagatesTheDerivativeOfItsLoss) {
+TEST(Perceptron, ComputesTheGradientOfItsLoss) {
   models::RandomStream random(3, "perceptron test");
   for (int trial = 0; trial < 10; ++trial) {
     Perceptron network = Perceptron::Random({12, 5, 3}, static_cast<std::uint64_t>(trial));
@@ -69,7 +69,7 @@ TEST(Perceptron, BackpropagatesTheDerivativeOfItsLoss) {
   }
 }
 
-TEST(Perceptron, WeighsASamplesLossAndGradient) {
+TEST(Perceptron, ScalesLossAndGradientByTheWeight) {
   models::RandomStream random(5, "perceptron test");
   const Perceptron network = Perceptron::Random({6, 4, 3}, 1);
   const std::vector<float> input = RandomInput(6, random);
@@ -91,7 +91,7 @@ TEST(Perceptron, AddsGradientsOfSeveralSamples) {
   for (std::size_t i = 0; i < both.size(); ++i) EXPECT_NEAR(both[i], one[i] + other[i], 1e-15);
 }
 
-TEST(Perceptron, StartsFromWeightsThatOnlyTheSeedDecides) {
+TEST(Perceptron, DrawsInitialWeightsFromTheSeed) {
   const Perceptron::Shape shape;
   const Perceptron a = Perceptron::Random(shape, 7), b = Perceptron::Random(shape, 7), c = Perceptron::Random(shape, 8);
   EXPECT_TRUE(std::equal(a.parameters().begin(), a.parameters().end(), b.parameters().begin()));

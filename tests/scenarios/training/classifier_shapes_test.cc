@@ -13,7 +13,7 @@ std::vector<GroundShape> ShapesOfPad(const models::LandingPad& pad) {
   return FindGroundShapes(sim::MakeScene(tests::EmptyRoomConfig(), pad, 1));
 }
 
-TEST(ClassifierShapes, OfAPadAreItsRingAndItsHWithoutItsMarks) {
+TEST(ClassifierShapes, OfAPadAreRingAndLetterWithoutMarkings) {
   models::LandingPad marked;
   marked.marks = {{.shape = models::PadMark::Shape::kDisc, .center_m = {0.0, 0.06}, .diameter_m = 0.02},
                   {.shape = models::PadMark::Shape::kBar, .center_m = {0.05, 0.0}, .length_m = 0.02, .width_m = 0.05}};
@@ -29,7 +29,7 @@ TEST(ClassifierShapes, OfAPadAreItsRingAndItsHWithoutItsMarks) {
   }
 }
 
-TEST(ClassifierShapes, OfARectangleAreSolid) {
+TEST(ClassifierShapes, OfARectanglePadIncludeASolidRectangle) {
   models::LandingPad pad;
   pad.h_stroke_m = 0.5 * pad.h_width_m;
   const std::vector<GroundShape> shapes = ShapesOfPad(pad);
@@ -37,10 +37,10 @@ TEST(ClassifierShapes, OfARectangleAreSolid) {
   EXPECT_EQ(shapes[1].label, estimator::paper::ComponentClass::kH);
   EXPECT_NEAR(shapes[1].radius_m, std::hypot(0.050, 0.028), 0.001);
   EXPECT_EQ(shapes[1].ink_fraction, 1.0);
-  EXPECT_NEAR(shapes[1].gap_m, 0.056, 0.002) << "as wide as the rectangle";
+  EXPECT_NEAR(shapes[1].gap_m, 0.056, 0.002) << "width of the rectangle";
 }
 
-TEST(ClassifierShapes, OfASceneAreTheLoneLettersOfThePadsKind) {
+TEST(ClassifierShapes, OfASceneIncludeLoneLettersOfThePadsKind) {
   sim::SceneConfig scene = tests::EmptyRoomConfig();
   scene.lone_letters = 3;
   models::LandingPad pad;
@@ -50,7 +50,7 @@ TEST(ClassifierShapes, OfASceneAreTheLoneLettersOfThePadsKind) {
   ASSERT_EQ(rectangles.size(), 5u);
   for (std::size_t i = 2; i < rectangles.size(); ++i) EXPECT_EQ(rectangles[i].ink_fraction, 1.0);
   drawn.items.back().kind = sim::SceneItem::Kind::kLetterH;
-  EXPECT_EQ(FindGroundShapes(drawn).size(), 4u) << "an H is clutter beside rectangles";
+  EXPECT_EQ(FindGroundShapes(drawn).size(), 4u) << "an H is clutter for rectangle pads";
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ std::string ContentOf(const std::string& name, const std::vector<StudyFile>& fil
   return {};
 }
 
-/// The comment that says how a network was made.
+/// First comment of the code: the provenance of the network.
 std::string Head(const std::string& code) { return code.substr(0, code.find("*/")); }
 
 void ExpectAllClassesWellRecognized(const ConfusionMatrix& matrix, int min_count, double min_recall) {
@@ -40,8 +40,8 @@ void ExpectAllClassesWellRecognized(const ConfusionMatrix& matrix, int min_count
   }
 }
 
-/// `touchdown train --letter LETTER` as the docs have it, against what is committed.
-void ExpectRemade(PadLetter letter, const std::string& weights, int min_count, double min_recall) {
+/// Repeats the training of docs/classifier.md and compares its result with the committed files.
+void ExpectReproduced(PadLetter letter, const std::string& weights, int min_count, double min_recall) {
   const ClassifierStudy study = StudyClassifier(ClassifierStudyConfig::For(letter), kSeed);
   ExpectAllClassesWellRecognized(study.test, min_count, min_recall);
 
@@ -55,23 +55,24 @@ void ExpectRemade(PadLetter letter, const std::string& weights, int min_count, d
   ExpectAllClassesWellRecognized(compiled_in, min_count, min_recall);
   EXPECT_GE(agreeing, kMinAgreement * static_cast<double>(study.test_patterns.size()));
 
-  const std::string remade = ContentOf(weights, ClassifierFiles(study));
+  const std::string reproduced = ContentOf(weights, ClassifierFiles(study));
   const std::string committed = Read("estimator/paper/" + weights);
-  ASSERT_FALSE(remade.empty());
-  // Elsewhere than where it was made, the last bits of rendering and training may be others.
-  if (Head(remade) != Head(committed)) GTEST_SKIP() << "the committed network was made on another type of machine";
-  EXPECT_EQ(remade, committed);
+  ASSERT_FALSE(reproduced.empty());
+  // On another type of CPU, the last bits of rendering and training may differ.
+  if (Head(reproduced) != Head(committed))
+    GTEST_SKIP() << "the committed network was trained on another type of machine";
+  EXPECT_EQ(reproduced, committed);
   EXPECT_NE(Read("docs/classifier.md").find(ToText(study.test, letter)), std::string::npos)
-      << "docs/classifier.md has another confusion matrix than\n"
+      << "docs/classifier.md does not contain this confusion matrix:\n"
       << ToText(study.test, letter);
 }
 
-TEST(ClassifierStudy, RemakesTheNetworkThatIsCompiledIn) {
-  ExpectRemade(PadLetter::kH, "classifier_weights.c", 1000, 0.99);
+TEST(ClassifierStudy, ReproducesTheCompiledInNetwork) {
+  ExpectReproduced(PadLetter::kH, "classifier_weights.c", 1000, 0.99);
 }
 
-TEST(ClassifierStudy, RemakesTheNetworkOfTheRectangleThatIsCompiledIn) {
-  ExpectRemade(PadLetter::kRectangle, "classifier_weights_rectangle.c", 400, 0.9);
+TEST(ClassifierStudy, ReproducesTheCompiledInNetworkOfTheRectangle) {
+  ExpectReproduced(PadLetter::kRectangle, "classifier_weights_rectangle.c", 400, 0.9);
 }
 
 TEST(ClassifierStudy, NamesItsFilesByTheLetter) {

@@ -10,7 +10,7 @@ namespace {
 
 std::vector<TrainingSample> ExclusiveOr() { return {{{0, 0}, 0}, {{0, 1}, 1}, {{1, 0}, 1}, {{1, 1}, 0}}; }
 
-/// Points of the unit square by the ring around its center in which they lie: not linearly separable.
+/// Points in a square, labeled by the ring around its center that contains them: not linearly separable.
 std::vector<TrainingSample> Rings(int count, std::uint64_t seed) {
   models::RandomStream random(seed, "training test");
   std::vector<TrainingSample> samples;
@@ -24,12 +24,12 @@ std::vector<TrainingSample> Rings(int count, std::uint64_t seed) {
 }
 
 double Accuracy(const Perceptron& network, const std::vector<TrainingSample>& samples) {
-  int right = 0;
+  int correct = 0;
   for (const TrainingSample& sample : samples) {
     const std::vector<double> posterior = network.Posteriors(sample.input);
-    right += std::max_element(posterior.begin(), posterior.end()) - posterior.begin() == sample.target;
+    correct += std::max_element(posterior.begin(), posterior.end()) - posterior.begin() == sample.target;
   }
-  return static_cast<double>(right) / static_cast<double>(samples.size());
+  return static_cast<double>(correct) / static_cast<double>(samples.size());
 }
 
 TEST(Training, LearnsTheExclusiveOr) {
@@ -45,13 +45,13 @@ TEST(Training, LearnsTheExclusiveOr) {
   EXPECT_EQ(Accuracy(result.network, samples), 1.0);
 }
 
-TEST(Training, GeneralizesToSamplesThatItNeverSaw) {
+TEST(Training, GeneralizesToNewSamples) {
   const TrainingConfig config{.max_epochs = 300, .patience_epochs = 300, .learning_rate = 0.2, .weight_decay = 0.0};
   const TrainingResult result = Train(Rings(1500, 1), Rings(500, 2), config, 1);
   EXPECT_GT(Accuracy(result.network, Rings(2000, 3)), 0.95);
 }
 
-TEST(Training, CountsAllClassesAlikeHoweverManySamplesTheyHave) {
+TEST(Training, WeighsAllClassesEqually) {
   std::vector<TrainingSample> samples(900, {{1.0F}, 0});
   samples.resize(1000, {{1.0F}, 1});
   const TrainingConfig config{.max_epochs = 60, .patience_epochs = 60, .learning_rate = 0.05};
@@ -77,7 +77,7 @@ TEST(Training, KeepsTheNetworkOfTheBestValidationLoss) {
   EXPECT_EQ(epochs, result.best_epoch + 20);
 }
 
-TEST(Training, GivesTheSameWeightsForTheSameSeedAndOthersForAnother) {
+TEST(Training, GivesWeightsThatDependOnlyOnTheSeed) {
   const TrainingConfig config{.max_epochs = 5};
   const auto train = [&](std::uint64_t seed) { return Train(Rings(300, 1), Rings(100, 2), config, seed).network; };
   const Perceptron a = train(1), b = train(1), c = train(2);
@@ -85,7 +85,7 @@ TEST(Training, GivesTheSameWeightsForTheSameSeedAndOthersForAnother) {
   EXPECT_FALSE(std::equal(a.parameters().begin(), a.parameters().end(), c.parameters().begin()));
 }
 
-TEST(Training, RefusesSamplesAndSettingsThatCannotBeUsed) {
+TEST(Training, RejectsInvalidSamplesAndSettings) {
   const std::vector<TrainingSample> samples = ExclusiveOr();
   EXPECT_THROW(Train({}, samples, {}, 1), std::invalid_argument);
   EXPECT_THROW(Train(samples, {}, {}, 1), std::invalid_argument);

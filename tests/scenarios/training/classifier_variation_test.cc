@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kSide = estimator::paper::kPatternSide;
 
-/// The letter L, which is none of its own mirror images and turns.
+/// The letter L, which differs from all its mirror images and rotations.
 std::vector<float> LetterL() {
   std::vector<float> pattern(kSide * kSide, 0.0F);
   for (std::size_t i = 0; i < kSide; ++i) {
@@ -30,7 +30,7 @@ bool HasInk(const std::vector<float>& pattern, std::size_t begin, std::size_t st
   return false;
 }
 
-TEST(VaryPattern, MirrorsAndTurnsInAllEightWays) {
+TEST(VaryPattern, AppliesAllEightSymmetries) {
   models::RandomStream random(1, "test");
   const std::vector<float> letter = LetterL();
   std::set<std::vector<float>> unwarped;
@@ -43,7 +43,7 @@ TEST(VaryPattern, MirrorsAndTurnsInAllEightWays) {
   EXPECT_TRUE(unwarped.contains(letter));
 }
 
-TEST(VaryPattern, FillsItsBoundingBoxToAllSides) {
+TEST(VaryPattern, TouchesAllSidesOfTheBoundingBox) {
   models::RandomStream random(2, "test");
   for (int i = 0; i < 200; ++i) {
     const std::vector<float> varied = VaryPattern(LetterL(), random);
@@ -54,7 +54,7 @@ TEST(VaryPattern, FillsItsBoundingBoxToAllSides) {
   }
 }
 
-TEST(VaryPattern, ChangesTheAmountOfInkOnlyALittle) {
+TEST(VaryPattern, ApproximatelyKeepsTheAmountOfInk) {
   models::RandomStream random(3, "test");
   const std::vector<float> letter = LetterL();
   const float ink = std::accumulate(letter.begin(), letter.end(), 0.0F);
@@ -64,7 +64,7 @@ TEST(VaryPattern, ChangesTheAmountOfInkOnlyALittle) {
   }
 }
 
-TEST(VaryPattern, LeavesAnEmptyPatternEmpty) {
+TEST(VaryPattern, KeepsAnEmptyPatternEmpty) {
   models::RandomStream random(4, "test");
   const std::vector<float> empty(kSide * kSide, 0.0F);
   for (int i = 0; i < 20; ++i) EXPECT_EQ(VaryPattern(empty, random), empty);

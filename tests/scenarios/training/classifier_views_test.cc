@@ -33,13 +33,13 @@ std::vector<View> DrawViews(const ViewConfig& config, std::uint64_t seed = 1) {
 
 double TiltOf(const View& view) { return std::acos(-view.X_WC.linear()(2, 2)); }
 
-/// Angle between the image's up and the nearest of the shape's axes, seen from above.
+/// Horizontal angle between the up direction of the image and the nearest axis of the shape, rad.
 double OffAxis(const View& view) {
   const Eigen::Vector3d up_W = -view.X_WC.linear().col(1);
   return std::abs(std::remainder(std::atan2(up_W.y(), up_W.x()) - RotatedShape().yaw, models::kPi / 2.0));
 }
 
-TEST(DrawView, HoversLevelAtRestInFocusAndAlongTheShapesAxes) {
+TEST(DrawView, HoversLevelAtRestInFocusAndAligned) {
   for (const View& view : DrawViews({.hovering_fraction = 1.0})) {
     EXPECT_LE(TiltOf(view), models::DegToRad(3.01));
     EXPECT_LT(OffAxis(view), models::DegToRad(9.0));
@@ -47,7 +47,7 @@ TEST(DrawView, HoversLevelAtRestInFocusAndAlongTheShapesAxes) {
   }
 }
 
-TEST(DrawView, TiltsTurnsMovesAndDefocusesElsewhere) {
+TEST(DrawView, TiltsRotatesMovesAndDefocusesOtherwise) {
   double max_tilt = 0.0, fastest = 0.0, off_axis = 0.0;
   int defocused = 0;
   const ViewConfig config{.hovering_fraction = 0.0};
@@ -64,7 +64,7 @@ TEST(DrawView, TiltsTurnsMovesAndDefocusesElsewhere) {
   EXPECT_NEAR(defocused, kViews / 2, kViews / 8);
 }
 
-TEST(DrawView, HasTheShapeInTheImageWithinItsDistances) {
+TEST(DrawView, ShowsTheShapeWithinTheDistanceRange) {
   const ViewConfig config;
   for (const View& view : DrawViews(config)) {
     const Eigen::Vector3d p_C = view.X_WC.inverse() * Eigen::Vector3d(0.4, -0.2, 0.0);
@@ -83,7 +83,7 @@ TEST(DrawView, GivesTheSameViewsForTheSameSeed) {
   EXPECT_FALSE(first.front().X_WC.isApprox(other.front().X_WC));
 }
 
-TEST(ViewConfig, RefusesEmptyRangesAndImpossibleShares) {
+TEST(ViewConfig, RejectsEmptyRangesAndInvalidFractions) {
   EXPECT_NO_THROW(ViewConfig{}.Validate());
   EXPECT_THROW((ViewConfig{.min_distance_m = 2.0, .max_distance_m = 1.0}.Validate()), InputError);
   EXPECT_THROW((ViewConfig{.hovering_fraction = -0.1}.Validate()), InputError);
