@@ -116,12 +116,17 @@ runner::Scenario ShippedFlight(const std::string& name, std::uint64_t seed, cons
 
 Json FlyAndSummarize(const runner::Scenario& scenario, const FlightSummaryOptions& options,
                      const util::StopRequested& stop_requested) {
-  std::optional<ShadowEstimator> shadow;
+  std::optional<ShadowEstimator> integer_points, unverified;
   std::vector<runner::FlightObserver*> observers;
   if (options.integer_contours) {
-    estimator::EstimatorConfig integer_points = scenario.estimator;
-    integer_points.paper.contour_points = estimator::pad::ContourPoints::kInteger;
-    observers.push_back(&shadow.emplace(scenario, integer_points));
+    estimator::EstimatorConfig config = scenario.estimator;
+    config.paper.contour_points = estimator::pad::ContourPoints::kInteger;
+    observers.push_back(&integer_points.emplace(scenario, config));
+  }
+  if (options.unverified) {
+    estimator::EstimatorConfig config = scenario.estimator;
+    config.paper.verify = estimator::paper::Verify::kNone;
+    observers.push_back(&unverified.emplace(scenario, config));
   }
   const runner::FlightLog log = runner::FlyClosedLoop(scenario, observers, stop_requested);
   if (log.outcome == runner::Outcome::kError) throw std::runtime_error(scenario.name + ": " + log.reason);
@@ -136,7 +141,14 @@ Json FlyAndSummarize(const runner::Scenario& scenario, const FlightSummaryOption
       {"passed", std::all_of(checks.begin(), checks.end(), [](const runner::Check& check) { return check.pass; })},
       {"truth", ErrorsJson(log.frames)},
       {"tracking", ErrorsJson(WithTrackingAsTruth(log.frames, log.tracking, tracking_period))}};
-  if (shadow) json["integer"] = ErrorsJson(shadow->frames());
+  if (integer_points) json["integer"] = ErrorsJson(integer_points->frames());
+  if (unverified) {
+    json["unverified"] = ErrorsJson(unverified->frames());
+    const runner::Metrics detection = runner::Detection(unverified->frames());
+    for (const char* name : {"estimate.availability", "estimate.false_pads"}) {
+      if (const auto found = detection.find(name); found != detection.end()) json["unverified"][name] = found->second;
+    }
+  }
   for (const char* name :
        {"estimate.availability", "estimate.false_pads", "estimate.ring_frames", "flight.max_tilt_deg",
         "flight.sim_time_s", "flight.max_xy_offset_m", "flight.touchdown_xy_error_m", "flight.touchdown_speed_m_s"}) {

@@ -17,6 +17,7 @@ runner::Scenario ShippedFlight(const std::string& name, std::uint64_t seed, cons
 /// Optional entries of a flight summary.
 struct FlightSummaryOptions {
   bool integer_contours = false;  ///< Adds the errors with integer contour points, on the same frames.
+  bool unverified = false;        ///< Adds the results with `verify: none`, on the same frames.
   bool series = false;            ///< Adds the time series of the flight.
 };
 

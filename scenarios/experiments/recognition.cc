@@ -43,7 +43,8 @@ class RecognitionRoom {
         random_(static_cast<std::uint64_t>(number), with_pad ? "paper.recognition.pad" : "paper.recognition.decoys"),
         scene_(sim::MakeScene(DistractorConfig(with_pad), nominal.pad, random_.Bits())),
         shapes_(training::FindGroundShapes(scene_)),
-        static_scene_(nominal, scene_, random_.Bits(), views_.noise_sigmas) {}
+        static_scene_(nominal, scene_, random_.Bits(), views_.noise_sigmas),
+        unverified_(WithoutTemplateCheck(nominal)) {}
 
   /// A frame, its labels and its estimate.
   struct Sample {
@@ -51,6 +52,7 @@ class RecognitionRoom {
     models::Image image = {};
     std::vector<std::optional<ComponentClass>> truth = {};  ///< True class of each component; nullopt if unclear.
     estimator::FrameResult estimate = {};
+    estimator::FrameResult unverified = {};  ///< Estimate of the same frame with `verify: none`.
   };
 
   /// Draws a view. In a room with a pad, four views in five aim at the pad, and all others at distractors.
@@ -71,17 +73,18 @@ class RecognitionRoom {
         training::LabelComponents(set, shapes_, projections, {sample.image.width, sample.image.height}, blur_px, {});
     const Eigen::Isometry3d X_WB = sample.view.X_WC * nominal_.vehicle.X_BC().inverse();
     sample.estimate = static_scene_.Estimate(sample.image, DownInBody(X_WB));
+    sample.unverified = unverified_.Estimate(sample.image, DownInBody(X_WB));
     return sample;
   }
 
   bool ShowsWholeRing(const training::View& view) const {
     return scene_.config.pad && runner::WholeRingInView(nominal_.camera.model, nominal_.pad, view.X_WC);
   }
-  /// Whether the estimator found a pad that is not there.
-  bool IsFalsePad(const Sample& sample) const {
-    if (!sample.estimate.pad_px) return false;
-    const auto pad_px = nominal_.camera.model.Project(sample.view.X_WC.inverse() * Eigen::Vector3d::Zero());
-    return !scene_.config.pad || !pad_px || (*pad_px - *sample.estimate.pad_px).norm() > runner::kFalsePad_px;
+  /// Whether an estimate of a frame from `view` has a pad that is not there.
+  bool IsFalsePad(const estimator::FrameResult& estimate, const training::View& view) const {
+    if (!estimate.pad_px) return false;
+    const auto pad_px = nominal_.camera.model.Project(view.X_WC.inverse() * Eigen::Vector3d::Zero());
+    return !scene_.config.pad || !pad_px || (*pad_px - *estimate.pad_px).norm() > runner::kFalsePad_px;
   }
 
  private:
@@ -93,12 +96,18 @@ class RecognitionRoom {
     return config;
   }
 
+  static runner::Scenario WithoutTemplateCheck(runner::Scenario scenario) {
+    scenario.estimator.paper.verify = estimator::paper::Verify::kNone;
+    return scenario;
+  }
+
   const runner::Scenario& nominal_;
   training::ViewConfig views_ = Views();
   RandomStream random_;
   sim::Scene scene_;
   std::vector<training::GroundShape> shapes_;
   StaticScene static_scene_;
+  SingleFrameEstimator unverified_;
 };
 
 /// Class that the strategy `paper` assigned to a component, from the name of its box. The overlay has one box for each
@@ -116,7 +125,7 @@ Json CountFalsePositives(const runner::Scenario& nominal, int number, int frames
   RecognitionRoom room(nominal, number, false);
   // Confusion matrix: number of components by true class and assigned class.
   std::array<std::array<int, 3>, 3> confusion{};
-  int frames_false_circle = 0, frames_false_letter = 0, pairs = 0, pads = 0;
+  int frames_false_circle = 0, frames_false_letter = 0, pairs = 0, pads = 0, unverified_pads = 0;
   for (int i = 0; i < frames; ++i) {
     if (stop_requested && stop_requested()) throw util::Interrupted();
     const RecognitionRoom::Sample sample = room.DrawSample();
@@ -133,13 +142,15 @@ Json CountFalsePositives(const runner::Scenario& nominal, int number, int frames
     const bool is_pair = sample.estimate.reason == Name(estimator::paper::Reason::kNoEllipse) || sample.estimate.pose;
     pairs += is_pair ? 1 : 0;
     pads += sample.estimate.pose ? 1 : 0;
+    unverified_pads += sample.unverified.pose ? 1 : 0;
   }
   return {{"frames", frames},
           {"given", confusion},
           {"frames_false_circle", frames_false_circle},
           {"frames_false_letter", frames_false_letter},
           {"pairs", pairs},
-          {"pads", pads}};
+          {"pads", pads},
+          {"unverified_pads", unverified_pads}};
 }
 
 std::size_t BinOf(double value, std::span<const double> edges) {
@@ -153,14 +164,17 @@ Json CountDetections(const runner::Scenario& nominal, int number, int frames,
                      const util::StopRequested& stop_requested) {
   RecognitionRoom room(nominal, number, true);
   std::array<std::array<std::array<int, 2>, kRecallTilts_deg.size() - 1>, kRecallDistances_m.size() - 1> bins{};
-  int in_view = 0, found = 0, false_pads = 0, all = 0;
+  int in_view = 0, found = 0, false_pads = 0, all = 0, unverified_found = 0, unverified_false_pads = 0;
   while (in_view < frames) {
     if (stop_requested && stop_requested()) throw util::Interrupted();
     const RecognitionRoom::Sample sample = room.DrawSample();
     ++all;
-    false_pads += room.IsFalsePad(sample) ? 1 : 0;
+    const bool is_false = room.IsFalsePad(sample.estimate, sample.view),
+               unverified_is_false = room.IsFalsePad(sample.unverified, sample.view);
+    false_pads += is_false ? 1 : 0;
+    unverified_false_pads += unverified_is_false ? 1 : 0;
     if (!room.ShowsWholeRing(sample.view)) continue;
-    const bool correct = sample.estimate.pose && !room.IsFalsePad(sample);
+    const bool correct = sample.estimate.pose && !is_false;
     const double distance_m = sample.view.X_WC.translation().norm();
     const double tilt_deg = models::RadToDeg(std::acos(std::clamp(-sample.view.X_WC.linear()(2, 2), -1.0, 1.0)));
     auto& bin = bins[BinOf(distance_m, kRecallDistances_m)][BinOf(tilt_deg, kRecallTilts_deg)];
@@ -168,8 +182,15 @@ Json CountDetections(const runner::Scenario& nominal, int number, int frames,
     bin[1] += correct ? 1 : 0;
     ++in_view;
     found += correct ? 1 : 0;
+    unverified_found += sample.unverified.pose && !unverified_is_false ? 1 : 0;
   }
-  return {{"all", all}, {"frames", in_view}, {"found", found}, {"false_pads", false_pads}, {"bins", bins}};
+  return {{"all", all},
+          {"frames", in_view},
+          {"found", found},
+          {"false_pads", false_pads},
+          {"unverified_found", unverified_found},
+          {"unverified_false_pads", unverified_false_pads},
+          {"bins", bins}};
 }
 
 std::string FalseId(int room) { return fmt::format("recognition_decoys_{}", room); }
@@ -184,7 +205,7 @@ std::string Percent(const util::Interval& rate, int digits) {
 /// Sums of the counts of all rooms without a pad.
 struct FalseCounts {
   std::array<std::array<int, 3>, 3> confusion{};
-  int frames = 0, frames_false_circle = 0, frames_false_letter = 0, pairs = 0, pads = 0;
+  int frames = 0, frames_false_circle = 0, frames_false_letter = 0, pairs = 0, pads = 0, unverified_pads = 0;
 
   /// False positive rate of a class, p1 for circles and p2 for H: components of the other classes that are labeled as
   /// `label`, divided by all components of the other classes.
@@ -212,6 +233,7 @@ FalseCounts SumFalse(const PaperPlan& plan, const Measured& measured) {
     sum.frames_false_letter += json.at("frames_false_letter").get<int>();
     sum.pairs += json.at("pairs").get<int>();
     sum.pads += json.at("pads").get<int>();
+    sum.unverified_pads += json.at("unverified_pads").get<int>();
   }
   return sum;
 }
@@ -221,7 +243,8 @@ void ReportFalse(const FalseCounts& sum, PaperSection& section) {
   const util::Interval frames_p1 = util::WilsonInterval(sum.frames_false_circle, sum.frames),
                        frames_p2 = util::WilsonInterval(sum.frames_false_letter, sum.frames),
                        pairs = util::WilsonInterval(sum.pairs, sum.frames),
-                       pads = util::WilsonInterval(sum.pads, sum.frames);
+                       pads = util::WilsonInterval(sum.pads, sum.frames),
+                       unverified = util::WilsonInterval(sum.unverified_pads, sum.frames);
   section.tables.push_back(
       {.name = "recognition_false_positives",
        .caption = fmt::format(
@@ -230,7 +253,8 @@ void ReportFalse(const FalseCounts& sum, PaperSection& section) {
        .rows = {{"circle, p1", Percent(p1, 3), Percent(frames_p1, 2)},
                 {"letter H, p2", Percent(p2, 3), Percent(frames_p2, 2)},
                 {"pair that meets the geometric constraint", "-", Percent(pairs, 3)},
-                {"landing pad", "-", Percent(pads, 3)}}});
+                {"landing pad, verify: none (as published)", "-", Percent(unverified, 3)},
+                {"landing pad, verify: template", "-", Percent(pads, 3)}}});
   section.compared.push_back(
       {.quantity = "False pads, share of frames with decoys alone",
        .unit = "%",
@@ -242,12 +266,14 @@ void ReportFalse(const FalseCounts& sum, PaperSection& section) {
 
 void ReportFound(const PaperPlan& plan, const Measured& measured, PaperSection& section) {
   std::array<std::array<std::array<int, 2>, kRecallTilts_deg.size() - 1>, kRecallDistances_m.size() - 1> bins{};
-  int frames = 0, found = 0, false_pads = 0, all = 0;
+  int frames = 0, found = 0, false_pads = 0, all = 0, unverified_found = 0, unverified_false_pads = 0;
   for (int room = 1; room <= plan.recognition_scenes; ++room) {
     const Json& json = measured.at(FoundId(room));
     frames += json.at("frames").get<int>();
     found += json.at("found").get<int>();
     false_pads += json.at("false_pads").get<int>();
+    unverified_found += json.at("unverified_found").get<int>();
+    unverified_false_pads += json.at("unverified_false_pads").get<int>();
     all += json.at("all").get<int>();
     for (std::size_t i = 0; i < bins.size(); ++i) {
       for (std::size_t k = 0; k < bins[i].size(); ++k) {
@@ -272,6 +298,14 @@ void ReportFound(const PaperPlan& plan, const Measured& measured, PaperSection& 
     table.rows.push_back(std::move(cells));
   }
   section.tables.push_back(std::move(table));
+  section.tables.push_back(
+      {.name = "recognition_verification",
+       .caption = "Detection with and without the template check (estimator.paper.verify), on the same frames.",
+       .head = {"verify", fmt::format("found, of {} frames with the whole ring", frames),
+                fmt::format("false pads, of {} frames", all)},
+       .rows = {{"template", Percent(util::WilsonInterval(found, frames), 1), std::to_string(false_pads)},
+                {"none (as published)", Percent(util::WilsonInterval(unverified_found, frames), 1),
+                 std::to_string(unverified_false_pads)}}});
 }
 
 PaperSection ReportRecognition(const PaperPlan& plan, const Measured& measured) {

@@ -12,6 +12,20 @@
 
 namespace touchdown::experiments {
 
+/// Runs the estimator of a scenario, with the assumed camera and mountings, on single frames of a vehicle at rest.
+class SingleFrameEstimator {
+ public:
+  explicit SingleFrameEstimator(const runner::Scenario& scenario);
+
+  /// Result for a frame, after a reset. `gravity_B` is the unit vector pointing down in B, which the IMU measures at
+  /// rest.
+  estimator::FrameResult Estimate(const models::Image& image, const Eigen::Vector3d& gravity_B);
+
+ private:
+  Eigen::Matrix3d R_BU_;  // Assumed orientation of the IMU.
+  std::unique_ptr<estimator::StateEstimator> estimator_;
+};
+
 /// Renders single frames of a static scene from given camera poses, and runs the estimator on them, for experiments
 /// without a flight. The scenario's true camera renders the frames; the estimator uses the assumed camera model and
 /// mountings.
@@ -29,14 +43,14 @@ class StaticScene {
   /// Renders the last view again, with new image noise.
   models::Image CaptureAgain() { return camera_.CaptureAgain(); }
 
-  /// Runs the estimator on a frame, after a reset. `gravity_B` is the unit vector pointing down in B, which the IMU
-  /// measures at rest.
-  estimator::FrameResult Estimate(const models::Image& image, const Eigen::Vector3d& gravity_B);
+  /// See SingleFrameEstimator::Estimate.
+  estimator::FrameResult Estimate(const models::Image& image, const Eigen::Vector3d& gravity_B) {
+    return estimator_.Estimate(image, gravity_B);
+  }
 
  private:
   training::SceneCamera camera_;
-  Eigen::Matrix3d R_BU_;  // Assumed orientation of the IMU.
-  std::unique_ptr<estimator::StateEstimator> estimator_;
+  SingleFrameEstimator estimator_;
 };
 
 /// Unit vector pointing down, in B.
