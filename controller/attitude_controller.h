@@ -16,13 +16,13 @@ struct AttitudeControllerConfig {
   double roll_pitch_rate_integral_gain_1_s2 = 20.0;
   double roll_pitch_rate_derivative_gain = 0.4;
   double derivative_cutoff_hz = 30.0;
-  double max_roll_pitch_rate_deg_s = 229.1831180523293;
+  double max_roll_pitch_rate_deg_s = 230.0;
   double max_roll_pitch_integral_rad_s2 = 10.0;
 
   double yaw_angle_gain_1_s = 2.0;
   double yaw_rate_gain_1_s = 5.0;
   double yaw_rate_integral_gain_1_s2 = 3.0;
-  double max_yaw_rate_deg_s = 57.29577951308232;
+  double max_yaw_rate_deg_s = 57.0;
   double max_yaw_integral_rad_s2 = 2.0;
 
   /// Throws InputError for a value out of its range (see Describe).

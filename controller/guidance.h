@@ -40,7 +40,7 @@ struct GuidanceConfig {
 
   // Landing (Sec. V, Fig. 3): the truncated cone Q' and the steps.
   double cone_radius_m = 0.03;
-  double cone_half_angle_deg = 10.026761414789405;
+  double cone_half_angle_deg = 10.0;
   double h_err_m = 0.06;
   double t_0_s = 0.10;
   double h_step_m = 0.10;

@@ -22,7 +22,7 @@ struct PositionControllerConfig {
 
   double max_xy_speed_m_s = 0.7;
   double max_z_speed_m_s = 0.5;
-  double max_tilt_deg = 19.99622705006573;
+  double max_tilt_deg = 20.0;
   double max_z_acceleration_m_s2 = 3.0;
   double max_xy_integral_m_s2 = 1.5;  // 8.7 deg of trim: 4.8 m/s of wind.
   double max_z_integral_m_s2 = 2.0;

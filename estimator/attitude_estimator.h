@@ -17,9 +17,9 @@ namespace touchdown::estimator {
 struct AttitudeEstimatorConfig {
   double accelerometer_time_constant_s = 10.0;
   double gyro_bias_time_constant_s = 40.0;
-  double initial_tilt_sigma_deg = 1.1459155902616465;
-  double initial_gyro_bias_sigma_deg_s = 0.49847328176381617;
-  double level_ground_tolerance_deg = 4.010704565915763;
+  double initial_tilt_sigma_deg = 1.15;
+  double initial_gyro_bias_sigma_deg_s = 0.5;
+  double level_ground_tolerance_deg = 4.0;
   double acceleration_tolerance = 0.25;
   double yaw_time_constant_s = 0.5;
   double yaw_bias_time_constant_s = 20.0;

@@ -16,10 +16,10 @@ struct HandConfig {
   bool carries = false;
   double duration_s = 45.0;
   double max_height_m = 1.5;
-  double max_tilt_deg = 25.783100780887047;
-  double max_yaw_deg = 40.10704565915762;
+  double max_tilt_deg = 26.0;
+  double max_yaw_deg = 40.0;
   double tremor_m = 0.0002;
-  double tremor_deg = 0.04583662361046586;
+  double tremor_deg = 0.046;
   double tremor_hz = 9.0;  // Physiological tremor has 8 to 12 Hz.
 
   /// Throws InputError for a value out of its range (see Describe).

@@ -18,9 +18,9 @@ struct ImuConfig {
   int rate_hz = 200;
   double gyro_noise_rad_s_sqrt_hz = 1.7e-4;
   double accelerometer_noise_m_s2_sqrt_hz = 2.0e-3;
-  double gyro_bias_sigma_deg_s = 0.49847328176381617;
+  double gyro_bias_sigma_deg_s = 0.5;
   double accelerometer_bias_sigma_m_s2 = 0.196;  // 0.02 g.
-  double gyro_range_deg_s = 499.9973494988642;
+  double gyro_range_deg_s = 500.0;
   double accelerometer_range_m_s2 = 58.86;  // 6 g.
 
   /// Throws InputError for a value out of its range (see Describe), or when the rate does not divide `time`'s.

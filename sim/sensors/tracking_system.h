@@ -17,12 +17,12 @@ namespace touchdown::sim {
 struct TrackingSystemConfig {
   int rate_hz = 100;
   double position_noise_m = 0.002;
-  double rotation_noise_deg = 0.49847328176381617;
+  double rotation_noise_deg = 0.5;
   double occlusions_per_s = 0.05;
   double occlusion_duration_s = 0.2;
   double outlier_probability = 0.5;
   double outlier_position_m = 0.15;
-  double outlier_rotation_deg = 11.459155902616464;
+  double outlier_rotation_deg = 11.5;
 
   /// Throws InputError for a value out of its range (see Describe), or when the rate does not divide `time`'s or there
   /// are more occlusions than poses.

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -64,7 +65,7 @@ TEST(Scenario, TakesTheLastOfTwoOverrides) { EXPECT_EQ(Parse(With(""), {"seed=2"
 TEST(Scenario, ChangesItemsOfListsByTheirNumber) {
   const std::string text = With("events:\n  - {at_s: 1, do: push, force_n: [1, 2, 3], duration_s: 1}\n");
   const Scenario s = Parse(text, {"events.0.force_n.1=7", "events.0.at_s=4", "script.0.height_m=2"});
-  EXPECT_EQ(s.events[0].force_n, Eigen::Vector3d(1, 7, 3));
+  EXPECT_EQ(std::get<Push>(s.events[0].kind).force_n, Eigen::Vector3d(1, 7, 3));
   EXPECT_EQ(s.events[0].at_s, 4.0);
   EXPECT_EQ(s.script[0].position_m.z(), 2.0);
   EXPECT_THAT(ErrorOf(text, {"events.1.at_s=4"}), HasSubstr("events.1: unknown key, the list has 1 items"));
@@ -247,6 +248,24 @@ TEST(Scenario, RefusesAnUnknownControllerAndNamesTheKnownOnes) {
   EXPECT_EQ(Parse(With("controller: {name: paper}\n")).controller.name, "paper");
   EXPECT_THAT(ErrorOf(With("controller: {name: papyrus}\n")),
               HasSubstr("controller.name: unknown controller 'papyrus', known: paper"));
+}
+
+/// How many digits of a number carry information: 2 of 0.00120.
+std::size_t SignificantDigits(const std::string& number) {
+  std::string digits;
+  for (const char c : number.substr(0, number.find('e'))) {
+    if (c >= '0' && c <= '9' && !(digits.empty() && c == '0')) digits += c;
+  }
+  return digits.find_last_not_of('0') + 1;
+}
+
+TEST(ScenarioReference, HasRoundDefaults) {
+  for (const config::KeyRow& key : ScenarioReference()) {
+    std::stringstream numbers(key.default_value);
+    for (std::string number; std::getline(numbers, number, ',');) {
+      EXPECT_LE(SignificantDigits(number), 4u) << key.path << ": " << key.default_value;
+    }
+  }
 }
 
 TEST(ScenarioReference, ListsKeysOfEveryKind) {
