@@ -39,7 +39,7 @@ FrameResult LooselyCoupled::AddFrame(const models::ImageView& image, models::Tic
   if (s.pad_tracked) {
     const VisionPose& pose = result.pose.value();
     const Eigen::Isometry3d X_WB = models::ResolveYawAmbiguity(pose.X_WB, s.attitude.attitude().yaw);
-    s.filter.Update(mid_exposure, X_WB.translation());
+    s.filter.Update(mid_exposure, X_WB.translation(), pose.covariance.topLeftCorner<3, 3>());
     s.attitude.CorrectYaw(mid_exposure, models::TaitBryanFromRotation(X_WB.linear()).yaw);
     s.yaw_variance_rad2 = pose.covariance(5, 5);
   }

@@ -2,8 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace touchdown::estimator {
+
+namespace {
+
+constexpr std::array<std::string_view, 2> kVisionNoiseNames = {"height", "covariance"};
+
+}  // namespace
 
 void Describe(models::ConfigVisitor& v, PoseFilterConfig& c) {
   using namespace models;
@@ -15,6 +22,10 @@ void Describe(models::ConfigVisitor& v, PoseFilterConfig& c) {
             "Density of the vertical acceleration noise in the motion model. Larger follows vision sooner, with more "
             "noise."},
            c.z_acceleration_noise_m_s2_sqrt_hz, kMeterPerSecond2RootHertz, kPositive);
+  v.Choice({"vision_noise",
+            "Source of the standard deviation of vision's position: proportional to the height, or the covariance of the "
+            "pose. It is at least min_xy_noise_m and min_z_noise_m."},
+           c.vision_noise, kVisionNoiseNames);
   v.Number({"xy_noise_per_height",
             "Standard deviation of vision's horizontal position per meter of height, from tilt errors. Larger follows "
             "vision later."},
@@ -40,9 +51,9 @@ PoseFilter::PoseFilter(const PoseFilterConfig& config, const models::TimeBase& t
   config.Validate();
 }
 
-void PoseFilter::Update(models::Tick mid_exposure, const Eigen::Vector3d& p_WB) {
+void PoseFilter::Update(models::Tick mid_exposure, const Eigen::Vector3d& p_WB, const Eigen::Matrix3d& covariance) {
   if (newest_.has_value() && mid_exposure <= *newest_) return;
-  const Eigen::Vector3d noise = Noise(p_WB.z());
+  const Eigen::Vector3d noise = Noise(p_WB.z(), covariance);
   const Eigen::Vector3d density = AccelerationDensity();
   for (int i = 0; i < 3; ++i) {
     Axis& axis = axes_[static_cast<std::size_t>(i)];
@@ -87,9 +98,13 @@ Eigen::Vector3d PoseFilter::AccelerationDensity() const {
   return {xy, xy, config_.z_acceleration_noise_m_s2_sqrt_hz};
 }
 
-Eigen::Vector3d PoseFilter::Noise(double height_m) const {
-  const double xy = std::max(config_.min_xy_noise_m, config_.xy_noise_per_height * height_m);
-  return {xy, xy, std::max(config_.min_z_noise_m, config_.z_noise_per_height * height_m)};
+Eigen::Vector3d PoseFilter::Noise(double height_m, const Eigen::Matrix3d& covariance) const {
+  const double xy = config_.xy_noise_per_height * height_m, z = config_.z_noise_per_height * height_m;
+  const Eigen::Vector3d least(config_.min_xy_noise_m, config_.min_xy_noise_m, config_.min_z_noise_m);
+  const Eigen::Vector3d noise = config_.vision_noise == VisionNoise::kHeight
+                                    ? Eigen::Vector3d(xy, xy, z)
+                                    : Eigen::Vector3d(covariance.diagonal().cwiseMax(0.0).cwiseSqrt());
+  return noise.cwiseMax(least);
 }
 
 void PoseFilter::Axis::Start(double position, double position_sigma, double speed_sigma) {

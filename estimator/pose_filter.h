@@ -9,10 +9,17 @@
 
 namespace touchdown::estimator {
 
+/// Source of the standard deviation of a vision position.
+enum class VisionNoise {
+  kHeight,      ///< Proportional to the height.
+  kCovariance,  ///< The covariance of the pose.
+};
+
 /// Settings of PoseFilter. The acceleration noises are densities of the white noise that models the acceleration.
 struct PoseFilterConfig {
   double xy_acceleration_noise_m_s2_sqrt_hz = 0.40;
   double z_acceleration_noise_m_s2_sqrt_hz = 0.30;
+  VisionNoise vision_noise = VisionNoise::kCovariance;
   double xy_noise_per_height = 0.020;
   double min_xy_noise_m = 0.003;
   double z_noise_per_height = 0.005;
@@ -32,9 +39,10 @@ class PoseFilter {
   /// Throws InputError for an invalid config.
   PoseFilter(const PoseFilterConfig& config, const models::TimeBase& time);
 
-  /// Adds the position of a frame with status ok, m, at its mid-exposure. The first position sets the state. A frame
-  /// that is not newer than the newest one added is ignored.
-  void Update(models::Tick mid_exposure, const Eigen::Vector3d& p_WB);
+  /// Adds the position of a frame with status ok, m, at its mid-exposure, and its covariance in W, m^2, of which the
+  /// filter uses the diagonal. The first position sets the state. A frame that is not newer than the newest one added
+  /// is ignored.
+  void Update(models::Tick mid_exposure, const Eigen::Vector3d& p_WB, const Eigen::Matrix3d& covariance);
 
   /// Position and velocity predicted to `tick`; nullopt before the first update.
   std::optional<models::VehicleEstimate::Motion> At(models::Tick tick) const;
@@ -56,7 +64,7 @@ class PoseFilter {
     void Correct(double position, double position_sigma);
   };
 
-  Eigen::Vector3d Noise(double height_m) const;
+  Eigen::Vector3d Noise(double height_m, const Eigen::Matrix3d& covariance) const;
   Eigen::Vector3d AccelerationDensity() const;
 
   PoseFilterConfig config_;

@@ -15,6 +15,8 @@ using Eigen::Vector3d;
 using Motion = models::VehicleEstimate::Motion;
 using tests::kTime;
 
+const Eigen::Matrix3d kCovariance = 1e-4 * Eigen::Matrix3d::Identity();
+
 PoseFilter DefaultFilter() { return {PoseFilterConfig{}, kTime}; }
 
 TEST(PoseFilter, HasNoStateBeforeTheFirstPosition) {
@@ -25,7 +27,7 @@ TEST(PoseFilter, HasNoStateBeforeTheFirstPosition) {
 
 TEST(PoseFilter, StartsAtTheFirstPositionWithZeroVelocity) {
   PoseFilter filter = DefaultFilter();
-  filter.Update(40, {1.0, 2.0, 3.0});
+  filter.Update(40, {1.0, 2.0, 3.0}, kCovariance);
   const auto motion = filter.At(60);
   ASSERT_TRUE(motion.has_value());
   EXPECT_EQ(motion->p_WB, Vector3d(1.0, 2.0, 3.0));
@@ -39,7 +41,7 @@ TEST(PoseFilter, ConvergesToAConstantVelocityForIrregularFrames) {
   const Vector3d p0(0.3, -0.2, 1.0), v(0.2, -0.1, 0.05);
   models::Tick tick = 0;
   for (int i = 0; i < 200; ++i) {
-    filter.Update(tick, p0 + kTime.ToSeconds(tick) * v);
+    filter.Update(tick, p0 + kTime.ToSeconds(tick) * v, kCovariance);
     tick += random.UniformInt(5, 60);
   }
   const models::Tick later = *filter.newest() + 48;
@@ -55,7 +57,7 @@ Eigen::Vector2d ErrorsAtRest(double height_m, const Vector3d& noise) {
   double p_sum = 0.0, v_sum = 0.0;
   constexpr int kFrames = 4000, kWarmUp = 100;
   for (int i = 0; i < kFrames; ++i) {
-    filter.Update(20 * i, Vector3d(0.0, 0.0, height_m) + noise.cwiseProduct(random.NormalVector3()));
+    filter.Update(20 * i, Vector3d(0.0, 0.0, height_m) + noise.cwiseProduct(random.NormalVector3()), kCovariance);
     if (i < kWarmUp) continue;
     const Motion motion = *filter.At(20 * i + 24);
     p_sum += motion.p_WB.head<2>().squaredNorm() / 2.0;
@@ -80,7 +82,7 @@ TEST(PoseFilter, FollowsAnAccelerationWithASmallLag) {
   const double a = 1.0;
   for (int i = 0; i <= 120; ++i) {
     const double t = i / 60.0;
-    filter.Update(20 * i, {0.5 * a * t * t, 0.0, 1.0});
+    filter.Update(20 * i, {0.5 * a * t * t, 0.0, 1.0}, kCovariance);
   }
   const Motion motion = *filter.At(20 * 120);
   EXPECT_NEAR(motion.v_WB.x(), 2.0 * a, 0.20 * a);
@@ -89,18 +91,18 @@ TEST(PoseFilter, FollowsAnAccelerationWithASmallLag) {
 
 TEST(PoseFilter, ConvergesAfterAGapInTheFrames) {
   PoseFilter filter = DefaultFilter();
-  for (int i = 0; i < 60; ++i) filter.Update(20 * i, {0.0, 0.0, 1.0});
+  for (int i = 0; i < 60; ++i) filter.Update(20 * i, {0.0, 0.0, 1.0}, kCovariance);
   const models::Tick again = 20 * 60 + 2400;
-  for (int i = 0; i < 30; ++i) filter.Update(again + 20 * i, {0.6, 0.0, 1.2});
+  for (int i = 0; i < 30; ++i) filter.Update(again + 20 * i, {0.6, 0.0, 1.2}, kCovariance);
   EXPECT_NEAR((filter.At(*filter.newest())->p_WB - Vector3d(0.6, 0.0, 1.2)).norm(), 0.0, 0.03);
   EXPECT_LT(filter.At(*filter.newest())->v_WB.norm(), 0.2);
 }
 
 TEST(PoseFilter, IgnoresAFrameThatIsNotNewer) {
   PoseFilter filter = DefaultFilter();
-  filter.Update(40, {0.0, 0.0, 1.0});
-  filter.Update(40, {5.0, 0.0, 1.0});
-  filter.Update(20, {5.0, 0.0, 1.0});
+  filter.Update(40, {0.0, 0.0, 1.0}, kCovariance);
+  filter.Update(40, {5.0, 0.0, 1.0}, kCovariance);
+  filter.Update(20, {5.0, 0.0, 1.0}, kCovariance);
   EXPECT_EQ(filter.At(40)->p_WB, Vector3d(0.0, 0.0, 1.0));
   EXPECT_EQ(filter.newest(), 40);
 }
@@ -113,6 +115,18 @@ TEST(PoseFilterConfig, RejectsInvalidValues) {
   config = {};
   config.initial_speed_m_s = NAN;
   EXPECT_THROW(PoseFilter(config, kTime), InputError);
+}
+
+TEST(PoseFilter, FollowsAPreciseFrameMoreThanOneOfLargeCovariance) {
+  PoseFilterConfig config;
+  config.vision_noise = VisionNoise::kCovariance;
+  const auto after_a_step = [&](double variance_m2) {
+    PoseFilter filter(config, kTime);
+    for (int i = 0; i < 60; ++i) filter.Update(20 * i, {0.0, 0.0, 1.0}, kCovariance);
+    filter.Update(1200, {0.1, 0.0, 1.0}, variance_m2 * Eigen::Matrix3d::Identity());
+    return filter.At(1200)->p_WB.x();
+  };
+  EXPECT_GT(after_a_step(1e-5), 2.0 * after_a_step(1e-3));
 }
 
 }  // namespace

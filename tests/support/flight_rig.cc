@@ -158,7 +158,7 @@ class Rig {
   void Control() {
     attitude_.Update(imu_.Sample(tick_, truth_.state.rotor_speed[0] > 50.0), controller_.phase() == Phase::kStandby);
     while (!in_flight_.empty() && in_flight_.front().delivered <= tick_) {
-      filter_.Update(in_flight_.front().mid_exposure, in_flight_.front().p);
+      filter_.Update(in_flight_.front().mid_exposure, in_flight_.front().p, Eigen::Matrix3d::Zero());
       attitude_.CorrectYaw(in_flight_.front().mid_exposure, in_flight_.front().yaw);
       in_flight_.pop_front();
     }
