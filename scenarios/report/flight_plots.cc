@@ -210,28 +210,13 @@ Json SpansJson(const std::vector<FlightSeries::Span>& spans) {
   return json;
 }
 
-std::string EventText(const runner::Event& event) {
-  switch (event.kind) {
-    case runner::Event::Kind::kPush:
-      return event.force_n.isZero() ? fmt::format("push {:.3g} N m", event.torque_n_m.norm())
-                                    : fmt::format("push {:.3g} N", event.force_n.norm());
-    case runner::Event::Kind::kWind:
-      return fmt::format("wind {:.3g} m/s", event.velocity_m_s.norm());
-    case runner::Event::Kind::kCoverPad:
-      return "pad covered";
-    case runner::Event::Kind::kLoseFrames:
-      break;
-  }
-  return "frames lost";
-}
-
 /// Events that began before the end of the flight.
 Json EventsJson(const std::vector<runner::Event>& events, double duration_s) {
   Json json = Json::array();
   for (const runner::Event& event : events) {
     if (event.at_s > duration_s) continue;
     const double to_s = std::min(event.at_s + event.duration_s, duration_s);
-    json.push_back({{"name", EventText(event)}, {"from_s", Time(event.at_s)}, {"to_s", Time(to_s)}});
+    json.push_back({{"name", event.Label()}, {"from_s", Time(event.at_s)}, {"to_s", Time(to_s)}});
   }
   return json;
 }

@@ -18,16 +18,13 @@ class EventPlayer {
   void Apply(models::Tick tick, sim::World& world);
 
   /// Whether the camera's frames are lost, and the pad covered, at the tick of the newest Apply.
-  bool frames_are_lost() const { return frames_are_lost_; }
-  bool pad_is_covered() const { return pad_is_covered_; }
+  bool frames_are_lost() const { return effects_.frames_are_lost; }
+  bool pad_is_covered() const { return effects_.pad_is_covered; }
 
  private:
-  bool Acts(const Event& event, models::Tick tick) const;
-
   std::vector<Event> events_;
   models::TimeBase time_;
-  bool frames_are_lost_ = false;
-  bool pad_is_covered_ = false;
+  EventEffects effects_;
 };
 
 }  // namespace touchdown::runner

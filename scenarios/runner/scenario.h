@@ -20,6 +20,7 @@
 #include "models/time.h"
 #include "models/vehicle.h"
 #include "scenarios/config/config_reference.h"
+#include "scenarios/runner/events/event.h"
 #include "sim/dynamics/hand.h"
 #include "sim/dynamics/world.h"
 #include "sim/scene/scene.h"
@@ -46,24 +47,6 @@ struct Start {
   bool airborne = false;
   Eigen::Vector3d position_m = Eigen::Vector3d(0.0, 0.0, 1.0);  ///< p_WB; on the ground, the height is not used.
   double yaw_deg = 0.0;
-};
-
-/// Something that happens to the vehicle or its surroundings, starting at a time.
-struct Event {
-  enum class Kind {
-    kPush,        ///< A constant force and torque, for a while.
-    kWind,        ///< The mean wind changes, for good.
-    kCoverPad,    ///< A plain sheet lies over the pad, for a while.
-    kLoseFrames,  ///< The camera's frames do not arrive, for a while.
-  };
-  static constexpr std::array<std::string_view, 4> kNames = {"push", "wind", "cover_pad", "lose_frames"};
-
-  Kind kind = Kind::kPush;
-  double at_s = 0.0;
-  double duration_s = 0.0;
-  Eigen::Vector3d force_n = Eigen::Vector3d::Zero();
-  Eigen::Vector3d torque_n_m = Eigen::Vector3d::Zero();
-  Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();
 };
 
 /// A bound on a metric, which the flight must keep to pass.
@@ -126,6 +109,9 @@ struct Override {
   std::string place;             ///< What messages call it.
   std::filesystem::path folder;  ///< That names of files within it are meant from.
 };
+
+/// Throws InputError for a duration in which no frame of the scenario's camera is due.
+void RequireCameraFrame(const Scenario& scenario, double duration_s);
 
 /// Reads a scenario's file and applies overrides over it, in their order. Throws InputError, naming file,
 /// line and key, for anything that is not as docs/scenarios.md has it.

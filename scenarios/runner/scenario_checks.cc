@@ -43,37 +43,21 @@ void CheckPlaces(models::ConfigVisitor& v, const Scenario& s) {
   }
 }
 
-/// Throws InputError for an event that is over before anything notices it.
-void RequireEffect(const Scenario& s, const Event& event) {
-  switch (event.kind) {
-    case Event::Kind::kPush:
-      if (event.force_n.isZero(0.0) && event.torque_n_m.isZero(0.0)) {
-        throw InputError("a push needs a force_n or a torque_n_m other than 0");
-      }
-      if (event.duration_s < s.time.period_s()) throw InputError("lasts less than a tick of the clock");
-      break;
-    case Event::Kind::kWind:
-      break;
-    case Event::Kind::kCoverPad:
-      if (!s.scene.pad) throw InputError("there is no pad to cover: scene.pad is false");
-      [[fallthrough]];
-    case Event::Kind::kLoseFrames:
-      if (event.duration_s * s.camera.rate_hz < 1.0) throw InputError("lasts less than a camera frame's period");
-      break;
-  }
-}
-
 void CheckEvents(models::ConfigVisitor& v, const Scenario& s) {
   for (std::size_t i = 0; i < s.events.size(); ++i) {
     const Event& event = s.events[i];
     v.Check(fmt::format("events.{}.at_s", i), [&] {
       if (event.at_s >= s.time_limit_s) throw InputError("must be below time_limit_s, the flight's end");
     });
-    v.Check(fmt::format("events.{}", i), [&] { RequireEffect(s, event); });
+    v.Check(fmt::format("events.{}", i), [&] { event.Check(s); });
   }
 }
 
 }  // namespace
+
+void RequireCameraFrame(const Scenario& s, double duration_s) {
+  if (duration_s * s.camera.rate_hz < 1.0) throw InputError("lasts less than a camera frame's period");
+}
 
 void CheckScenario(models::ConfigVisitor& v, const Scenario& s) {
   v.Check("camera.latency_ms", [&s] {

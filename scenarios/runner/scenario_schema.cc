@@ -110,27 +110,6 @@ void Describe(ConfigVisitor& v, Start& start) {
            start.yaw_deg, models::kDegree, Between(-90.0, 90.0));
 }
 
-void Describe(ConfigVisitor& v, Event& event) {
-  v.Number({"at_s", "Start of the event, from the start of the flight.", true}, event.at_s, kSecond, kTime);
-  v.Choice({"do", "Kind of event: a push, a new mean wind, a sheet over the pad, or lost camera frames.", true},
-           event.kind, Event::kNames);
-  switch (event.kind) {
-    case Event::Kind::kPush:
-      v.Vector3({"force_n", "Force in W at the body's origin (push only)."}, event.force_n, models::kNewton,
-                Between(-1e3, 1e3));
-      v.Vector3({"torque_n_m", "Torque in W (push only)."}, event.torque_n_m, {"Nm"}, Between(-1e3, 1e3));
-      break;
-    case Event::Kind::kWind:
-      v.Vector3({"velocity_m_s", "Mean wind in W from then on (wind only).", true}, event.velocity_m_s,
-                models::kMeterPerSecond, Between(-50.0, 50.0));
-      return;
-    case Event::Kind::kCoverPad:
-    case Event::Kind::kLoseFrames:
-      break;
-  }
-  v.Number({"duration_s", "Duration of the event (not for wind).", true}, event.duration_s, kSecond, kPositiveTime);
-}
-
 void Describe(ConfigVisitor& v, Criterion& criterion) {
   v.Text({"metric", "Name of the metric.", true}, criterion.metric);
   v.OptionalNumber({"min", "Smallest value that passes, in the unit of the metric's name."}, criterion.min, kNoUnit,

@@ -7,7 +7,6 @@ namespace touchdown::runner {
 
 void Describe(models::ConfigVisitor& v, Scenario& scenario);
 void Describe(models::ConfigVisitor& v, Start& start);
-void Describe(models::ConfigVisitor& v, Event& event);
 void Describe(models::ConfigVisitor& v, Criterion& criterion);
 
 /// The key `calibration` of a scenario. Keys that it leaves out are those of the scenario's camera and vehicle, so they

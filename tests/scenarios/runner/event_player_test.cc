@@ -35,10 +35,7 @@ class EventPlayerTest : public ::testing::Test {
 };
 
 TEST_F(EventPlayerTest, PushesFromItsTimeForItsDuration) {
-  Event push;
-  push.at_s = 0.1;
-  push.duration_s = 0.2;
-  push.force_n << 1.2, 0.0, 0.0;
+  const Event push{.kind = Push{.force_n = {1.2, 0.0, 0.0}}, .at_s = 0.1, .duration_s = 0.2};
   EventPlayer events({push}, time_);
   FlyTo(events, 120);
   EXPECT_DOUBLE_EQ(world_.state().v_WB.x(), 0.0);
@@ -53,19 +50,14 @@ TEST_F(EventPlayerTest, PushesFromItsTimeForItsDuration) {
 }
 
 TEST_F(EventPlayerTest, AddsPushesThatOverlap) {
-  Event push;
-  push.duration_s = 0.2;
-  push.force_n << 0.6, 0.0, 0.0;
+  const Event push{.kind = Push{.force_n = {0.6, 0.0, 0.0}}, .duration_s = 0.2};
   EventPlayer events({push, push}, time_);
   FlyTo(events, 240);
   EXPECT_NEAR(world_.state().v_WB.x(), 0.2, 0.01);
 }
 
 TEST_F(EventPlayerTest, BlowsTheNewestWindForGood) {
-  Event wind;
-  wind.kind = Event::Kind::kWind;
-  wind.at_s = 0.1;
-  wind.velocity_m_s << 0.0, 5.0, 0.0;
+  const Event wind{.kind = Wind{.velocity_m_s = {0.0, 5.0, 0.0}}, .at_s = 0.1};
   EventPlayer events({wind}, time_);
   FlyTo(events, 120);
   EXPECT_DOUBLE_EQ(world_.state().v_WB.y(), 0.0);
@@ -74,13 +66,8 @@ TEST_F(EventPlayerTest, BlowsTheNewestWindForGood) {
 }
 
 TEST_F(EventPlayerTest, CoversThePadAndLosesFramesForAWhile) {
-  Event cover, lose;
-  cover.kind = Event::Kind::kCoverPad;
-  cover.at_s = 0.1;
-  cover.duration_s = 0.1;
-  lose.kind = Event::Kind::kLoseFrames;
-  lose.at_s = 0.15;
-  lose.duration_s = 0.1;
+  const Event cover{.kind = CoverPad{}, .at_s = 0.1, .duration_s = 0.1};
+  const Event lose{.kind = LoseFrames{}, .at_s = 0.15, .duration_s = 0.1};
   EventPlayer events({cover, lose}, time_);
   const auto at = [&](models::Tick tick) {
     events.Apply(tick, world_);

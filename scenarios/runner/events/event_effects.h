@@ -1,0 +1,17 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+namespace touchdown::runner {
+
+/// The effects of all events of a flight at one tick. Each event adds its own.
+struct EventEffects {
+  Eigen::Vector3d force_n = Eigen::Vector3d::Zero();     ///< Force in W at the body's origin.
+  Eigen::Vector3d torque_n_m = Eigen::Vector3d::Zero();  ///< Torque in W.
+  std::optional<Eigen::Vector3d> mean_wind_m_s = {};     ///< New mean wind in W; nullopt: unchanged.
+  bool pad_is_covered = false;
+  bool frames_are_lost = false;
+};
+
+}  // namespace touchdown::runner
