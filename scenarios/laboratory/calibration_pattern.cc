@@ -47,11 +47,11 @@ std::string ChessboardMjcf(const Chessboard& board, const Eigen::Isometry3d& X_W
     for (int column = row % 2; column < board.columns; column += 2) {
       const Eigen::Vector3d p_E(board.square_m * (column + 0.5) - half.x(), half.y() - board.square_m * (row + 0.5),
                                 0.0);
-      things += Rectangle(X_WE, p_E, Eigen::Vector2d::Constant(0.5 * board.square_m), kInk);
+      geoms += Rectangle(X_WE, p_E, Eigen::Vector2d::Constant(0.5 * board.square_m), kInk);
     }
   }
-  things += Rectangle(X_WE, {0.0, 0.0, -kSheetDepth_m}, half.array() + board.border_m, kPaper);
-  things += Rectangle(X_WE, {0.0, 0.0, -kFloorDepth_m}, Eigen::Vector2d::Constant(kFloorHalfSize_m), kFloor);
+  geoms += Rectangle(X_WE, {0.0, 0.0, -kSheetDepth_m}, half.array() + board.border_m, kPaper);
+  geoms += Rectangle(X_WE, {0.0, 0.0, -kFloorDepth_m}, Eigen::Vector2d::Constant(kFloorHalfSize_m), kFloor);
   return fmt::format(
       "<mujoco model='chessboard'>\n"
       "  <compiler angle='radian' coordinate='local'/>\n"

@@ -51,13 +51,16 @@ TEST(PoseFilter, ConvergesToAConstantVelocityForIrregularFrames) {
 }
 
 /// RMSE of (position, velocity) for positions at 60 Hz with white noise.
-Eigen::Vector2d ErrorsAtRest(double height_m, const Vector3d& noise) {
-  PoseFilter filter = DefaultFilter();
+Eigen::Vector2d ErrorsAtRest(VisionNoise source, double height_m, const Vector3d& noise) {
+  PoseFilterConfig config;
+  config.vision_noise = source;
+  PoseFilter filter(config, kTime);
   models::RandomStream random(7, "pose_filter_test.noise");
   double p_sum = 0.0, v_sum = 0.0;
   constexpr int kFrames = 4000, kWarmUp = 100;
   for (int i = 0; i < kFrames; ++i) {
-    filter.Update(20 * i, Vector3d(0.0, 0.0, height_m) + noise.cwiseProduct(random.NormalVector3()), kCovariance);
+    filter.Update(20 * i, Vector3d(0.0, 0.0, height_m) + noise.cwiseProduct(random.NormalVector3()),
+                  noise.cwiseAbs2().asDiagonal());
     if (i < kWarmUp) continue;
     const Motion motion = *filter.At(20 * i + 24);
     p_sum += motion.p_WB.head<2>().squaredNorm() / 2.0;
@@ -67,14 +70,17 @@ Eigen::Vector2d ErrorsAtRest(double height_m, const Vector3d& noise) {
 }
 
 TEST(PoseFilter, ReducesTheNoise) {
-  const Eigen::Vector2d errors = ErrorsAtRest(1.0, {0.02, 0.02, 0.005});
-  EXPECT_LT(errors[0], 0.013);
-  EXPECT_LT(errors[1], 0.10);
+  for (const VisionNoise source : {VisionNoise::kHeight, VisionNoise::kCovariance}) {
+    const Eigen::Vector2d errors = ErrorsAtRest(source, 1.0, {0.02, 0.02, 0.005});
+    EXPECT_LT(errors[0], 0.013);
+    EXPECT_LT(errors[1], 0.10);
+  }
 }
 
 TEST(PoseFilter, WeightsHorizontalPositionsMoreAtLowHeight) {
   const Vector3d noise(0.01, 0.01, 0.002);
-  EXPECT_LT(ErrorsAtRest(1.5, noise)[1], 0.7 * ErrorsAtRest(0.25, noise)[1]);
+  EXPECT_LT(ErrorsAtRest(VisionNoise::kHeight, 1.5, noise)[1],
+            0.7 * ErrorsAtRest(VisionNoise::kHeight, 0.25, noise)[1]);
 }
 
 TEST(PoseFilter, FollowsAnAccelerationWithASmallLag) {
