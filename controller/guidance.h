@@ -72,7 +72,7 @@ void Describe(models::ConfigVisitor& v, GuidanceConfig& config);
 /// Guidance by set-points (Sec. V): where the flight stands, and what the position loop is to follow.
 class Guidance {
  public:
-  /// What it is told on a tick.
+  /// Inputs of a tick.
   struct Input {
     models::Tick tick = 0;
     models::VehicleEstimate::Motion motion;  ///< From vision while it is fresh, predicted otherwise.

@@ -40,7 +40,7 @@ TaitBryan TaitBryanFromRotation(const Eigen::Matrix3d& R_WB);
 /// The angle's equivalent in (-pi, pi].
 double WrapToPi(double angle);
 
-/// The angle's equivalent modulo pi in (-pi/2, pi/2]: what can be told of an H, which looks the same turned by
+/// Equivalent of an angle modulo pi, in (-pi/2, pi/2]: the observable yaw of an H, which looks the same rotated by
 /// 180 degrees (Sec. IV-C.3).
 double WrapToHalfPi(double angle);
 

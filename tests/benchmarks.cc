@@ -61,7 +61,7 @@ const std::vector<View>& Views(bool with_pad = true) {
   return with_pad ? with : without;
 }
 
-/// Also tells the share of the frames in which a pad was found, and what the slowest frame took.
+/// Also reports the fraction of the frames in which a pad was found, and the time of the slowest frame.
 void Vision(benchmark::State& state, bool with_pad, estimator::FrameOrder frame_order) {
   estimator::EstimatorSetup setup;
   setup.frame_order = frame_order;

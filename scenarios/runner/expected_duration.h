@@ -4,7 +4,7 @@
 
 namespace touchdown::runner {
 
-/// About how long a flight will take that goes as its script wants it, s; at most its time limit. For telling how far
+/// Approximate duration of a flight that follows its script, s; at most its time limit. For reporting how far
 /// it is: a flight may take another time.
 double ExpectedDuration_s(const Scenario& scenario);
 

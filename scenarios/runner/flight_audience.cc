@@ -4,24 +4,24 @@
 
 namespace touchdown::runner {
 
-template <typename Tell>
-void FlightAudience::ReportAll(const Tell& tell) {
+template <typename Notify>
+void FlightAudience::NotifyAll(const Notify& notify) {
   const util::Stopwatch clock;
-  for (FlightObserver* const observer : observers_) tell(*observer);
+  for (FlightObserver* const observer : observers_) notify(*observer);
   seconds_ += clock.seconds();
 }
 
 void FlightAudience::OnStart(const sim::World& world) {
-  ReportAll([&](FlightObserver& observer) { observer.OnStart(world); });
+  NotifyAll([&](FlightObserver& observer) { observer.OnStart(world); });
 }
 
 void FlightAudience::OnImu(const models::ImuSample& sample, bool at_rest) {
-  ReportAll([&](FlightObserver& observer) { observer.OnImu(sample, at_rest); });
+  NotifyAll([&](FlightObserver& observer) { observer.OnImu(sample, at_rest); });
 }
 
 void FlightAudience::OnFrame(const models::CameraFrame& frame, const estimator::FrameResult& estimate,
                              const FrameRecord& record) {
-  ReportAll([&](FlightObserver& observer) { observer.OnFrame(frame, estimate, record); });
+  NotifyAll([&](FlightObserver& observer) { observer.OnFrame(frame, estimate, record); });
 }
 
 }  // namespace touchdown::runner

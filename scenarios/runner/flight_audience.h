@@ -21,8 +21,8 @@ class FlightAudience final : public FlightObserver {
   double seconds() const { return seconds_; }
 
  private:
-  template <typename Tell>
-  void ReportAll(const Tell& tell);
+  template <typename Notify>
+  void NotifyAll(const Notify& notify);
 
   FlightObservers observers_;
   double seconds_ = 0.0;

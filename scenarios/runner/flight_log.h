@@ -15,14 +15,14 @@
 
 namespace touchdown::runner {
 
-/// What there is to tell of an IMU tick.
+/// Record of an IMU tick.
 struct TickRecord {
   sim::TrueState truth;
   models::VehicleEstimate estimate;
   controller::ControlOutput control;
 };
 
-/// What there is to tell of a delivered camera frame.
+/// Record of a delivered camera frame.
 struct FrameRecord {
   models::Tick delivered = 0;
   models::Tick mid_exposure = 0;
@@ -44,7 +44,7 @@ struct FrameRecord {
   double geometry_ms = 0.0;  ///< Of it, what fell to FrameStage::kGeometry.
 };
 
-/// What there is to tell of a pose of the tracking system.
+/// Record of a pose of the tracking system.
 struct TrackingRecord {
   models::TrackedPose tracked;
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  ///< The truth.

@@ -7,7 +7,7 @@
 
 namespace touchdown::runner {
 
-/// Sees a flight while it is flown, to draw it, to record it or to tell how far it is. Nothing of what it does reaches
+/// Observes a flight while it is flown, to draw it, to record it or to report progress. Nothing that it does reaches
 /// the flight, unless it throws, which ends it.
 class FlightObserver {
  public:
@@ -20,7 +20,7 @@ class FlightObserver {
   /// motors off. Ticks below 0 belong to a vehicle that stood before a flight that begins in the air.
   virtual void OnImu(const models::ImuSample& /*sample*/, bool /*at_rest*/) {}
 
-  /// A frame that is delivered now, with what the estimator made of it, and what there is to tell of it.
+  /// Called for a frame that is delivered at this tick, with its estimate and its record.
   virtual void OnFrame(const models::CameraFrame& /*frame*/, const estimator::FrameResult& /*estimate*/,
                        const FrameRecord& /*record*/) {}
 };

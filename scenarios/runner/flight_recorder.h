@@ -8,7 +8,7 @@
 
 namespace touchdown::runner {
 
-/// Writes a flight's log while it is flown. It sees the truth, and tells nobody.
+/// Records the log of a flight while it is flown. It sees the truth and passes none of it on.
 class FlightRecorder {
  public:
   explicit FlightRecorder(const Scenario& scenario);

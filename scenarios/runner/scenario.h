@@ -90,9 +90,9 @@ struct Scenario {
   controller::FlightControllerConfig controller;
 
   Outcome expected_outcome() const;
-  /// The camera as estimator and autopilot are told of it: the calibration's, or the true one.
+  /// Camera model that estimator and controller assume: the calibration's, or the true one.
   models::CameraModel assumed_camera() const { return calibration.camera_model.value_or(camera.model); }
-  /// The vehicle as they are told of it: with the calibration's mountings, where it has them.
+  /// Vehicle that estimator and controller assume: the true one with the mountings of the calibration, where given.
   models::Vehicle assumed_vehicle() const;
   /// Height at which the room ends: it is a cube.
   double ceiling_m() const { return scene.floor_size_m; }

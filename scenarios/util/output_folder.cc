@@ -119,7 +119,7 @@ void OutputFolder::Commit() {
 }
 
 void OutputFolder::ReplaceFiles() const {
-  // The first file tells that the others are there: it goes first and comes last.
+  // The first file marks the set as complete: it is removed first and written last.
   std::error_code error;
   for (const std::string& name : kind_.files) {
     fs::remove(place_ / name, error);

@@ -14,7 +14,7 @@ struct SubfolderKind {
   std::function<bool(const std::filesystem::path&)> holds;  ///< Whether a file, relative to it, is one of its own.
 };
 
-/// How to tell a folder of results from any other.
+/// Signature of a folder of results, by which it is recognized.
 struct FolderKind {
   std::vector<std::string> files;  ///< The names that it may hold; the first is always there.
   std::string mark;                ///< A text that the first file holds.

@@ -76,7 +76,7 @@ Interval QuantileInterval(std::vector<double> values, double q, int clusters) {
 int FewestForQuantile(double q) {
   // All of them on one side of the quantile must be rarer than an interval's miss on that side.
   const double nearer = std::max(q, 1.0 - q);
-  if (!(nearer < 1.0)) throw std::invalid_argument("no values tell the ends of such a quantile");
+  if (!(nearer < 1.0)) throw std::invalid_argument("no number of values bounds a quantile of 0 or 1");
   return static_cast<int>(std::ceil(std::log(1.0 - kUpper) / std::log(nearer)));
 }
 

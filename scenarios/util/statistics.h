@@ -22,10 +22,10 @@ double StandardDeviation(std::span<const double> values);
 double Quantile(std::span<const double> values, double q);
 
 /// The same, with the order statistics between which the true quantile lies whatever the distribution (David and
-/// Nagaraja 2003, section 7.1): an end that so few values do not tell is infinite. `clusters`: see WilsonInterval.
+/// Nagaraja 2003, section 7.1): an end that the values do not bound is infinite. `clusters`: see WilsonInterval.
 Interval QuantileInterval(std::vector<double> values, double q, int clusters);
 
-/// The fewest values that tell both ends of a quantile's interval; `q` in (0, 1).
+/// Smallest number of values that bound both ends of the interval of quantile `q`, in (0, 1).
 int FewestForQuantile(double q);
 
 /// The value below which a standard normal variable stays with that chance; of Student's t on so many degrees of

@@ -23,7 +23,7 @@ class ChaseView {
   ChaseView(const ChaseView&) = delete;
   ChaseView& operator=(const ChaseView&) = delete;
 
-  /// The vehicle at X_WB over a pad that lies bare or covered, blue, green, red. Its shadow tells where the
+  /// Image of the vehicle at X_WB over the pad, bare or covered, in blue, green, red. Its shadow shows where the
   /// vehicle is above, or without a sun a dark disc on the floor straight below each rotor. The picture is valid until
   /// the next call.
   const cv::Mat3b& Render(const Eigen::Isometry3d& X_WB, bool pad_is_covered);

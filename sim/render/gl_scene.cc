@@ -12,7 +12,7 @@ namespace touchdown::sim {
 namespace {
 
 constexpr int kMaxGeoms = 400;
-/// 24 bits of depth from 2 cm to 40 m tell sheets 0.2 mm apart up to 8 m away.
+/// Near and far clipping planes: 24 bits of depth from 2 cm to 40 m resolve sheets 0.2 mm apart up to 8 m away.
 constexpr double kNearPlane_m = 0.02;
 constexpr double kFarPlane_m = 40.0;
 

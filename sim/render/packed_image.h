@@ -20,7 +20,7 @@ struct FineImage {
 /// below. All arithmetic is on integers, so that sums do not depend on the instructions a CPU has.
 class PackedImage {
  public:
-  static constexpr int kFractionBits = 16;  ///< Positions are told in 1/65536 px.
+  static constexpr int kFractionBits = 16;  ///< Fixed-point positions have a resolution of 1/65536 px.
 
   /// A run of lookups: position i is (x[i], y[i]) + shift + i * step. Positions beyond the image are drawn to its
   /// border.

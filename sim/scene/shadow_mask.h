@@ -8,7 +8,7 @@
 
 namespace touchdown::sim {
 
-/// Fills what lies within a convex outline. `pixel_of` tells where a place of the ground lies in the mask, whose pixel
+/// Fills a convex outline. `pixel_of` maps a point on the ground to the mask, whose pixel
 /// centers lie on integers.
 void FillOutline(std::span<const Eigen::Vector2d> outline,
                  const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& pixel_of, std::uint8_t value,

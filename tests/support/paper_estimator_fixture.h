@@ -19,7 +19,7 @@ inline constexpr models::Tick kFrame = 20;
 /// An estimator that sees synthetic pictures of the pad, a frame apart.
 class PaperEstimatorFixture : public testing::Test {
  protected:
-  /// The body's pose whose camera looks straight down from `p_WC`, tilted as CameraAbovePad tells.
+  /// Pose of the body whose camera looks straight down from `p_WC`, tilted as in CameraAbovePad.
   Eigen::Isometry3d BodyWithCameraAt(const Eigen::Vector3d& p_WC, double yaw = 0.0, double tilt = 0.0,
                                      double direction = 0.0) const {
     return CameraAbovePad(p_WC, yaw, tilt, direction) * setup_.X_BC.inverse();

@@ -23,14 +23,14 @@ struct PhotoConditions {
   double exposure = 0.0;       ///< Brightness of the paper, 1 being the sensor's most.
   double noise_sigma = 0.0;    ///< Of 255.
   int jpeg_quality = 100;
-  std::string marks = "none";  ///< Marks within the ring that the pad's description does not tell.
+  std::string marks = "none";  ///< Markings within the ring that the pad description does not list.
   std::string floor = "plain";
 };
 
 /// A photograph of a printed sheet under room light, or of something that is not the pad, with its truth.
 struct Photograph {
   std::string subject;     ///< "pad", or one of DistractorKinds().
-  models::LandingPad pad;  ///< As the estimator is told.
+  models::LandingPad pad;  ///< As the estimator assumes it.
   models::CameraModel camera;
   models::Image image;
   PhotoConditions conditions;

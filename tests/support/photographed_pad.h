@@ -8,7 +8,7 @@ namespace touchdown::tests {
 
 /// A photograph of a pad. It shares no code, texture or model of light with sim/ and the training of the classifier:
 /// photo_artwork prints the sheet, photo_paper bends it, photo_floors lay what it lies on, photo_camera aims,
-/// photo_surfaces tells what each pixel looks at, photo_light lights it and photo_sensor makes the picture of it.
+/// photo_surfaces finds the surface that each pixel sees, photo_light lights it and photo_sensor makes the image.
 /// The same seed gives the same photograph, on the same type of CPU.
 Photograph PhotographPad(std::uint64_t seed);
 

@@ -6,7 +6,7 @@
 
 namespace touchdown::sweeper {
 
-/// What flights tell of the value at which the pass rate falls, or rises, through a level: the posterior over a
+/// Estimate of the value at which the pass rate falls, or rises, through a level: the posterior over a
 /// logistic curve of the pass rate over the value (its place, its width, its direction, and a share of failures that
 /// have nothing to do with the value), from a flat prior over the place within [min, max] and over the width's
 /// logarithm. So adaptive searches for thresholds work (Kontsevich and Tyler 1999).

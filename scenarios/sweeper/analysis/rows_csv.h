@@ -8,7 +8,7 @@
 
 namespace touchdown::sweeper {
 
-/// What tells a file of rows from any other: see WriteOutputFile.
+/// Signature of a file of rows: see WriteOutputFile.
 inline constexpr const char* kRowsCsvSignature = "id,variant,";
 
 /// The results of a sweep, wherever they were kept.

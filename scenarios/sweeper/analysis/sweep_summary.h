@@ -50,7 +50,8 @@ SweepOutcome ReadOutcome(const SweepStore& store);
 /// What became of a criterion on the sweep.
 struct SweepCheck {
   runner::Check check = {};
-  std::optional<util::Interval> interval = {};  ///< Of the value; an end that so few flights do not tell is infinite.
+  std::optional<util::Interval> interval =
+      {};  ///< Interval of the value; an end that the flights do not bound is infinite.
 };
 
 /// "0.9933", "good" or "none".

@@ -14,7 +14,7 @@ namespace touchdown::sweeper {
 inline constexpr double kPercent = 100.0;
 inline constexpr double kMillimeters = 1000.0;
 
-// Two colors and two shapes, so that neither is needed to tell them apart.
+// Two colors and two shapes: either alone distinguishes them.
 inline constexpr const char* kPassedPoints = "points pt 7 ps 0.5 lc rgb ESTIMATE";
 inline constexpr const char* kFailedPoints = "points pt 2 ps 0.8 lw 1.8 lc rgb SET_POINT";
 

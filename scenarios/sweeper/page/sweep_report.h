@@ -11,7 +11,7 @@ namespace touchdown::sweeper {
 inline constexpr const char* kSweepPageSignature = "<!-- touchdown.sweep -->";
 
 /// The page of a sweep and its summary, which lies in its folder as report.html and shows the pictures beside it.
-/// `folder` is told in the commands that fly a flight again, as it is. Throws as Draw does.
+/// `folder` appears verbatim in the commands that repeat a flight. Throws as Draw does.
 std::string SweepPage(const SweepOutcome& sweep, const SweepSummary& summary, const std::filesystem::path& folder);
 
 }  // namespace touchdown::sweeper

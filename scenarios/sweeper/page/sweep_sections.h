@@ -7,7 +7,7 @@
 
 namespace touchdown::sweeper {
 
-/// What a sweep's page tells, but for its head and its single failures: those sections that have something to tell.
+/// Sections of a sweep's page, without its head and its list of failures. Empty sections are left out.
 std::vector<report::ReportSection> SweepSections(const SweepOutcome& sweep, const SweepSummary& summary);
 
 /// Why a flight did not pass, in a few words: what became of its process, or how it ended, or

@@ -84,7 +84,7 @@ struct SweepSeeds {
   int count = 1;
 };
 
-/// What a flight of a sweep may take before it is ended and told as hung, or out of memory.
+/// Limits of a flight of a sweep. A flight beyond them is ended and reported as hung or out of memory.
 struct FlightLimits {
   std::optional<double> wall_s = {};  ///< Default: see SweepPlan.
   int memory_mb = 4096;
@@ -97,7 +97,7 @@ struct SearchedBoundary {
   double pass_rate = 0.5;
 };
 
-/// What is to be flown, as a file of scenarios/sweeps tells it.
+/// Flights to fly, as read from a file of scenarios/sweeps.
 struct SweepFile {
   std::string place = {};  ///< The file itself, for messages.
   std::string name = {};

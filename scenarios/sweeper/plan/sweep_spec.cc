@@ -104,7 +104,7 @@ SweepSpec TermsFromJson(const std::string& text) {
   try {
     return TermsFrom(Json::parse(text));
   } catch (const Json::exception&) {
-    throw InputError("tells of no sweep's terms");
+    throw InputError("does not hold the specification of a sweep");
   }
 }
 

@@ -7,13 +7,13 @@
 
 namespace touchdown::sweeper {
 
-/// A parameter of a sweep, as its results are told by it.
+/// Parameter of a sweep, an axis of its results.
 struct SweepAxis {
   std::string key = {};
   std::vector<std::string> listed = {};  ///< As YAML; empty for one whose values are drawn.
 };
 
-/// What a sweep's results are told and judged by: what is kept of its file beside its rows.
+/// Axes, limits and criteria of a sweep, by which its results are reported and judged. They are stored beside its rows.
 struct SweepSpec {
   std::string name = {};
   std::string description = {};

@@ -19,8 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int kApplicationId =
-    0x7464776e;  // "tdwn": what tells a sweep's database from any other (PRAGMA application_id).
+constexpr int kApplicationId = 0x7464776e;  // "tdwn", the application_id of a sweep database (PRAGMA application_id).
 constexpr int kVersion = 2;
 
 /// All but the table `flights`, which FlightsSchema describes.
@@ -98,7 +97,7 @@ struct SweepStore::Impl {
   fs::path file;
   std::optional<SQLite::Database> db;
 
-  /// Runs what works on the database, and tells of its errors as the user's.
+  /// Runs a database operation and converts its errors to InputError.
   template <typename Work>
   auto Guarded(Work&& work) -> decltype(work()) {
     try {

@@ -14,7 +14,7 @@
 
 namespace touchdown::sweeper {
 
-/// A sweep's results: sweep.db in its folder, an SQLite database (docs/sweeps.md tells its tables). Rows are there
+/// A sweep's results: sweep.db in its folder, an SQLite database (tables: docs/sweeps.md). Rows are there
 /// whole or not at all, whatever ends the program or the machine. All members throw InputError, naming the file, when
 /// it cannot be read or written, is damaged, or is no sweep's of this version.
 class SweepStore {

@@ -44,7 +44,7 @@ std::vector<TestedFlight> TestFlights(const fs::path& folder, int jobs, const ut
   const ProcessPoolOptions crew{.jobs = jobs,
                                 .fly = [&rows](const FlightTask& task) { FlyRow(task.scenario_yaml, task.id, rows); }};
   std::size_t next = 0, done = 0;
-  const auto tell = [&](const FlightRow& row) {
+  const auto report_row = [&](const FlightRow& row) {
     const auto test = std::find_if(tests.begin(), tests.end(),
                                    [&](const TestedFlight& each) { return each.file.stem().string() == row.id; });
     test->row = row;
@@ -53,7 +53,7 @@ std::vector<TestedFlight> TestFlights(const fs::path& folder, int jobs, const ut
     if (on_done) on_done(*test);
   };
   FlyTasks(
-      rows, crew, [&] { return next < tasks.size() ? &tasks[next++] : nullptr; }, tell, stop_requested);
+      rows, crew, [&] { return next < tasks.size() ? &tasks[next++] : nullptr; }, report_row, stop_requested);
   if (done < tests.size()) throw util::Interrupted();
   return tests;
 }

@@ -18,7 +18,7 @@ struct TestedFlight {
 };
 
 /// Flies every scenario (*.yaml) of a folder, not of those in it, so many at a time, each in a process of its own, and
-/// tells of each when it is done. Throws InputError when there is none, or one is no valid scenario: then nothing is
+/// reports each when it is done. Throws InputError when there is none, or one is no valid scenario: then nothing is
 /// flown; and Interrupted when a stop was requested. Returns them by their files' names.
 std::vector<TestedFlight> TestFlights(const std::filesystem::path& folder, int jobs,
                                       const util::StopRequested& stop_requested,

@@ -32,7 +32,7 @@ int MostSlurmTasks() {
   const std::string config = Ask({"scontrol", "show", "config"});
   std::smatch found;
   if (!std::regex_search(config, found, std::regex("MaxArraySize\\s*=\\s*([0-9]{1,9})"))) {
-    throw InputError("--slurm: scontrol tells no MaxArraySize");
+    throw InputError("--slurm: scontrol prints no MaxArraySize");
   }
   const int most = std::stoi(found[1]);
   if (most < 1) throw InputError("--slurm: this site takes no job arrays (MaxArraySize is 0)");

@@ -7,7 +7,7 @@
 
 namespace touchdown::sweeper {
 
-/// What a site may want to be told of a job, as sbatch takes it.
+/// Options of a job that a site may require, as sbatch accepts them.
 struct SlurmSite {
   std::optional<std::string> partition = {};
   std::optional<std::string> account = {};
@@ -17,7 +17,7 @@ struct SlurmSite {
 /// How many tasks an array may have at this site. Throws InputError when there is no Slurm, or it does not answer.
 int MostSlurmTasks();
 
-/// Submits a script that is to run in `folder`, once ReleaseJob is told the job's id, which it returns. Throws
+/// Submits a script that runs in `folder`, on hold until ReleaseJob, and returns the id of the job. Throws
 /// InputError, with what Slurm said, when it is refused.
 std::string SubmitHeld(const std::filesystem::path& script, const std::filesystem::path& folder, const SlurmSite& site);
 

@@ -82,12 +82,12 @@ void RefuseWhileQueued(const fs::path& folder) {
   if (!job) return;
   const auto tasks = TasksInQueue(*job);
   if (tasks && tasks->empty()) return;
-  throw InputError(
-      tasks ? fmt::format("output folder {}: its Slurm job {} is not over; touchdown status tells of it, and "
-                          "scancel {} ends it",
-                          folder.string(), *job, *job)
-            : fmt::format("output folder {}: squeue does not tell whether its Slurm job {} is over", folder.string(),
-                          *job));
+  throw InputError(tasks
+                       ? fmt::format("output folder {}: its Slurm job {} is not over; touchdown status reports it, and "
+                                     "scancel {} ends it",
+                                     folder.string(), *job, *job)
+                       : fmt::format("output folder {}: squeue does not report whether its Slurm job {} is over",
+                                     folder.string(), *job));
 }
 
 /// Before the job may run: one that the folder does not know would lose its tasks to the next.

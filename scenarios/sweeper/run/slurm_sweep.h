@@ -29,7 +29,7 @@ SlurmSweep PlanTasks(const SweepFile& file, const SweepPlan& plan, const std::fi
                      const SlurmOptions& options);
 
 /// Keeps a plan in `folder` and submits the flights that have no row there, as an array whose tasks FlyChunk;
-/// docs/cluster.md tells what lies in the folder then. Nothing is submitted when all are there. Throws InputError when
+/// docs/cluster.md lists the files in the folder. Nothing is submitted when all are there. Throws InputError when
 /// the folder is another's or cannot be written, an earlier job of it is not over, or Slurm is not there or refuses.
 SlurmSweep SubmitSweep(const SweepFile& file, const SweepPlan& plan, const std::filesystem::path& folder,
                        const SlurmOptions& options);

@@ -83,8 +83,8 @@ TEST(Renderer, TurnsTheLetterAlongTheWorldsX) {
   }
 }
 
-/// Paints a texture white but for one texel block, and tells where on the sheet the block is seen: the pad itself looks
-/// the same turned by 180 degrees, so that it cannot show a texture that is.
+/// Paints a texture white except for one block of texels, and returns where on the sheet the block appears: the pad
+/// itself looks the same turned by 180 degrees, so that it cannot show a texture that is.
 TEST(Renderer, ShowsTheTexturesFirstTexelAtTheSheetsCornerOfLowXAndHighY) {
   const Room room(EmptyRoomConfig());
   const int texture = mj_name2id(room.model.get(), mjOBJ_TEXTURE, "pad");

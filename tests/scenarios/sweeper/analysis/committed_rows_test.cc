@@ -1,4 +1,4 @@
-// docs/sweeps holds the rows of a sweep that ships: what the docs tell of it, and a baseline to hold changes against.
+// docs/sweeps holds the rows of a shipped sweep: the source of the figures in the documentation, and a baseline.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -137,7 +137,7 @@ TEST(SweepSummary, TellsTheEdgeThatWasSoughtAlsoWhereItMayLieBeyond) {
     sweep.results.push_back(
         {.seed = i, .values = {std::to_string(i % 11)}, .row = {.verdict = runner::Verdict::kPass}});
   }
-  EXPECT_EQ(Summarize(sweep).edges.at(0).edge, std::nullopt) << "all pass: nothing tells of an edge";
+  EXPECT_EQ(Summarize(sweep).edges.at(0).edge, std::nullopt) << "all pass: no boundary";
   EXPECT_FALSE(Summarize(sweep).finds_edge());
   sweep.results[5].row.verdict = runner::Verdict::kFail;
   const PassBoundaryOf edge = Summarize(sweep).edges.at(0);

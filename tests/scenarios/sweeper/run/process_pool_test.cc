@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// In place of a flight: what the id tells.
+/// Stands in for a flight: the id selects what it does.
 void Pretend(const FlightTask& task, const RowFolder& folder) {
   const auto is = [&task](const char* what) { return task.id.find(what) != std::string::npos; };
   std::cerr << task.id << " flies\n";
