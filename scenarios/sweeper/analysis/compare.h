@@ -14,11 +14,11 @@ namespace touchdown::sweeper {
 /// when it is neither, or cannot be read.
 StoredResults LoadResults(const std::string& source);
 
-/// The results of one variant, as if they were a sweep without variants, to be held against another's. Throws
+/// Results of one variant, as of a sweep without variants, for a comparison with another one. Throws
 /// InputError when there are none.
 StoredResults OfVariant(const StoredResults& stored, const std::string& variant);
 
-/// How a quantity differs between two sweeps, over the flights that both flew: B less A.
+/// Difference of a quantity between two sweeps, B - A, over the flights that both have.
 struct PairedDifference {
   std::string name = {};  ///< "pass_rate", or a metric's.
   std::string unit = {};
@@ -27,13 +27,13 @@ struct PairedDifference {
   double a = 0.0;  ///< Its mean.
   double b = 0.0;
   util::Interval difference = {};          ///< With 95 % confidence.
-  double min_detectable_difference = 0.0;  ///< The smallest change that so many seeds show with 80 % chance.
-  double margin = 0.0;                     ///< How much worse it may be.
+  double min_detectable_difference = 0.0;  ///< Smallest difference that these seeds detect with 80 % power.
+  double margin = 0.0;                     ///< Largest acceptable worsening.
   bool larger_is_better = false;
-  bool is_worse = false;  ///< Surely worse, and by more than the margin.
+  bool is_worse = false;  ///< Significantly worse, and by more than the margin.
 };
 
-/// What may be worse by how much.
+/// Acceptable worsening of each metric.
 struct Margin {
   std::string name = {};
   double margin = 0.0;
@@ -48,11 +48,11 @@ struct Comparison {
 };
 
 /// Pairs the flights of the same seed, variant and parameters. The pass rates are compared by Bonett and Price's
-/// interval for paired shares (2012), metrics by Student's t on the differences, over the pairs that both have. All
-/// pairs of a seed, which share its floor, light and gusts, count as one, by their mean. A quantity counts as worse
-/// when its interval lies wholly on the worse side of zero and its difference beyond the margin, 0 for those that have
-/// none. Throws InputError when they have no flight in common, or for a margin of an unknown metric, or of one that
-/// fewer than two seeds have.
+/// interval for paired proportions (2012), metrics by Student's t on the differences, over the pairs in which both have
+/// the metric. The pairs of a seed, which have the same floor, light and gusts, count as one, by their mean. A quantity
+/// counts as worse when its whole interval is on the worse side of zero and its difference exceeds the margin (default
+/// 0). Throws InputError when they have no flight in common, or for a margin of an unknown metric, or of one that fewer
+/// than two seeds have.
 Comparison Compare(const StoredResults& a, const StoredResults& b, const std::vector<Margin>& margins);
 
 }  // namespace touchdown::sweeper

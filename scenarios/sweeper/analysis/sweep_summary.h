@@ -11,7 +11,7 @@
 
 namespace touchdown::sweeper {
 
-/// How many of some flights passed.
+/// Number of flights and of passes.
 struct PassCount {
   int flown = 0;
   int passed = 0;
@@ -22,32 +22,32 @@ struct PassCount {
     passed += has_passed ? 1 : 0;
     seeds.insert(seed);
   }
-  /// The share with its Wilson interval, of at least one flight. The flights of one seed, over the same floor in the
-  /// same light, count as a single one.
+  /// Pass rate with its Wilson interval; needs at least one flight. The flights of one seed, which have the same floor
+  /// and light, count as one.
   util::Interval rate() const { return util::WilsonInterval(passed, flown, static_cast<int>(seeds.size())); }
 };
 
-/// The flights that share a value of a parameter, or a variant.
+/// Flights with the same value of a parameter, or of the same variant.
 struct PassCountOf {
   std::string key = {};    ///< "variant" for the variants.
   std::string value = {};  ///< As YAML.
   PassCount count = {};
 };
 
-/// All that is known of a sweep.
+/// Plan and results of a sweep.
 struct SweepOutcome {
   SweepSpec terms = {};
-  std::vector<SweepResult> results = {};  ///< What is flown of the plan.
+  std::vector<SweepResult> results = {};  ///< Flights of the plan that are flown.
   std::size_t planned = 0;
-  std::size_t whole = 0;      ///< Flights of the whole sweep, of which those planned here may be a part.
+  std::size_t whole = 0;      ///< Flights of the whole sweep; the plan may be a part of it.
   std::size_t stale = 0;      ///< Flights of another build.
-  std::size_t unplanned = 0;  ///< Flights of what the sweep's file was before.
+  std::size_t unplanned = 0;  ///< Flights of an earlier version of the sweep file.
 };
 
 /// Throws as SweepStore does.
 SweepOutcome ReadOutcome(const SweepStore& store);
 
-/// What became of a criterion on the sweep.
+/// Result of a criterion of the sweep.
 struct SweepCheck {
   runner::Check check = {};
   std::optional<util::Interval> interval =
@@ -57,13 +57,13 @@ struct SweepCheck {
 /// "0.9933", "good" or "none".
 std::string ValueText(const runner::Check& check);
 
-/// Where the pass rate goes through a level over a parameter.
+/// Value of a parameter at which the pass rate crosses a level.
 struct PassBoundaryOf {
   std::string variant = {};  ///< Empty without variants.
   std::string key = {};
   double pass_rate = 0.5;
-  std::optional<util::Interval> edge = {};  ///< nullopt for one that was sought where all flights pass, or all fail.
-  bool may_lie_beyond = false;              ///< The flown values.
+  std::optional<util::Interval> edge = {};  ///< nullopt when all flights pass, or all fail.
+  bool may_lie_beyond = false;              ///< The boundary may lie beyond the flown values.
 };
 
 /// A flight at some value of a parameter, and whether it passed.
@@ -75,28 +75,27 @@ struct PassTrial {
 
 struct SweepSummary {
   PassCount all = {};
-  std::vector<PassCountOf> by_value = {};  ///< Of keys with a few values each: those that are listed, not drawn.
+  std::vector<PassCountOf> by_value = {};  ///< Counts by value, for parameters with listed values.
   std::vector<PassBoundaryOf> edges =
-      {};  ///< Of the key that was sought, or of those that list numbers (PassBoundaryOver).
+      {};  ///< Boundaries over the searched key, or over the keys that list numbers (PassBoundaryOver).
   std::vector<SweepCheck> criteria = {};  ///< The decision of stop_when first.
   bool is_whole = false;                  ///< Every flight of the whole sweep is flown.
 
-  bool keeps_criteria() const;  ///< What is said of a sweep that is not whole is said of what is flown.
-  bool finds_edge() const;      ///< Of a sweep that sought one.
+  bool keeps_criteria() const;  ///< Of an incomplete sweep: over the flights so far.
+  bool finds_edge() const;      ///< Whether a boundary search found one.
 };
 
-/// The edge between values that flights pass at and values that they fail at, of a grid: nullopt unless the rates of
-/// some values lie above a half with their whole intervals and those of others below, and each of the ones lies on the
-/// same side of all of the others.
+/// Pass boundary of a grid: nullopt unless the whole intervals of some rates are above 0.5 and those of others below,
+/// and all of the former values are on the same side of the latter.
 std::optional<util::Interval> PassBoundaryOver(const std::vector<PassTrial>& trials);
 
-/// A criterion on a metric that no flight has is not kept.
+/// A criterion on a metric that no flight has is not met.
 SweepSummary Summarize(const SweepOutcome& sweep);
 
-/// With at least two listed values, all of them numbers.
+/// Whether an axis has at least two listed values, all of them numbers.
 bool IsNumeric(const SweepAxis& axis);
 
-/// Of the flights to which `belongs` applies.
+/// Counts the flights for which `belongs` is true.
 template <typename Belongs>
 PassCount CountWhere(const std::vector<SweepResult>& results, const Belongs& belongs) {
   PassCount count;
@@ -106,12 +105,12 @@ PassCount CountWhere(const std::vector<SweepResult>& results, const Belongs& bel
   return count;
 }
 
-/// How many flights' processes ended so.
+/// Number of flights whose process ended this way.
 int CountEnds(const std::vector<SweepResult>& results, ProcessEnd end);
-/// How many crashed, hung or ran out of memory, as in "2 crashed, 1 hung"; empty when none did.
+/// Counts of processes that crashed, hung or ran out of memory ("2 crashed, 1 hung"); empty when none did.
 std::string LostProcesses(const std::vector<SweepResult>& results);
 
-/// Of the flights that have it.
+/// Values of a metric, of the flights that have it.
 std::vector<double> MetricValues(const std::vector<SweepResult>& results, const std::string& metric);
 
 }  // namespace touchdown::sweeper

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the figures of a sweep share.
+// Helpers of the figures of a sweep.
 
 #include <fmt/format.h>
 
@@ -20,21 +20,21 @@ inline constexpr const char* kFailedPoints = "points pt 2 ps 0.8 lw 1.8 lc rgb S
 
 inline std::string Number(double value) { return fmt::format("{:.10g}", value); }
 
-/// A text within gnuplot commands, drawn as it is.
+/// Quotes a text for gnuplot commands, without markup.
 inline std::string Quoted(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) quoted += c == '\'' ? std::string("''") : std::string(1, c);
   return quoted + "'";
 }
 
-/// A figure's name made of a key.
+/// Figure name derived from a key.
 inline std::string NameOf(const std::string& kind, const std::string& key) {
   std::string name = kind + "_";
   for (const char c : key) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
   return name;
 }
 
-/// A range that holds the values, with a margin on both sides.
+/// Range of the values, with a margin on both sides.
 inline std::string RangeAround(const char* axis, double least, double most) {
   const double span = most > least ? most - least : std::max(std::abs(most), 1.0);
   return fmt::format("set {} [{}:{}]\n", axis, Number(least - 0.05 * span), Number(most + 0.05 * span));

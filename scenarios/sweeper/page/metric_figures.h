@@ -7,10 +7,10 @@
 
 namespace touchdown::sweeper {
 
-/// How often a metric, which at least one flight has, had which values, and the limits of the sweep's criteria on it.
+/// Histogram of a metric that at least one flight has, with the limits of the sweep's criteria.
 report::Figure HistogramFigure(const SweepOutcome& sweep, const std::string& metric);
 
-/// Where the flights touched down, around a pad of that radius.
+/// Touchdown positions, around a pad of the given radius.
 report::Figure TouchdownFigure(const SweepOutcome& sweep, double pad_radius_m);
 
 }  // namespace touchdown::sweeper

@@ -9,16 +9,15 @@
 
 namespace touchdown::sweeper {
 
-/// The pass rate of each variant over a parameter of the sweep's axes that lists numbers, and the edges over it.
+/// Pass rate of each variant over an axis that lists numbers, with the pass boundaries.
 report::Figure PassRateFigure(const SweepOutcome& sweep, std::size_t axis, const std::vector<PassBoundaryOf>& edges);
 
-/// The pass rate of a variant over two parameters of the sweep's axes: over their listed values, or the ranges that
-/// hold the drawn.
+/// Pass rate of a variant over two axes: over their listed values, or over ranges of the drawn values.
 report::Figure HeatMapFigure(const SweepOutcome& sweep, std::size_t axis_x, std::size_t axis_y,
                              const std::string& variant);
 
-/// Which flights, of all variants, passed over a parameter of the sweep's axes whose values are drawn; with many
-/// flights also the rate within five groups of as many each; and the edges over it.
+/// Passed and failed flights of all variants over an axis with drawn values, with the pass boundaries; with many
+/// flights also the rate within five groups of equal size.
 report::Figure DrawnValuesFigure(const SweepOutcome& sweep, std::size_t axis, const std::vector<PassBoundaryOf>& edges);
 
 }  // namespace touchdown::sweeper

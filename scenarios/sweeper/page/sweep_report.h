@@ -7,10 +7,10 @@
 
 namespace touchdown::sweeper {
 
-/// What a sweep's page is known again by.
+/// Signature of a sweep's page.
 inline constexpr const char* kSweepPageSignature = "<!-- touchdown.sweep -->";
 
-/// The page of a sweep and its summary, which lies in its folder as report.html and shows the pictures beside it.
+/// Page of a sweep with its summary, written to its folder as report.html; it links the images beside it.
 /// `folder` appears verbatim in the commands that repeat a flight. Throws as Draw does.
 std::string SweepPage(const SweepOutcome& sweep, const SweepSummary& summary, const std::filesystem::path& folder);
 

@@ -14,16 +14,16 @@ namespace touchdown::sweeper {
 
 /// How the process that flew a flight ended.
 enum class ProcessEnd {
-  kFlown,        ///< With a flight's result, whatever its verdict.
+  kFlown,        ///< With a result, whatever the verdict.
   kCrashed,      ///< By a signal, or without a result: the program itself failed.
-  kHung,         ///< It took longer than its limit.
-  kOutOfMemory,  ///< It needed more memory than its limit, or the system killed it (SIGKILL).
+  kHung,         ///< The time limit was exceeded.
+  kOutOfMemory,  ///< The memory limit was exceeded, or the system killed it (SIGKILL).
 };
 inline constexpr std::array<std::string_view, 4> kProcessEndNames = {"flown", "crashed", "hung", "out_of_memory"};
 constexpr const auto& NamesOf(ProcessEnd) { return kProcessEndNames; }
 constexpr std::string_view Name(ProcessEnd end) { return kProcessEndNames[static_cast<std::size_t>(end)]; }
 
-/// What a sweep keeps of a flight.
+/// Result of a flight of a sweep, as stored.
 struct FlightRow {
   std::string id = {};
   std::string program = {};  ///< Digest of the program that flew it.
@@ -32,7 +32,7 @@ struct FlightRow {
   ProcessEnd process = ProcessEnd::kCrashed;
   runner::Verdict verdict = runner::Verdict::kError;
   runner::Outcome outcome = runner::Outcome::kError;
-  std::string reason = {};        ///< Why the flight ended so, in a few words.
+  std::string reason = {};        ///< Reason for the outcome, in a few words.
   std::string failed_check = {};  ///< The first check that the flight missed; empty when it met all.
   std::string failed_phase = {};  ///< The phase of the flight in which that happened.
   runner::Metrics metrics = {};
@@ -65,7 +65,7 @@ void VisitColumns(Row& row, const Visit& visit) {
   visit("scenario", row.scenario);
 }
 
-/// A flight of the sweep as it is planned now, with its row.
+/// A planned flight of the sweep, with its row.
 struct SweepResult {
   std::uint64_t seed = 0;
   std::string variant = {};

@@ -11,7 +11,7 @@
 
 namespace touchdown::sweeper {
 
-/// A parameter's value, numbers as numbers: what a program that reads it expects.
+/// JSON of a parameter's value, with numbers as JSON numbers.
 inline nlohmann::ordered_json ParameterJson(const std::string& yaml) {
   constexpr double kLargest = 1e15;
   const auto number = AsNumber(yaml);
@@ -20,7 +20,7 @@ inline nlohmann::ordered_json ParameterJson(const std::string& yaml) {
   return is_whole ? nlohmann::ordered_json(static_cast<std::int64_t>(*number)) : nlohmann::ordered_json(*number);
 }
 
-/// The value that ParameterJson wrote.
+/// Inverse of ParameterJson.
 inline std::string ParameterFrom(const nlohmann::ordered_json& json) {
   if (json.is_number()) return fmt::format("{}", json.get<double>());
   return json.get<std::string>();

@@ -13,7 +13,7 @@
 
 namespace touchdown::sweeper {
 
-/// Values of a scenario key, each flown: crossed with those of other keys they make the sweep's grid.
+/// Listed values of a scenario key. Together with those of other keys they form the grid of the sweep.
 struct ListedValues {
   std::vector<std::string> yaml = {};  ///< Numbers in their shortest form.
 };
@@ -30,53 +30,53 @@ struct NormalValues {
   double sigma = 1.0;
 };
 
-/// A number that is drawn for each seed, in [min, max), so that each of as many equal parts of it as there are seeds
-/// is met once, in an order of its own for each key (McKay, Beckman and Conover 1979).
+/// A number in [min, max) that is drawn for each seed by Latin hypercube sampling: one value in each of N equal
+/// intervals for N seeds, in a random order for each key (McKay, Beckman and Conover 1979).
 struct LatinHypercubeValues {
   double min = 0.0;
   double max = 1.0;
 };
 
-/// The name of the criterion on the share of flights that pass.
+/// Name of the criterion on the pass rate.
 inline constexpr std::string_view kPassRate = "pass_rate";
 
-/// What a sweep does with one key of the scenario.
+/// Values of one scenario key in a sweep.
 struct SweepParameter {
   std::string key = {};
-  std::string place = {};             ///< Where it was written, for messages.
-  std::filesystem::path folder = {};  ///< That names of files among its values are meant from.
+  std::string place = {};             ///< Location in the file, for messages.
+  std::filesystem::path folder = {};  ///< Base folder of file names among its values.
   std::variant<ListedValues, UniformValues, NormalValues, LatinHypercubeValues> values = {};
 };
 
-/// A setting that is flown beside others on the same seeds and values.
+/// A set of overrides that is flown beside others with the same seeds and values.
 struct SweepVariant {
   std::string name = {};
   std::string place = {};  ///< Where it was written, for messages.
   std::vector<runner::Override> set = {};
 };
 
-/// What of a sweep's figure must be within a criterion's limits.
+/// Part of a measured quantity that must be within the limits of a criterion.
 enum class JudgedBy {
-  kValue,     ///< What was measured.
-  kInterval,  ///< The whole 95 % interval, so that the flights prove it.
+  kValue,     ///< The measured value.
+  kInterval,  ///< The whole 95 % interval.
 };
 inline constexpr std::array<std::string_view, 2> kJudgedByNames = {"value", "interval"};
 
-/// A demand on the sweep as a whole.
+/// Criterion of a sweep.
 struct SweepCriterion {
-  std::string metric = {};              ///< "pass_rate", or a flight's.
+  std::string metric = {};              ///< "pass_rate", or a metric of flights.
   std::optional<double> quantile = {};  ///< Of a flight's metric, over the flights that have it.
   std::optional<double> min = {};
   std::optional<double> max = {};
   JudgedBy by = JudgedBy::kValue;
 };
 
-/// When enough has been flown: Wald's sequential probability ratio test of two pass rates.
+/// Stopping rule: Wald's sequential probability ratio test of two pass rates.
 struct StopWhen {
   double good_pass_rate = 0.99;
   double bad_pass_rate = 0.95;
-  double good_refused = 0.05;  ///< Chance of calling a sweep of the good rate bad, at most, about.
-  double bad_accepted = 0.05;  ///< Chance of calling one of the bad rate good.
+  double good_refused = 0.05;  ///< Approximate upper bound of the probability of rejecting the good rate.
+  double bad_accepted = 0.05;  ///< Approximate upper bound of the probability of accepting the bad rate.
 };
 
 struct SweepSeeds {
@@ -90,34 +90,34 @@ struct FlightLimits {
   int memory_mb = 4096;
 };
 
-/// The value of a parameter at which the pass rate goes through a level.
+/// Search for the value of a parameter at which the pass rate crosses a level.
 struct SearchedBoundary {
   std::string key = {};
-  double min = 0.0, max = 1.0;  ///< Between which it is sought.
+  double min = 0.0, max = 1.0;  ///< Bounds of the search.
   double pass_rate = 0.5;
 };
 
 /// Flights to fly, as read from a file of scenarios/sweeps.
 struct SweepFile {
-  std::string place = {};  ///< The file itself, for messages.
+  std::string place = {};  ///< Name of the file, for messages.
   std::string name = {};
   std::string description = {};
   std::filesystem::path base = {};  ///< The scenario.
   SweepSeeds seeds = {};
   FlightLimits limits = {};
-  std::vector<runner::Override> set = {};  ///< Over the base, of every flight.
+  std::vector<runner::Override> set = {};  ///< Overrides of the base scenario, for every flight.
   std::vector<SweepParameter> parameters = {};
-  std::vector<SweepVariant> variants = {};  ///< One of no name that sets nothing when the file has none.
+  std::vector<SweepVariant> variants = {};  ///< A file without variants has one that is unnamed and sets nothing.
   std::vector<SweepCriterion> criteria = {};
   std::optional<StopWhen> stop_when = {};
-  std::optional<SearchedBoundary> sought = {};  ///< Of no file: see FindBoundary.
+  std::optional<SearchedBoundary> sought = {};  ///< Set by FindBoundary, not by a file.
 };
 
-/// The number that a value is; nullopt for one that is none.
+/// Number that a YAML value stands for; nullopt if it is not a number.
 std::optional<double> AsNumber(const std::string& yaml);
 
-/// Throws InputError, naming file, line and key, for anything that is not as docs/sweeps.md has it. That the keys of
-/// `parameters` are a scenario's is seen when the flights are planned (PlanSweep).
+/// Throws InputError, naming file, line and key, for invalid input (docs/sweeps.md). The keys of `parameters` are
+/// checked when the flights are planned (PlanSweep).
 SweepFile LoadSweepFile(const std::filesystem::path& file);
 
 }  // namespace touchdown::sweeper

@@ -14,45 +14,46 @@
 
 namespace touchdown::sweeper {
 
-/// A sweep's results: sweep.db in its folder, an SQLite database (tables: docs/sweeps.md). Rows are there
-/// whole or not at all, whatever ends the program or the machine. All members throw InputError, naming the file, when
-/// it cannot be read or written, is damaged, or is no sweep's of this version.
+/// Results of a sweep: sweep.db in its folder, an SQLite database (tables: docs/sweeps.md). A row is stored completely
+/// or not at all, even if the program or the machine stops. All members throw InputError, naming the file, when it
+/// cannot be read or written, is damaged, or is not a sweep database of this version.
 class SweepStore {
  public:
   enum class Access { kRead, kWrite };
 
-  /// With kWrite it is made when it is not there.
+  /// kWrite creates the file when it does not exist.
   SweepStore(const std::filesystem::path& folder, Access access);
   ~SweepStore();
 
-  /// Replaces the plan. Rows of flights that it does not hold stay, and do not count.
+  /// Replaces the plan. Rows of other flights are kept, and do not count.
   void SetPlan(const SweepSpec& terms, const SweepPlan& plan, const std::string& program_digest);
 
-  /// A row of the same id is replaced, but not a flown one by one whose process crashed, hung or ran out of memory.
+  /// Stores a row. It replaces a row of the same id, unless that one is flown and the new one crashed, hung or ran out
+  /// of memory.
   void Put(const FlightRow& row);
-  /// All of them, or none.
+  /// Stores all rows, or none.
   void Put(std::span<const FlightRow> rows);
-  /// As Put; false when another program reads the file for so long that it cannot be written now.
+  /// Same as Put; returns false when another program locks the file for too long.
   bool TryPut(const FlightRow& row);
 
   std::optional<FlightRow> Find(const std::string& id) const;
 
-  /// Whether one was ever set.
+  /// Whether a plan was ever set.
   bool has_plan() const;
-  /// Of the plan that was set last.
+  /// Keys of the newest plan.
   SweepSpec terms() const;
-  /// Digest of the program that planned.
+  /// Digest of the program that made the plan.
   std::string program() const;
   std::size_t planned() const;
-  /// Flights of the whole sweep, of which the plan may be a part.
+  /// Flights of the whole sweep; the plan may be a part of it.
   std::size_t whole() const;
-  /// Without what is not kept of it: the flights' scenarios, lengths and limits.
+  /// The plan without scenarios, durations and limits, which are not stored.
   SweepPlan Plan() const;
-  /// What is flown of the plan, in its order.
+  /// Flown flights of the plan, in its order.
   std::vector<SweepResult> Results() const;
-  /// Rows that another build flew.
+  /// Number of rows of other builds.
   std::size_t stale() const;
-  /// Rows that this build flew and the plan does not hold: the sweep's file was another then.
+  /// Number of rows of this build that are not in the plan, e.g. of an earlier version of the sweep file.
   std::size_t unplanned() const;
 
  private:

@@ -9,12 +9,12 @@
 
 namespace touchdown::sweeper {
 
-/// What to look for.
+/// Settings of a boundary search.
 struct BoundarySearch {
-  std::string key;          ///< Of a parameter that lists numbers: between the least and the largest it is sought.
-  double pass_rate = 0.5;   ///< Where the rate goes through this.
-  int flights = 60;         ///< At most.
-  double precision = 0.05;  ///< Of the range: ends when the interval is narrower.
+  std::string key;  ///< Key of a parameter that lists numbers. The search is between the smallest and the largest.
+  double pass_rate = 0.5;   ///< Pass rate at the boundary.
+  int flights = 60;         ///< Largest number of flights.
+  double precision = 0.05;  ///< The search ends when the interval is narrower than this fraction of the range.
 };
 
 struct Boundary {
@@ -23,11 +23,10 @@ struct Boundary {
   bool is_done = false;  ///< false: a stop was requested.
 };
 
-/// Finds the value of one parameter at which the pass rate goes through a level, in rounds of a few flights where the
-/// posterior (PassBoundary) has the edge, each flight with a seed of its own. All other parameters keep to their first
-/// listed value, or are drawn. The rounds do not depend on `jobs`, so that the same flights are flown; those that are
-/// in `folder` already are not flown again. Throws InputError when the sweep lists no such parameter or has variants,
-/// and as RunSweep does.
+/// Finds the value of one parameter at which the pass rate crosses a level, in rounds of a few flights near the
+/// boundary of the posterior (PassBoundary), each flight with its own seed. All other parameters have their first
+/// listed value, or are drawn. The flights do not depend on `jobs`; those that are already in `folder` are not
+/// repeated. Throws InputError when the sweep lists no such parameter or has variants, and as RunSweep does.
 Boundary FindBoundary(const SweepFile& file, const BoundarySearch& search, const std::filesystem::path& folder,
                       int jobs, const util::StopRequested& stop_requested,
                       const std::function<void(const Boundary&)>& progress);

@@ -5,9 +5,9 @@
 
 namespace touchdown::sweeper {
 
-/// Takes the rows that programs left in `folder` into its store; then the plans, rows and pictures of the parts of the
-/// same sweep in the folders `from`, which are left as they are. With parts, `folder` is made when it is not there.
-/// Throws InputError, before anything is written, when one is no sweep's, or another sweep's or build's.
+/// Moves the row files in `folder` into its store; then copies the plans, rows and images of the parts of the same
+/// sweep in the folders `from`, which do not change. With parts, `folder` is created when it does not exist. Throws
+/// InputError, before anything is written, for a folder without a sweep, or of another sweep or build.
 void Collect(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& from);
 
 }  // namespace touchdown::sweeper

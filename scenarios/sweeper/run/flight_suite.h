@@ -9,17 +9,17 @@
 
 namespace touchdown::sweeper {
 
-/// A scenario that was flown as a test.
+/// Result of a scenario that was flown as a test.
 struct TestedFlight {
   std::filesystem::path file;
   runner::Scenario scenario;
   FlightRow row;
-  std::vector<runner::Check> checks;  ///< Those of a flight that was not flown to its end are not kept.
+  std::vector<runner::Check> checks;  ///< Empty for a flight that did not end.
 };
 
-/// Flies every scenario (*.yaml) of a folder, not of those in it, so many at a time, each in a process of its own, and
-/// reports each when it is done. Throws InputError when there is none, or one is no valid scenario: then nothing is
-/// flown; and Interrupted when a stop was requested. Returns them by their files' names.
+/// Flies every scenario (*.yaml) of a folder, without subfolders, at most `jobs` concurrently, each in its own process,
+/// and reports each when it is done. Returns the results by file name. Throws InputError, before any flight, when there
+/// is no scenario or an invalid one, and Interrupted when a stop was requested.
 std::vector<TestedFlight> TestFlights(const std::filesystem::path& folder, int jobs,
                                       const util::StopRequested& stop_requested,
                                       const std::function<void(const TestedFlight&)>& on_done);

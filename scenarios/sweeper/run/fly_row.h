@@ -8,18 +8,18 @@
 
 namespace touchdown::sweeper {
 
-/// nullopt when there is no file, or what it holds is no whole row. Throws InputError when it cannot be read.
+/// Reads a row file; nullopt when there is no file or no complete row in it. Throws InputError when it cannot be read.
 std::optional<FlightRow> ReadRow(const std::filesystem::path& file);
-/// The same, and what it holds else is kept as ID.damaged. Throws InputError when that cannot be done, too.
+/// Same as ReadRow, but renames a file without a complete row to ID.damaged. Throws InputError also when that fails.
 std::optional<FlightRow> ReadRowOrSetAside(const std::filesystem::path& file);
 
-/// A folder into which processes leave what they flew, each under its flight's id.
+/// Folder into which processes write their rows, each under the id of its flight.
 class RowFolder {
  public:
-  /// `folder` is the sweep's. Throws InputError when what is needed cannot be made in it.
+  /// `folder` is the folder of the sweep. Throws InputError when the subfolders cannot be created.
   explicit RowFolder(const std::filesystem::path& folder);
 
-  /// Its file is there whole or not at all.
+  /// Writes a row; the file appears completely or not at all.
   std::filesystem::path RowOf(const std::string& id) const { return rows_ / (id + ".json"); }
   std::filesystem::path PictureOf(const std::string& id) const { return pictures_ / (id + ".png"); }
   const std::filesystem::path& rows() const { return rows_; }
@@ -34,9 +34,9 @@ class RowFolder {
   std::filesystem::path rows_, pictures_;
 };
 
-/// Flies a resolved scenario and leaves its row under `id`; of a flight that did not pass, a contact sheet too. What
-/// goes wrong in the flight is a row that says so, but for a lack of memory, which is thrown on. Throws InputError when
-/// the row cannot be written or the scenario is none.
+/// Flies a resolved scenario and writes its row under `id`, and a contact sheet of a flight that did not pass. A
+/// failure during the flight becomes a row with that reason, except a lack of memory, which is rethrown. Throws
+/// InputError when the row cannot be written or the scenario is invalid.
 void FlyRow(const std::string& scenario_yaml, const std::string& id, const RowFolder& folder);
 
 }  // namespace touchdown::sweeper

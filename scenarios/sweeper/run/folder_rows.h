@@ -9,10 +9,10 @@
 
 namespace touchdown::sweeper {
 
-/// The rows that count in a sweep's folder: those of its store, and those that lie beside it, as if they were taken in.
+/// Rows of a sweep's folder: those in its store, and the row files that are not yet collected.
 class FolderRows {
  public:
-  /// `store` is nullptr while there is none. Throws InputError when a row cannot be read.
+  /// `store` is nullptr when there is none. Throws InputError when a row cannot be read.
   FolderRows(const std::filesystem::path& folder, const SweepStore* store);
 
   std::optional<FlightRow> Find(const std::string& id) const;

@@ -14,18 +14,18 @@ struct SlurmSite {
   std::optional<std::string> time = {};
 };
 
-/// How many tasks an array may have at this site. Throws InputError when there is no Slurm, or it does not answer.
+/// Largest number of tasks of an array at this site. Throws InputError without Slurm, or without an answer.
 int MostSlurmTasks();
 
 /// Submits a script that runs in `folder`, on hold until ReleaseJob, and returns the id of the job. Throws
-/// InputError, with what Slurm said, when it is refused.
+/// InputError, with Slurm's message, when it is refused.
 std::string SubmitHeld(const std::filesystem::path& script, const std::filesystem::path& folder, const SlurmSite& site);
 
-/// Throws InputError, with what Slurm said and what is to be done, when the job stays held.
+/// Throws InputError, with Slurm's message and the remedy, when the job stays on hold.
 void ReleaseJob(const std::string& job);
 
-/// How many tasks of a job are in which state, in Slurm's words; none once it is over. nullopt when Slurm is not there
-/// or does not answer.
+/// Number of tasks of a job in each state, by Slurm's names; empty once it is over. nullopt when Slurm is missing or
+/// does not answer.
 std::optional<std::map<std::string, int>> TasksInQueue(const std::string& job);
 
 }  // namespace touchdown::sweeper

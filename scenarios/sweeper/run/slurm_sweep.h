@@ -9,32 +9,33 @@
 
 namespace touchdown::sweeper {
 
-/// How a sweep is to be split and submitted.
+/// Options of a submission to Slurm.
 struct SlurmOptions {
-  /// Flights in a task; default: as many as take some minutes. There are more where an array would be too long.
+  /// Flights of a task; default: as many as take a few minutes, or more where the array would be too long.
   std::optional<int> chunk = {};
   SlurmSite site = {};
-  bool retry = false;  ///< As SweepOptions has it.
+  bool retry = false;  ///< See SweepOptions.
 };
 
-/// A sweep as Slurm sees it.
+/// Submitted job of a sweep.
 struct SlurmSweep {
   std::string job = {};  ///< Empty when nothing was submitted.
   std::size_t tasks = 0;
-  std::size_t flights = 0;  ///< Those that are not flown yet.
+  std::size_t flights = 0;  ///< Flights that are not flown yet.
 };
 
-/// What SubmitSweep would submit. Throws InputError as it does, and writes nothing.
+/// Job that SubmitSweep would submit. Throws InputError as it does, and writes nothing.
 SlurmSweep PlanTasks(const SweepFile& file, const SweepPlan& plan, const std::filesystem::path& folder,
                      const SlurmOptions& options);
 
-/// Keeps a plan in `folder` and submits the flights that have no row there, as an array whose tasks FlyChunk;
-/// docs/cluster.md lists the files in the folder. Nothing is submitted when all are there. Throws InputError when
-/// the folder is another's or cannot be written, an earlier job of it is not over, or Slurm is not there or refuses.
+/// Stores a plan in `folder` and submits the flights without a row there, as an array whose tasks FlyChunk;
+/// docs/cluster.md lists the files in the folder. Nothing is submitted when all are flown. Throws InputError when the
+/// folder belongs to something else or cannot be written, an earlier job of it is not over, or Slurm is missing or
+/// refuses the job.
 SlurmSweep SubmitSweep(const SweepFile& file, const SweepPlan& plan, const std::filesystem::path& folder,
                        const SlurmOptions& options);
 
-/// The job that was submitted last for the sweep in `folder`.
+/// Newest job of the sweep in `folder`.
 std::optional<std::string> SlurmJobOf(const std::filesystem::path& folder);
 
 }  // namespace touchdown::sweeper
