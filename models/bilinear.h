@@ -7,8 +7,8 @@
 
 namespace touchdown::models {
 
-/// The gray value at a place in an image, px, interpolated bilinearly between the four pixels around it, whose centers
-/// lie on integer coordinates. The place must lie in [0, width - 1) x [0, height - 1).
+/// Gray value at a position in an image, px, interpolated bilinearly between the four pixels around it, whose centers
+/// lie on integer coordinates. The position must be in [0, width - 1) x [0, height - 1).
 template <typename Scalar>
 Scalar BilinearGray(const ImageView& image, const Eigen::Vector2d& place) {
   const int u = static_cast<int>(place.x()), v = static_cast<int>(place.y());
@@ -18,7 +18,7 @@ Scalar BilinearGray(const ImageView& image, const Eigen::Vector2d& place) {
   return (1 - b) * ((1 - a) * upper[0] + a * upper[1]) + b * ((1 - a) * lower[0] + a * lower[1]);
 }
 
-/// Whether a place lies where BilinearGray is defined.
+/// Whether BilinearGray is defined at a position.
 inline bool IsBetweenPixels(const ImageView& image, const Eigen::Vector2d& place) {
   return place.x() >= 0.0 && place.y() >= 0.0 && place.x() < image.width - 1 && place.y() < image.height - 1;
 }

@@ -9,14 +9,14 @@
 
 namespace touchdown::models {
 
-/// What stands within a landing pad's ring: the letter H, or in its place a solid rectangle (Sec. IV-C.3).
+/// Letter within the ring of a landing pad: an H, or a solid rectangle instead (Sec. IV-C.3).
 enum class PadLetter { kH, kRectangle };
 
 /// The landing pad (Sec. III-B): a black ring around a black letter H, centered on a white sheet.
 ///
 /// Frame W lies at the pad's center, Z up. The H's long strokes run along X, its cross-bar along Y, and the
 /// sheet's long side along X. An H whose two strokes meet, 2 h_stroke_m = h_width_m, is a solid rectangle of h_height_m
-/// by h_width_m. A pad may bear marks beside its H; the built-in one has none. PadOutline gives its shapes.
+/// by h_width_m. A pad may have markings beside its H; the built-in one has none. PadOutline gives its shapes.
 struct LandingPad {
   double outer_radius_m = 0.090;
   double ring_width_m = 0.016;
@@ -46,7 +46,8 @@ void Describe(ConfigVisitor& v, LandingPad& pad);
 bool HalfTurnIsNearer(double yaw, double reference_yaw);
 
 /// Resolves the 180-degree yaw ambiguity: ring and H look the same from X_WB and from X_WB rotated by 180 degrees about
-/// W's Z axis (Sec. IV-C.3), whatever marks the pad bears. Returns the one whose yaw is nearer to `reference_yaw`, rad.
+/// W's Z axis (Sec. IV-C.3), whatever markings the pad has. Returns the one whose yaw is nearer to `reference_yaw`,
+/// rad.
 Eigen::Isometry3d ResolveYawAmbiguity(const Eigen::Isometry3d& X_WB, double reference_yaw);
 
 }  // namespace touchdown::models

@@ -7,7 +7,7 @@
 
 namespace touchdown::models {
 
-/// The value at place `rank`, from 0, of the sorted values. `rank` must be below their number.
+/// Order statistic: the value at index `rank` of the sorted values. `rank` must be less than their number.
 template <std::ranges::input_range Values>
 auto OrderStatistic(const Values& values, std::size_t rank) {
   std::vector<std::ranges::range_value_t<Values>> sorted(std::ranges::begin(values), std::ranges::end(values));

@@ -7,7 +7,7 @@
 
 namespace touchdown::models {
 
-/// A source of random numbers of its own for every consumer, derived from the flight's seed and the source's name
+/// A separate source of random numbers for each consumer, derived from the flight's seed and the source's name
 /// ("imu", "camera.noise", "wind"), so that adding a source does not shift the others.
 class RandomStream {
  public:

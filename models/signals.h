@@ -14,7 +14,7 @@
 
 namespace touchdown::models {
 
-/// An 8-bit gray image that somebody else owns. `stride` is in bytes, from a row to the next.
+/// View of an 8-bit gray image. `stride` is in bytes, from a row to the next.
 struct ImageView {
   const std::uint8_t* data = nullptr;
   int width = 0;
@@ -41,26 +41,26 @@ struct Image {
   std::uint8_t* Row(int v) { return pixels.data() + static_cast<std::ptrdiff_t>(v) * width; }
 };
 
-/// What the camera delivers: an image, and when it was taken.
+/// Frame of the camera with its time.
 struct CameraFrame {
   Tick mid_exposure = 0;
   Image image;
 };
 
-/// What the IMU delivers, in its own frame U.
+/// Sample of the IMU, in its frame U.
 struct ImuSample {
   Tick tick = 0;
   Eigen::Vector3d specific_force_U = Eigen::Vector3d::Zero();  ///< m/s^2; +g along up at rest.
   Eigen::Vector3d w_WU_U = Eigen::Vector3d::Zero();            ///< rad/s.
 };
 
-/// What the tracking system delivers: its own word on the body's pose (Sec. III-C).
+/// Pose of the body from the tracking system (Sec. III-C).
 struct TrackedPose {
   Tick tick = 0;
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
 };
 
-/// What the controller knows of the vehicle.
+/// Estimated state of the vehicle, the input of the controller.
 struct VehicleEstimate {
   struct Motion {
     Eigen::Vector3d p_WB = Eigen::Vector3d::Zero();  ///< m.
@@ -70,7 +70,7 @@ struct VehicleEstimate {
   Tick tick = 0;
   TaitBryan attitude = {};                           ///< Roll, pitch: IMU. Yaw: vision, carried on by the gyro.
   Eigen::Vector3d w_WB_B = Eigen::Vector3d::Zero();  ///< rad/s.
-  std::optional<Motion> motion = std::nullopt;       ///< nullopt until the pad has been seen once.
+  std::optional<Motion> motion = std::nullopt;       ///< nullopt before the first vision pose.
   /// Covariance of the error that the estimator claims, of (p_WB in m, rotation vector in W in rad, v_WB in m/s);
   /// present with `motion`.
   std::optional<Eigen::Matrix<double, 9, 9>> covariance = std::nullopt;
@@ -81,7 +81,7 @@ struct VehicleEstimate {
   std::optional<Eigen::Vector3d> disturbance_B_m_s2 = std::nullopt;
 };
 
-/// What the controller asks of the motors: speeds in rad/s; 0 stops a motor.
+/// Commanded rotor speeds in rad/s; 0 stops a motor.
 struct RotorCommand {
   std::array<double, kRotorCount> speed_rad_s{};
 };

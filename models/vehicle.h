@@ -34,7 +34,7 @@ struct Mounting {
   TaitBryanDeg misalignment_deg;
 };
 
-/// Four feet at (+-half_spacing, +-half_spacing, -height) in B.
+/// Landing gear: four contact points at (+-half_spacing, +-half_spacing, -height) in B.
 struct LandingGear {
   double half_spacing_m = 0.13;
   double height_m = 0.14;
@@ -59,7 +59,7 @@ struct Vehicle {
 
   /// Throws InputError, without a file name, for a value out of its range (see Describe), or when the moments break the
   /// triangle inequality, the idle speed is not below the highest, the rotors cannot lift the vehicle, or the camera
-  /// sits below the feet.
+  /// is below the contact points of the gear.
   void Validate() const;
 
   /// Position of a rotor's hub in B.
@@ -80,9 +80,9 @@ void Describe(ConfigVisitor& v, Mounting& mounting);
 void Describe(ConfigVisitor& v, LandingGear& gear);
 void Describe(ConfigVisitor& v, Vehicle& vehicle);
 
-/// The mounting whose Vehicle::X_BC is `X_BC`.
+/// Inverse of Vehicle::X_BC: the mounting that gives `X_BC`.
 Mounting CameraMountingOf(const Eigen::Isometry3d& X_BC);
-/// The mounting whose Vehicle::X_BU is `X_BU`.
+/// Inverse of Vehicle::X_BU: the mounting that gives `X_BU`.
 Mounting ImuMountingOf(const Eigen::Isometry3d& X_BU);
 
 }  // namespace touchdown::models

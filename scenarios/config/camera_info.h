@@ -10,12 +10,12 @@ namespace touchdown::config {
 /// Whether a file's root is a ROS `camera_info` calibration rather than the keys of `camera` or `camera.model`.
 bool IsCameraInfo(const ConfigNode& root);
 
-/// The keys of `camera.model` that a `camera_info` calibration stands for. It is read as strictly as a scenario: throws
-/// InputError, with place and key, for what is not of ROS's layout, a model other than plumb_bob, a skewed matrix, and
+/// Converts a `camera_info` calibration to the keys of `camera.model`. It is read as strictly as a scenario: throws
+/// InputError, with place and key, for a layout other than ROS's, a model other than plumb_bob, a skewed matrix, and
 /// a rectification or projection of a camera that is one of a pair.
 ConfigNode CameraModelFromCameraInfo(const ConfigNode& root);
 
-/// A calibration as ROS `camera_info` YAML, which LoadCameraModel reads back to the last bit.
+/// ROS `camera_info` YAML of a camera model; LoadCameraModel reads back the same bits.
 std::string CameraInfoYaml(const models::CameraModel& model, const std::string& camera_name);
 
 }  // namespace touchdown::config

@@ -6,15 +6,14 @@
 
 namespace touchdown::config {
 
-/// A matrix as ROS and EuRoC files hold it, in a section of rows, cols and data. Row by row; empty when it is not
-/// given.
+/// Matrix of a ROS or EuRoC file, a section with rows, cols and data. Row-major; empty when absent.
 struct ConfigMatrix {
   int rows = 0;
   int cols = 0;
   std::vector<double> data;
 };
 
-/// A section of so many rows and columns, with as many numbers.
+/// Section of a matrix with the given rows, columns and numbers.
 void DescribeMatrix(models::ConfigVisitor& v, const models::Key& key, ConfigMatrix& matrix, const models::Range& rows,
                     const models::Range& cols);
 

@@ -9,15 +9,15 @@
 
 namespace touchdown::config {
 
-/// Where a piece of configuration was written.
+/// Origin of a piece of configuration.
 struct Origin {
   std::string place;             ///< For messages: "flight.yaml:12", or "--set camera.rate_hz=7".
-  std::filesystem::path folder;  ///< Names of files are meant relative to this folder.
+  std::filesystem::path folder;  ///< Base folder of file names.
 };
 
 struct ConfigEntry;
 
-/// A piece of configuration as written: text, a list or keys with values. YAML without its anchors, tags and
+/// A node of configuration text: a scalar, a list or keys with values. YAML without its anchors, tags and
 /// duplicate keys.
 struct ConfigNode {
   enum class Kind { kNothing, kText, kList, kKeys };
@@ -25,10 +25,10 @@ struct ConfigNode {
   Kind kind = Kind::kNothing;
   Origin origin;
   std::string text;
-  bool quoted = false;            ///< The text was quoted, and so is no number.
+  bool quoted = false;            ///< The text was quoted, so it is not a number.
   std::vector<ConfigNode> items;  ///< Of a list.
   std::vector<ConfigEntry> keys;
-  /// These keys change a configuration that is there already (--set): in a list, keys are the numbers of its items.
+  /// These keys patch an existing configuration (--set). In a list, keys are indices of items.
   bool patch = false;
 
   /// The value of a key; nullptr when absent.
@@ -52,8 +52,8 @@ ConfigNode ReadConfigFile(const std::filesystem::path& file);
 /// Parses YAML text as of a file named `name`. Throws as ReadConfigFile does.
 ConfigNode ParseConfig(const std::string& text, const std::string& name, const std::filesystem::path& folder);
 
-/// The patch that "a.b.c=value" stands for; the value is YAML. `place` is what messages call it. Throws InputError when
-/// it has no key or its value is no YAML.
+/// Patch from "a.b.c=value" with a YAML value. `place` is its name in messages. Throws InputError without a key or for
+/// a value that is not YAML.
 ConfigNode ParseOverride(const std::string& assignment, const std::string& place,
                          const std::filesystem::path& folder = {});
 

@@ -11,17 +11,17 @@
 
 namespace touchdown::config {
 
-/// Where each section and key that somebody wrote was written, by its path ("camera.model").
+/// Origins of the sections and keys that were given, by path ("camera.model").
 using OriginByPath = std::map<std::string, Origin, std::less<>>;
 
-/// Sets the fields that a node gives and leaves the others as they are. Every member throws InputError, naming place
+/// Sets the fields that a node gives; others keep their values. Every member throws InputError, naming place
 /// and key, for a value of the wrong type, not finite or out of range, and for a required key that is absent.
 class ConfigReader : public models::ConfigVisitor {
  public:
-  /// `origins` takes the place of all that was read.
+  /// `origins` receives the origin of every key that was read.
   ConfigReader(const ConfigNode& root, OriginByPath& origins);
 
-  /// Keys of the root that are read by somebody else.
+  /// Keys of the root that other code reads.
   void LeaveAlone(std::span<const std::string_view> keys) { open_.back().visited.insert(keys.begin(), keys.end()); }
 
   /// Throws InputError when the root holds a key that was not visited. Call it last.
@@ -53,7 +53,7 @@ class ConfigReader : public models::ConfigVisitor {
   };
 
   const ConfigNode* Visit(const models::Key& key);
-  /// The node of a visited key, which must be text, or nullptr when absent.
+  /// Node of a visited key, which must be text; nullptr when absent.
   const ConfigNode* VisitText(const models::Key& key, std::string_view what);
   std::string PathOf(std::string_view key) const;
   void EnterKeys(const ConfigNode* node, const std::string& path);
@@ -63,28 +63,28 @@ class ConfigReader : public models::ConfigVisitor {
 
   OriginByPath& origins_;
   std::vector<Open> open_;
-  std::deque<ConfigNode> files_;  ///< The roots of files that sections named.
+  std::deque<ConfigNode> files_;  ///< Roots of files that sections name.
 };
 
-/// Checks a configuration that has been read. Throws InputError with the place where the key, or what holds it, was
-/// written.
+/// Checks a configuration after reading. Throws InputError with the origin of the key, or of the section that contains
+/// it.
 class OriginChecker : public models::ConfigChecker {
  public:
-  /// `fallback` is the place of what nobody wrote, nor anything around it.
+  /// `fallback` is the origin of keys that were not given, in sections that were not given.
   OriginChecker(const OriginByPath& origins, Origin fallback) : origins_(origins), fallback_(std::move(fallback)) {}
 
  protected:
   InputError Error(const std::string& path, const std::string& message) const override;
 
  private:
-  /// Of the innermost part of `path` that somebody wrote.
+  /// Origin of the innermost part of `path` that was given.
   const Origin& OriginOf(std::string_view path) const;
 
   const OriginByPath& origins_;
   Origin fallback_;
 };
 
-/// Reads and checks a struct whose keys are those of `root`, but for some that are read elsewhere. Throws InputError,
+/// Reads and checks a struct with the keys of `root`, except some that other code reads. Throws InputError,
 /// naming place and key.
 template <typename T>
 T ReadAlone(const ConfigNode& root, std::span<const std::string_view> read_elsewhere = {}) {

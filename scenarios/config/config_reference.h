@@ -7,23 +7,22 @@
 
 namespace touchdown::config {
 
-/// One row for each key that a configuration may hold.
+/// Reference row of a configuration key.
 struct KeyRow {
   std::string path;           ///< "camera.model.k1"; items of lists as "events.N.at_s".
   std::string unit;           ///< "-" for none.
   std::string default_value;  ///< As YAML.
-  std::string range;          ///< "must be above 0"; empty when anything goes.
+  std::string range;          ///< "must be above 0"; empty without limits.
   std::string doc;
 };
 
-/// Lists every key it visits, with the defaults that the visited structs hold. What is visited depends on the values of
-/// choices: `variant` says which of the choices each list's items, and every yes or no, are shown with. The rows of
-/// several variants come together in one reference.
+/// Lists every visited key with the default of its struct. The visited keys depend on the values of choices and
+/// booleans: `variant` selects these values. The rows of several variants are merged into one reference.
 class ConfigReference : public models::ConfigVisitor {
  public:
   const std::vector<KeyRow>& rows() const { return rows_; }
 
-  /// To be called before the description is walked once more.
+  /// Call before visiting the description again.
   void BeginVariant(int variant);
 
   void Number(const models::Key& key, double& value, const models::Unit& unit, const models::Range& range) override;
@@ -47,9 +46,9 @@ class ConfigReference : public models::ConfigVisitor {
   void Row(const models::Key& key, std::string_view unit, const std::string& default_value, const std::string& range);
 
   std::vector<KeyRow> rows_;
-  std::size_t next_ = 0;  ///< Where a row that is new in this variant goes.
+  std::size_t next_ = 0;  ///< Position of the next new row.
   std::string path_;
-  bool is_optional_ = false;  ///< Within a section that may be absent: its keys have no defaults of their own.
+  bool is_optional_ = false;  ///< In an optional section, whose keys have no defaults.
   int variant_ = 0;
 };
 

@@ -10,7 +10,7 @@ std::string WriteNumber(double value);
 /// `text` as a quoted YAML scalar.
 std::string WriteText(const std::string& text);
 
-/// Writes every field it visits as YAML, but no section without fields.
+/// Writes every visited field as YAML, without empty sections.
 class ConfigWriter : public models::ConfigVisitor {
  public:
   const std::string& yaml() const { return yaml_; }
@@ -35,7 +35,7 @@ class ConfigWriter : public models::ConfigVisitor {
 
   std::string yaml_;
   int depth_ = 0;
-  bool begins_item_ = false;  ///< The next line is the first of a list's item.
+  bool begins_item_ = false;  ///< The next line is the first of a list item.
 };
 
 }  // namespace touchdown::config

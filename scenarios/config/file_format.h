@@ -5,9 +5,9 @@
 
 namespace touchdown::config {
 
-/// The keys of a section from the root of a file that stands in its place, also where the file has the format that
-/// `file` names. Throws InputError for a file of that format which is not valid, and std::logic_error for a format
-/// without a reader.
+/// Returns the keys of a section from the root of a file that replaces it. The file may have the format named by
+/// `file`. Throws InputError for a file of that format which is not valid, and std::logic_error for a format without a
+/// reader.
 ConfigNode SectionKeys(ConfigNode root, const models::SectionFile& file);
 
 }  // namespace touchdown::config

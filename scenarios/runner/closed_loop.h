@@ -8,8 +8,8 @@
 namespace touchdown::runner {
 
 /// Flies a scenario from start to end: world -> sensors -> estimator -> filter -> guidance -> controller -> mixer ->
-/// world. A simulation that goes wrong ends the log with outcome `error`. Throws InputError for a scenario that cannot
-/// be set up, Interrupted, and what an observer throws. `stop_requested` may be null.
+/// world. A failure of the simulation ends the log with outcome `error`. Throws InputError for a scenario that cannot
+/// be set up, Interrupted when a stop is requested, and the exceptions of observers. `stop_requested` may be null.
 FlightLog FlyClosedLoop(const Scenario& scenario, FlightObservers observers, const util::StopRequested& stop_requested);
 
 }  // namespace touchdown::runner

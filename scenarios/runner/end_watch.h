@@ -9,18 +9,19 @@
 
 namespace touchdown::runner {
 
-/// How a flight ended, and why in a few words.
+/// Outcome of a flight, with a short reason.
 struct Ending {
   Outcome outcome = Outcome::kError;
   std::string reason;
 };
 
-/// Sees when a flight is over.
+/// Detects the end of a flight.
 class EndWatch {
  public:
   explicit EndWatch(const Scenario& scenario);
 
-  /// Call it once a tick, in order, with the newest control output; nullopt while the flight goes on.
+  /// Returns the ending, or nullopt while the flight continues. Call once per tick, in order, with the newest control
+  /// output.
   std::optional<Ending> Judge(const sim::TrueState& truth, const controller::ControlOutput& control);
 
  private:
@@ -33,8 +34,8 @@ class EndWatch {
   models::Tick time_limit_;
   double half_room_m_;
   double ceiling_m_;
-  std::optional<models::Tick> motors_off_;  ///< Since when the motors are off after a landing.
-  std::optional<models::Tick> at_rest_;     ///< Since when the vehicle has been at rest since then.
+  std::optional<models::Tick> motors_off_;  ///< Tick at which the motors stopped after a landing.
+  std::optional<models::Tick> at_rest_;     ///< Tick since which the vehicle has been at rest after that.
 };
 
 }  // namespace touchdown::runner

@@ -8,16 +8,16 @@
 
 namespace touchdown::runner {
 
-/// Makes a scenario's events happen, each from the tick nearest to its time on.
+/// Applies the events of a scenario, each from the tick nearest to its start.
 class EventPlayer {
  public:
   EventPlayer(std::vector<Event> events, const models::TimeBase& time);
 
-  /// Sets what acts on the world at `tick`; call it once a tick, in order. Pushes that overlap add up; the newest wind
-  /// blows.
+  /// Applies the effects at `tick` to the world. Call once per tick, in order. Overlapping pushes add up; the newest
+  /// wind replaces earlier ones.
   void Apply(models::Tick tick, sim::World& world);
 
-  /// Whether the camera's frames are lost, and the pad covered, at the tick of the newest Apply.
+  /// Effects on frames and pad at the tick of the newest Apply.
   bool frames_are_lost() const { return effects_.frames_are_lost; }
   bool pad_is_covered() const { return effects_.pad_is_covered; }
 

@@ -4,8 +4,8 @@
 
 namespace touchdown::runner {
 
-/// Approximate duration of a flight that follows its script, s; at most its time limit. For reporting how far
-/// it is: a flight may take another time.
+/// Approximate duration of a flight that follows its script, s; at most its time limit. It is used for progress
+/// reports; the actual duration may differ.
 double ExpectedDuration_s(const Scenario& scenario);
 
 }  // namespace touchdown::runner

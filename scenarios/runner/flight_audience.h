@@ -8,7 +8,7 @@ namespace touchdown::runner {
 
 using FlightObservers = std::span<FlightObserver* const>;
 
-/// Several observers as one, and the wall-clock time that they take.
+/// Forwards to several observers, and measures their wall-clock time.
 class FlightAudience final : public FlightObserver {
  public:
   explicit FlightAudience(FlightObservers observers) : observers_(observers) {}

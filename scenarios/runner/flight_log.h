@@ -26,22 +26,23 @@ struct TickRecord {
 struct FrameRecord {
   models::Tick delivered = 0;
   models::Tick mid_exposure = 0;
-  controller::Phase phase = controller::Phase::kStandby;  ///< When it was delivered.
+  controller::Phase phase = controller::Phase::kStandby;  ///< Phase at delivery.
   estimator::FrameStatus status = estimator::FrameStatus::kNotFound;
   std::string reason;                         ///< FrameResult::reason.
   std::optional<estimator::VisionPose> pose;  ///< Unfiltered.
-  std::optional<Eigen::Vector2d> pad_px;      ///< As detected.
+  std::optional<Eigen::Vector2d> pad_px;      ///< Detected center of the pad.
 
   // The truth at mid-exposure.
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  std::optional<Eigen::Vector2d> true_pad_px;  ///< nullopt when there is no pad to be seen: absent, covered or behind.
-  bool ring_in_view = false;                   ///< The whole ring is in the image, uncovered.
+  std::optional<Eigen::Vector2d>
+      true_pad_px;            ///< nullopt when no pad is visible: absent, covered or behind the camera.
+  bool ring_in_view = false;  ///< The whole ring is in the image, uncovered.
   bool pad_is_covered = false;
 
-  // By the wall clock.
+  // Wall-clock times.
   double render_ms = 0.0;
   double vision_ms = 0.0;
-  double geometry_ms = 0.0;  ///< Of it, what fell to FrameStage::kGeometry.
+  double geometry_ms = 0.0;  ///< Part of vision_ms in FrameStage::kGeometry.
 };
 
 /// Record of a pose of the tracking system.
@@ -50,13 +51,13 @@ struct TrackingRecord {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  ///< The truth.
 };
 
-/// A flight as it was, in full: logs, metrics and pictures are made of it.
+/// Complete record of a flight, the source of its logs, metrics and figures.
 struct FlightLog {
   models::TimeBase time;
   std::vector<TickRecord> ticks;
   std::vector<FrameRecord> frames;
   std::vector<TrackingRecord> tracking;
-  /// The truth on the tick before a foot first touched the ground in a landing, and on the tick itself.
+  /// True state at the tick before the first ground contact of a landing, and at the tick of contact.
   struct FirstContact {
     sim::TrueState before;
     sim::TrueState at;
@@ -65,8 +66,8 @@ struct FlightLog {
   models::Tick end = 0;
 
   Outcome outcome = Outcome::kError;
-  std::string reason;   ///< In a few words, why it ended so.
-  double wall_s = 0.0;  ///< Of the loop, observers not counted.
+  std::string reason;   ///< Reason for the outcome, in a few words.
+  double wall_s = 0.0;  ///< Duration of the loop without its observers.
 };
 
 }  // namespace touchdown::runner

@@ -13,11 +13,11 @@ class FlightObserver {
  public:
   virtual ~FlightObserver() = default;
 
-  /// Before anything else, with the vehicle at its start.
+  /// Called first, with the vehicle at its start.
   virtual void OnStart(const sim::World& /*world*/) {}
 
-  /// A sample of the IMU as the estimator is given it, with whether the vehicle knew that it stood on the ground,
-  /// motors off. Ticks below 0 belong to a vehicle that stood before a flight that begins in the air.
+  /// Called for each IMU sample that the estimator gets. `at_rest`: the vehicle is on the ground with its motors off.
+  /// Negative ticks precede a flight that starts in the air.
   virtual void OnImu(const models::ImuSample& /*sample*/, bool /*at_rest*/) {}
 
   /// Called for a frame that is delivered at this tick, with its estimate and its record.

@@ -13,10 +13,10 @@ class FlightRecorder {
  public:
   explicit FlightRecorder(const Scenario& scenario);
 
-  /// The truth of every tick, in order, with the camera's true pose and whether the pad lies open.
+  /// Records the true state of each tick, in order, with the true camera pose and whether the pad is covered.
   void OnTruth(const sim::TrueState& truth, const Eigen::Isometry3d& X_WC, bool pad_is_covered,
                controller::Phase phase);
-  /// What the estimator made of a frame that is delivered now. Returns the frame's record.
+  /// Records the estimate of a frame that is delivered now. Returns the record of the frame.
   const FrameRecord& OnFrame(const estimator::FrameResult& estimate, double render_ms, const VisionTime& vision);
   void OnTracking(const models::TrackedPose& tracked);
   void OnControl(const models::VehicleEstimate& estimate, const controller::ControlOutput& control);
@@ -25,7 +25,7 @@ class FlightRecorder {
   FlightLog Finish(Outcome outcome, std::string reason);
 
  private:
-  /// What a frame's truth needs, for the frames that are still on their way.
+  /// True state for frames that are not delivered yet.
   struct Instant {
     sim::TrueState truth;
     Eigen::Isometry3d X_WC;
@@ -39,7 +39,7 @@ class FlightRecorder {
   models::LandingPad pad_;
   bool has_pad_;
   models::Tick history_ticks_;
-  std::deque<Instant> history_;  ///< One for each tick, the newest last.
+  std::deque<Instant> history_;  ///< One entry per tick, the newest last.
   controller::Phase phase_ = controller::Phase::kStandby;
   bool is_clear_of_ground_ = false;
   FlightLog log_;

@@ -22,14 +22,14 @@ std::string TrackingCsv(const FlightLog& log);
 /// frame_timing.csv: one row for each delivered frame with its wall-clock times.
 std::string FrameTimingCsv(const FlightLog& log);
 
-/// A file's name and its text.
+/// Name and content of a file.
 using NamedText = std::pair<std::string, std::string>;
 
 /// Every table and trajectory of a flight: flight.csv, frames.csv, tracking.csv, frame_timing.csv, truth.tum,
 /// estimate.tum, tracking.tum.
 std::vector<NamedText> WriteTables(const FlightLog& log);
 
-/// SHA-256, in hexadecimal, of flight.csv followed by frames.csv. Keeps no text.
+/// SHA-256, in hexadecimal, of flight.csv followed by frames.csv. Builds no text in memory.
 std::string LogDigest(const FlightLog& log);
 
 }  // namespace touchdown::runner

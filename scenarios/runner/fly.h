@@ -17,7 +17,7 @@ struct Timing {
   double vision_ms_mean = 0.0;
   double vision_ms_p99 = 0.0;
   double render_ms_mean = 0.0;
-  double realtime_factor = 0.0;  ///< Simulated over real time.
+  double realtime_factor = 0.0;  ///< Simulated time divided by wall-clock time.
 };
 
 struct FlightResult {

@@ -33,23 +33,23 @@ namespace touchdown::runner {
 /// How a flight ended.
 enum class Outcome {
   kLanded,   ///< Motors off after touchdown, at rest on the gear.
-  kHovered,  ///< The script came to its end in the air.
-  kGaveUp,   ///< Control was handed over, or the time limit passed.
-  kCrashed,  ///< Something but the gear touched something, the vehicle tipped over, or it left the room.
-  kError,    ///< The simulation went wrong.
+  kHovered,  ///< The script ended in the air.
+  kGaveUp,   ///< Control was handed over, or the time limit was reached.
+  kCrashed,  ///< A part other than the gear had contact, the vehicle tipped over, or it left the room.
+  kError,    ///< The simulation failed.
 };
 inline constexpr std::array<std::string_view, 5> kOutcomeNames = {"landed", "hovered", "gave_up", "crashed", "error"};
 constexpr const auto& NamesOf(Outcome) { return kOutcomeNames; }
 constexpr std::string_view Name(Outcome outcome) { return kOutcomeNames[static_cast<std::size_t>(outcome)]; }
 
-/// Where the vehicle is at tick 0, at rest.
+/// Initial state of the vehicle, at rest.
 struct Start {
   bool airborne = false;
-  Eigen::Vector3d position_m = Eigen::Vector3d(0.0, 0.0, 1.0);  ///< p_WB; on the ground, the height is not used.
+  Eigen::Vector3d position_m = Eigen::Vector3d(0.0, 0.0, 1.0);  ///< p_WB. On the ground the height is ignored.
   double yaw_deg = 0.0;
 };
 
-/// A bound on a metric, which the flight must keep to pass.
+/// Bounds of a metric, which a flight must meet to pass.
 struct Criterion {
   std::string metric;
   std::optional<double> min;
@@ -64,7 +64,7 @@ struct Calibration {
   std::optional<models::Mounting> imu;
 };
 
-/// Everything that decides how a flight goes and how it is judged. scenario_schema.cc describes the keys.
+/// All inputs of a flight and its criteria. scenario_schema.cc describes the keys.
 struct Scenario {
   std::string name;
   std::string description;
@@ -94,59 +94,58 @@ struct Scenario {
   models::CameraModel assumed_camera() const { return calibration.camera_model.value_or(camera.model); }
   /// Vehicle that estimator and controller assume: the true one with the mountings of the calibration, where given.
   models::Vehicle assumed_vehicle() const;
-  /// Height at which the room ends: it is a cube.
+  /// Height of the room, which is a cube.
   double ceiling_m() const { return scene.floor_size_m; }
 };
 
-/// A change of one key over what a scenario's file says.
+/// Override of one key of a scenario file.
 struct Override {
-  /// As --set is given it: "key=value", the value as YAML.
+  /// Override from the argument of --set: "key=value", with a YAML value.
   Override(const std::string& set) : assignment(set), place("--set " + set) {}  // NOLINT: strings are overrides.
   Override(std::string assignment_text, std::string typed, std::filesystem::path named_from = {})
       : assignment(std::move(assignment_text)), place(std::move(typed)), folder(std::move(named_from)) {}
 
   std::string assignment;
-  std::string place;             ///< What messages call it.
-  std::filesystem::path folder;  ///< That names of files within it are meant from.
+  std::string place;             ///< Location in messages.
+  std::filesystem::path folder;  ///< Base folder of file names in the value.
 };
 
-/// Throws InputError for a duration in which no frame of the scenario's camera is due.
+/// Throws InputError for a duration shorter than the frame period of the scenario's camera.
 void RequireCameraFrame(const Scenario& scenario, double duration_s);
 
-/// Reads a scenario's file and applies overrides over it, in their order. Throws InputError, naming file,
-/// line and key, for anything that is not as docs/scenarios.md has it.
+/// Reads a scenario file and applies overrides in order. Throws InputError, naming file, line and key, for input that
+/// docs/scenarios.md does not allow.
 ///
-/// Reading the ScenarioYaml of the result gives the same scenario, to the last bit, so that a flight can be flown again
-/// from the scenario.yaml beside its results.
+/// Reading the ScenarioYaml of the result gives an identical scenario, so that a flight can be repeated from the
+/// scenario.yaml in its output directory.
 Scenario LoadScenario(const std::filesystem::path& file, std::span<const Override> overrides = {});
 
-/// The same of text; `name` stands for the file in messages, and files are looked for in `folder`.
+/// Reads a scenario from text. `name` is the file name in messages; `folder` is the base of file names.
 Scenario ParseScenario(const std::string& text, const std::string& name, const std::filesystem::path& folder,
                        std::span<const Override> overrides = {});
 
-/// The whole scenario as YAML with every key, in place.
+/// YAML of the scenario with every key, without references to other files.
 std::string ScenarioYaml(const Scenario& scenario);
 
-/// One row for each key that a scenario may hold.
+/// Reference of all keys of a scenario, one row each.
 std::vector<config::KeyRow> ScenarioReference();
 
-/// A camera's calibration from a file: ROS `camera_info` YAML or the keys of `camera.model`. Throws InputError.
+/// Reads a camera calibration from a file: ROS `camera_info` YAML or the keys of `camera.model`. Throws InputError.
 models::CameraModel LoadCameraModel(const std::filesystem::path& file);
 
-/// A calibration from a file with the keys of `calibration`, in which a mounting is given whole or not at all. Throws
-/// InputError.
+/// Reads a calibration from a file with the keys of `calibration`. A mounting is complete or absent. Throws InputError.
 Calibration LoadCalibration(const std::filesystem::path& file);
 
-/// A calibration as YAML, which LoadCalibration and a scenario's `calibration` read back.
+/// YAML of a calibration, for LoadCalibration or the key `calibration` of a scenario.
 std::string CalibrationYaml(const Calibration& calibration);
 
-/// A vehicle's description from a file with the keys of `vehicle`. Throws InputError.
+/// Reads a vehicle description from a file with the keys of `vehicle`. Throws InputError.
 models::Vehicle LoadVehicle(const std::filesystem::path& file);
 
-/// A pad's description from a file with the keys of `pad`. Throws InputError.
+/// Reads a pad description from a file with the keys of `pad`. Throws InputError.
 models::LandingPad LoadPad(const std::filesystem::path& file);
 
-/// A pad as YAML with every key, which LoadPad reads back to the last bit.
+/// YAML of a pad with every key; LoadPad reads back the same bits.
 std::string PadYaml(const models::LandingPad& pad);
 
 }  // namespace touchdown::runner

@@ -9,11 +9,11 @@ void Describe(models::ConfigVisitor& v, Scenario& scenario);
 void Describe(models::ConfigVisitor& v, Start& start);
 void Describe(models::ConfigVisitor& v, Criterion& criterion);
 
-/// The key `calibration` of a scenario. Keys that it leaves out are those of the scenario's camera and vehicle, so they
-/// must be final before it is read.
+/// Describes the key `calibration` of a scenario. Missing keys default to the camera and vehicle of the scenario, which
+/// must be read before.
 void DescribeCalibration(models::ConfigVisitor& v, Scenario& scenario);
 
-/// The keys of a calibration that is read alone. Keys that a section leaves out have their defaults.
+/// Describes a stand-alone calibration. Missing keys of a section have their defaults.
 void Describe(models::ConfigVisitor& v, Calibration& calibration);
 
 }  // namespace touchdown::runner

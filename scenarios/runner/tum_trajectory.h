@@ -11,19 +11,19 @@ namespace touchdown::runner {
 
 using Trajectory = std::map<models::Tick, Eigen::Isometry3d>;
 
-/// A trajectory of a body in W in the format of the TUM RGB-D benchmark, as evo and others read it: a line
+/// Trajectory of a body in W in the format of the TUM RGB-D benchmark, which evo and other tools read: a line
 /// "t_s x_m y_m z_m qx qy qz qw" for each pose, rising in time. Numbers are the shortest that read back to the same
 /// double.
 std::string TumText(const Trajectory& trajectory, const models::TimeBase& time);
 
-/// The truth: at every IMU tick, every frame's mid-exposure and every pose of the tracking system, so that each of the
-/// other trajectories finds its own time in it.
+/// True trajectory, at every IMU tick, mid-exposure and tick of the tracking system, so that it has a pose at each time
+/// of the other trajectories.
 Trajectory TrueTrajectory(const FlightLog& log);
 
-/// The unfiltered vision pose of every frame with status ok, at mid-exposure.
+/// Trajectory of the unfiltered vision poses of frames with status ok, at mid-exposure.
 Trajectory EstimatedTrajectory(const FlightLog& log);
 
-/// What the tracking system says.
+/// Trajectory of the tracking system.
 Trajectory TrackedTrajectory(const FlightLog& log);
 
 }  // namespace touchdown::runner

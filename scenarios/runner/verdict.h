@@ -9,7 +9,7 @@ namespace touchdown::runner {
 enum class Verdict {
   kPass,   ///< The flight met every check.
   kFail,   ///< The flight missed a check.
-  kError,  ///< The simulation went wrong.
+  kError,  ///< The simulation failed.
 };
 inline constexpr std::array<std::string_view, 3> kVerdictNames = {"pass", "fail", "error"};
 constexpr const auto& NamesOf(Verdict) { return kVerdictNames; }

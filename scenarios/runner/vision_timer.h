@@ -8,13 +8,13 @@
 
 namespace touchdown::runner {
 
-/// What a frame cost by the wall clock.
+/// Wall-clock times of a frame.
 struct VisionTime {
   double total_ms = 0.0;
-  double geometry_ms = 0.0;  ///< Of it, in FrameStage::kGeometry.
+  double geometry_ms = 0.0;  ///< Part of it in FrameStage::kGeometry.
 };
 
-/// Times an estimator frame by frame, and its stages apart.
+/// Measures the time of an estimator, per frame and per stage.
 class VisionTimer {
  public:
   /// For EstimatorSetup::on_stage; the timer must outlive the estimator.

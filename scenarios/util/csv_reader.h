@@ -42,7 +42,7 @@ class CsvReader {
   std::string_view rest_;
   Options options_;
   int line_ = 1;
-  std::deque<std::string> unquoted_;  ///< Cells that do not lie in the text as they are.
+  std::deque<std::string> unquoted_;  ///< Unescaped cells, which do not occur literally in the text.
 };
 
 }  // namespace touchdown::util

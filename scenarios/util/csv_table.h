@@ -12,11 +12,10 @@ namespace touchdown::util {
 
 /// A CSV text with a header, read by column.
 ///
-/// Every member throws InputError, naming file, line and column, when what it is asked for is not there or not as it
-/// should be.
+/// Every member throws InputError, naming file, line and column, for a missing column or an invalid cell.
 class CsvTable {
  public:
-  /// `name` stands for the file in messages; `text` must outlive the table. Throws InputError when a row does not have
+  /// `name` is the file name in messages; `text` must outlive the table. Throws InputError when a row does not have
   /// as many cells as the header, or the last line has no end, as when the file was cut off.
   CsvTable(const std::string& text, std::string name);
 

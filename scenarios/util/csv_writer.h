@@ -27,7 +27,7 @@ class CsvWriter {
   CsvWriter() = default;
   /// Begins with a header line, given as its text.
   explicit CsvWriter(std::string_view header) : text_(std::string(header) + '\n') {}
-  /// Hands the text to `sink` instead of keeping it. The last piece comes with Take.
+  /// Passes the text to `sink` instead of storing it. Take passes the last piece.
   CsvWriter(std::string_view header, TextSink sink) : text_(std::string(header) + '\n'), sink_(std::move(sink)) {}
 
   template <typename T>
@@ -88,7 +88,7 @@ class CsvWriter {
   bool at_line_start_ = true;
 };
 
-/// A line of CSV.
+/// One line of CSV.
 inline std::string CsvLine(const std::vector<std::string>& cells) {
   CsvWriter line;
   for (const std::string& cell : cells) line << cell;

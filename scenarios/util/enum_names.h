@@ -6,9 +6,9 @@
 
 namespace touchdown::util {
 
-/// The value of an enum that has a name. nullopt when no value has it.
+/// Value of an enum by its name; nullopt for an unknown name.
 ///
-/// Such an enum has its names in one place, beside it: a function `NamesOf(Enum)` that returns an array of them, in the
+/// The enum has its names beside it: a function `NamesOf(Enum)` that returns an array of them, in the
 /// order of the enum's values, which count up from 0.
 template <typename Enum>
 constexpr std::optional<Enum> EnumFromName(std::string_view name) {

@@ -9,7 +9,7 @@ namespace touchdown::util {
 /// Content of a file, byte for byte. Throws InputError, "PATH: cannot be read: CAUSE", when it cannot be read.
 std::string ReadTextFile(const std::filesystem::path& file);
 
-/// The same; nullopt when there is no file of that name.
+/// Same as above; nullopt when the file does not exist.
 std::optional<std::string> ReadTextFileIfPresent(const std::filesystem::path& file);
 
 }  // namespace touchdown::util

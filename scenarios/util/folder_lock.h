@@ -4,13 +4,13 @@
 
 namespace touchdown::util {
 
-/// Makes a sweep's folder. Throws InputError when it cannot be made, or holds something else than a sweep.
+/// Creates the folder of a sweep. Throws InputError when it cannot be created or contains something else.
 void ClaimFolder(const std::filesystem::path& folder);
 
-/// That nobody else works in a folder, while it lives. It ends with the program, however that ends.
+/// Exclusive lock of a folder for the lifetime of the object. The lock also ends with the program, however that ends.
 class FolderLock {
  public:
-  /// Throws InputError when another program works there, or the lock cannot be made.
+  /// Throws InputError when another program holds the lock, or the lock cannot be created.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;

@@ -5,13 +5,13 @@
 
 namespace touchdown::util {
 
-/// The user asked to stop. Nothing is left half-written. The program ends with status 130.
+/// Thrown when the user requests a stop. No file is half-written. The program exits with status 130.
 class Interrupted : public std::runtime_error {
  public:
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// Asked every now and then by long work; true makes it throw Interrupted.
+/// Polled by long operations, which throw Interrupted when it returns true.
 using StopRequested = std::function<bool()>;
 
 }  // namespace touchdown::util

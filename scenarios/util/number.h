@@ -9,7 +9,7 @@
 
 namespace touchdown::util {
 
-/// A token read as a number.
+/// Result of reading a token as a number.
 template <typename T>
 struct NumberToken {
   std::optional<T> value = {};   ///< nullopt when the token is not a number as a whole. "inf" and "nan" are numbers.
@@ -27,7 +27,7 @@ NumberToken<T> ReadNumber(std::string_view token) {
   return error == std::errc() ? NumberToken<T>{.value = value} : NumberToken<T>{};
 }
 
-/// The finite number that a whole token is; nullopt for anything else.
+/// Finite number from a whole token; nullopt for any other token.
 template <typename T = double>
 std::optional<T> FiniteNumber(std::string_view token) {
   const std::optional<T> value = ReadNumber<T>(token).value;

@@ -5,13 +5,12 @@
 
 namespace touchdown::util {
 
-/// Throws InputError when WriteOutputFile would refuse the place.
+/// Throws InputError when WriteOutputFile would refuse the path.
 void CheckOutputFile(const std::filesystem::path& place, std::string_view mark);
 
-/// Writes a file that is there whole or not at all, also after the machine's sudden end, and the folders above it.
-/// Nothing that a user made is lost: what is there already is replaced only when it holds `mark`, as `content` does,
-/// by which an earlier file of the same kind is recognized. Throws InputError when it is something else, or cannot be
-/// written.
+/// Writes a file atomically, also with respect to power loss, and creates its parent folders. No file of a user is
+/// lost: an existing file is replaced only when it contains `mark`, the signature that `content` contains too. Throws
+/// InputError for any other existing file, or when the file cannot be written.
 void WriteOutputFile(const std::filesystem::path& place, std::string_view content, std::string_view mark);
 
 }  // namespace touchdown::util

@@ -6,10 +6,10 @@
 
 namespace touchdown::util {
 
-/// What decides, beside scenario and seed, the last bits of a flight: names and values, in a fixed order.
+/// Properties that affect the last bits of a flight, apart from scenario and seed: names and values, in a fixed order.
 std::vector<std::pair<std::string, std::string>> PlatformFacts();
 
-/// Of the machine that this runs on.
+/// Properties of this machine.
 std::string HostName();
 
 }  // namespace touchdown::util

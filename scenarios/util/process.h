@@ -6,15 +6,15 @@
 
 namespace touchdown::util {
 
-/// What a process that ran to its end left.
+/// Result of a process that exited.
 struct ProcessResult {
   bool succeeded = false;  ///< It exited with status 0.
   std::string out = {};    ///< What it wrote to stdout.
   std::string err = {};    ///< What it wrote to stderr.
 };
 
-/// Runs a program, found on the PATH by the first of `arguments`, and waits for its end. nullopt when there is no such
-/// program.
+/// Runs a program, found on the PATH by the first of `arguments`, and waits for its end. nullopt when the program does
+/// not exist.
 std::optional<ProcessResult> RunProcess(std::vector<std::string> arguments);
 
 }  // namespace touchdown::util

@@ -8,7 +8,7 @@
 
 namespace touchdown::util {
 
-/// A folder of its own that goes when it goes. Throws InputError when none can be made.
+/// Temporary folder, removed by the destructor. Throws InputError when it cannot be created.
 class ScratchFolder {
  public:
   ScratchFolder() {

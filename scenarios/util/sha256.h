@@ -6,7 +6,7 @@
 
 namespace touchdown::util {
 
-/// SHA-256 of a text that comes piece by piece.
+/// SHA-256 of a text, computed piece by piece.
 class Sha256Stream {
  public:
   Sha256Stream();

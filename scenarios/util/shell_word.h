@@ -4,7 +4,7 @@
 
 namespace touchdown::util {
 
-/// A text as one word of a shell's command.
+/// Quotes a text as one word of a shell command.
 inline std::string ShellWord(const std::string& text) {
   const bool is_plain =
       !text.empty() &&

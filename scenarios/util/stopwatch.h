@@ -4,7 +4,7 @@
 
 namespace touchdown::util {
 
-/// Wall-clock time since its construction: for timing.json, never for the loop.
+/// Wall-clock time since its construction: for timing.json, not for the loop.
 class Stopwatch {
  public:
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }

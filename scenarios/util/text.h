@@ -9,7 +9,7 @@
 
 namespace touchdown::util {
 
-/// A number with so many digits after the point; "-0.0" is "0.0".
+/// A number with `digits` digits after the decimal point; "-0.0" becomes "0.0".
 inline std::string Fixed(double value, int digits) {
   std::string text = fmt::format("{:.{}f}", value, digits);
   const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
@@ -20,7 +20,7 @@ inline std::string FixedOrNone(const std::optional<double>& value, int digits) {
   return value ? Fixed(*value, digits) : "none";
 }
 
-/// A limit as people write it, "≤ 0.06".
+/// Limit for display, "≤ 0.06".
 inline std::string WithSigns(std::string limit) {
   for (const auto& [ascii, sign] : {std::pair("<=", "≤"), std::pair(">=", "≥"), std::pair("..", "–")}) {
     if (const std::size_t at = limit.find(ascii); at != std::string::npos) limit.replace(at, 2, sign);
@@ -28,7 +28,7 @@ inline std::string WithSigns(std::string limit) {
   return limit;
 }
 
-/// "gave_up" as "gave up".
+/// Name for display: "gave_up" becomes "gave up".
 inline std::string Words(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
   return name;

@@ -4,7 +4,7 @@
 
 namespace touchdown::sim {
 
-/// How the ground lies, and the pad on it: W stays the pad's frame, and it is gravity that tilts in it.
+/// Tilt of the ground and the pad. W remains the frame of the pad; gravity is tilted in it.
 ///
 /// L is the level frame that W becomes when the ground is leveled: R_LW = Ry(pitch) Rx(roll). A positive roll lowers
 /// the ground towards -Y, a positive pitch towards +X.

@@ -28,7 +28,7 @@ struct HandConfig {
 
 void Describe(models::ConfigVisitor& v, HandConfig& config);
 
-/// A body's pose and velocities.
+/// Pose and velocities of a body.
 struct BodyMotion {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   Eigen::Vector3d v_WB = Eigen::Vector3d::Zero();    ///< m/s, in W.
@@ -37,12 +37,12 @@ struct BodyMotion {
 
 /// The motion of a vehicle that is carried: a function of time, drawn from the stream "hand".
 ///
-/// Height, place over the pad, roll, pitch and yaw each go from one drawn value to the next with the least jerk, as
-/// hands move (Flash and Hogan, The coordination of arm movements, J. Neuroscience 5(7), 1985). The higher, the farther
-/// the vehicle may be off the pad, so that the pad stays in view most of the time.
+/// Height, place over the pad, roll, pitch and yaw each go from one drawn value to the next with the least jerk, a
+/// model of hand motion (Flash and Hogan, The coordination of arm movements, J. Neuroscience 5(7), 1985). The
+/// horizontal range is proportional to the height, so that the pad is in view most of the time.
 class Hand {
  public:
-  /// How long the vehicle stands before it is lifted, so that it learns what its accelerometer shows there.
+  /// Time at rest before the lift, in which the estimator learns the accelerometer bias.
   static constexpr double kStanding_s = 2.0;
 
   /// `X_WB` is the pose on the pad from which it is lifted. Throws InputError when the config is not valid.
@@ -53,11 +53,11 @@ class Hand {
   BodyMotion At(models::Tick tick) const;
 
  private:
-  /// A value over time.
+  /// A smooth random function of time.
   class Wander {
    public:
-    /// From `start` through values drawn from +-`reach` about `middle`; one of them lies at `middle` + `reach` and one
-    /// at `middle` - `reach`, all times s since the lift.
+    /// From `start` through values drawn from +-`reach` about `middle`; one of them is `middle` + `reach` and one is
+    /// `middle` - `reach`. Times are in s since the lift.
     Wander(double start, double middle, double reach, double duration_s, models::RandomStream& random);
     double At(double t_s) const;
 

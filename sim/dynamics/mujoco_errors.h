@@ -7,18 +7,18 @@
 
 namespace touchdown::sim {
 
-/// The simulation itself went wrong: a MuJoCo warning, a number that is not finite, time running backwards. The flight
-/// ends as an error, with status 3.
+/// Failure of the simulation: a MuJoCo warning, a number that is not finite, time running backwards. The flight ends
+/// with outcome error, and the program with status 3.
 class SimulationError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Takes over MuJoCo's process-wide handlers, once: instead of writing MUJOCO_LOG.TXT and going on, a warning is kept
-/// for TakeMujocoWarning, and instead of ending the process, an error throws SimulationError, or std::bad_alloc.
+/// Takes over MuJoCo's process-wide handlers, once: a warning is stored for TakeMujocoWarning instead of being written
+/// to MUJOCO_LOG.TXT, and instead of ending the process, an error throws SimulationError, or std::bad_alloc.
 void InstallMujocoHandlers();
 
-/// Throws std::bad_alloc when that is what MuJoCo says.
+/// Throws std::bad_alloc for MuJoCo's out-of-memory error.
 void RefuseLackOfMemory(std::string_view message);
 
 /// The first warning that MuJoCo raised on this thread since the last call; nullopt when there was none.

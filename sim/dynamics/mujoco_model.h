@@ -26,7 +26,7 @@ MujocoModel LoadModel(const std::string& mjcf);
 /// The state of `model` at its initial configuration, with kinematics, lights and cameras computed.
 MujocoData MakeData(const mjModel_& model);
 
-/// Puts the body whose free joint is the model's first there. Kinematics are not computed.
+/// Sets the pose of the body with the model's first free joint. Does not compute kinematics.
 void SetFreePose(const Eigen::Isometry3d& X_WB, mjData_& data);
 
 }  // namespace touchdown::sim

@@ -32,11 +32,11 @@ struct Wrench {
 /// reaction to the rotors' own acceleration and their gyroscopic moment are left out.
 class Rotors {
  public:
-  /// Draws each rotor's phase and share of the imbalance from the stream "vibration". Stopped until Reset.
+  /// Draws the phase and the imbalance of each rotor from the stream "vibration". Stopped until Reset.
   Rotors(const models::Vehicle& vehicle, const VibrationConfig& vibration, const models::TimeBase& time,
          std::uint64_t seed);
 
-  /// All rotors at this speed, rad/s, and at their first phases.
+  /// Sets all rotors to this speed, rad/s, and to their initial phases.
   void Reset(double speed_rad_s);
 
   /// One tick under the command, each speed taken into [0, max_speed_rad_s]. Returns the wrench at the tick's middle.
@@ -45,7 +45,7 @@ class Rotors {
   const std::array<double, models::kRotorCount>& speeds_rad_s() const { return speeds_rad_s_; }
   /// Direction of each imbalance from X_B towards Y_B, rad, in (-pi, pi].
   const std::array<double, models::kRotorCount>& angles_rad() const { return angles_rad_; }
-  /// The wrench of the imbalances alone, as they stand now.
+  /// Wrench of the imbalances alone, at the current phases.
   Wrench Imbalance() const;
 
  private:

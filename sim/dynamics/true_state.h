@@ -9,7 +9,7 @@
 
 namespace touchdown::sim {
 
-/// The truth at a tick. Only sim/ and scenarios/ see it. What is said of "the last tick" is 0 or false at tick 0.
+/// The truth at a tick. Only sim/ and scenarios/ see it. Values over "the last tick" are 0 or false at tick 0.
 struct TrueState {
   models::Tick tick = 0;
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
@@ -18,9 +18,10 @@ struct TrueState {
   Eigen::Vector3d a_WB = Eigen::Vector3d::Zero();        ///< m/s^2, in W, of B's origin: mean over the last tick.
   Eigen::Vector3d alpha_WB_B = Eigen::Vector3d::Zero();  ///< rad/s^2, in B: mean over the last tick.
   std::array<double, models::kRotorCount> rotor_speed_rad_s{};
-  Eigen::Vector3d vibration_m_s2_B = Eigen::Vector3d::Zero();  ///< What the imbalances alone give B's origin, in B.
-  bool gear_in_contact = false;                                ///< A foot touches the ground or an object.
-  bool body_in_contact = false;                                ///< Anything but a foot touches the ground or an object.
+  Eigen::Vector3d vibration_m_s2_B =
+      Eigen::Vector3d::Zero();   ///< Acceleration of B's origin from the imbalances alone, in B.
+  bool gear_in_contact = false;  ///< A foot touches the ground or an object.
+  bool body_in_contact = false;  ///< Anything but a foot touches the ground or an object.
 };
 
 }  // namespace touchdown::sim

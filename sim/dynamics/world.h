@@ -22,7 +22,7 @@ struct WorldConfig {
   VibrationConfig vibration;
   Eigen::Vector3d wind_m_s = Eigen::Vector3d::Zero();
   GroundTilt ground_tilt = {};
-  bool paint_textures = true;  ///< Only a renderer needs them, and they take most of the start.
+  bool paint_textures = true;  ///< Only a renderer needs textures; painting them takes most of the set-up time.
 
   /// Throws InputError for a value out of its range (see Describe), or when the ground is too steep.
   void Validate() const;
@@ -32,7 +32,7 @@ void Describe(models::ConfigVisitor& v, WorldConfig& config);
 
 /// MuJoCo flies the vehicle over the scene: rotors, drag, wind, gravity, contact. One Step is one tick.
 ///
-/// After a SimulationError only Reset brings the world back.
+/// After a SimulationError, call Reset.
 class World {
  public:
   /// Starts at rest on the pad, rotors stopped. Throws InputError for a config, vehicle or scene that is not valid.
@@ -42,8 +42,8 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  /// Puts the vehicle there, at rest, at tick 0; `rotors_at_hover` starts the rotors at hover speed instead of stopped.
-  /// Wind as configured, no push, pad uncovered: nothing of an earlier flight remains.
+  /// Sets the vehicle to a pose, at rest, at tick 0; `rotors_at_hover` starts the rotors at hover speed instead of
+  /// stopped. Also resets wind, push and pad cover.
   void Reset(const Eigen::Isometry3d& X_WB, bool rotors_at_hover);
 
   /// The pose at rest on its feet on the floor, upright on it, the body's origin above (x, y): where the contact
@@ -56,14 +56,15 @@ class World {
   /// MuJoCo warns.
   void Step(const models::RotorCommand& command);
 
-  /// One tick in which a hand moves the vehicle to there, motors off. Throws SimulationError when it is not finite.
+  /// One tick in which a hand moves the vehicle to the given state, motors off. Throws SimulationError when it is not
+  /// finite.
   void Carry(const BodyMotion& motion);
 
   /// Mean wind in W, until set again.
   void SetWind(const Eigen::Vector3d& wind_m_s) { wind_m_s_ = wind_m_s; }
   /// External force in W at the body's origin, N, and torque in W, Nm, until set again.
   void SetPush(const Eigen::Vector3d& force_n, const Eigen::Vector3d& torque_n_m);
-  /// Lays a plain sheet over the pad, or takes it away. The physics does not notice.
+  /// Shows or hides a plain sheet over the pad, without effect on the physics.
   void CoverPad(bool covered);
 
   /// For the renderer.
@@ -90,7 +91,7 @@ class World {
   int pad_cover_ = -1;
   std::vector<bool> is_foot_;  ///< By geom.
   double resting_height_m_ = 0.0;
-  double contact_ceiling_m_ = 0.0;  ///< With the body's origin above it, the vehicle can touch nothing.
+  double contact_ceiling_m_ = 0.0;  ///< Height of the body's origin above which contact is impossible.
   Eigen::Vector3d wind_m_s_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d push_force_n_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d push_torque_n_m_ = Eigen::Vector3d::Zero();

@@ -20,14 +20,14 @@ using ExposurePath = std::span<const Eigen::Isometry3d>;
 /// The pose at `fraction` (0 to 1) of the exposure, interpolated between its neighbors; 0.5 is mid-exposure.
 Eigen::Isometry3d PoseAlong(ExposurePath X_WC, double fraction);
 
-/// The lens and the shutter: turns one wide pinhole view, taken at mid-exposure, into what falls on the sensor, in a
-/// single pass of bilinear lookups.
+/// The lens and the shutter: converts one wide pinhole view at mid-exposure into the image on the sensor, in a single
+/// pass of bilinear lookups.
 ///
 /// The lens' radial distortion is exact. An exposure during which the camera moves is the mean of up to kMaxTaps views
 /// along its path, each of them the mid-exposure view warped by the homography that the floor (the plane z = 0 of W)
-/// induces between the two poses. This is exact for what lies on the floor. Something at height h below a camera at
-/// height H is blurred as if it lay on the floor: where the camera translates, its streak comes out (H - h) / H times
-/// as long as it should; where it rotates, exact. What solid objects hide and uncover within an exposure is left out.
+/// induces between the two poses. This is exact for points on the floor. A point at height h below a camera at height H
+/// is blurred like the floor: under translation its streak has (H - h) / H of the true length; under rotation it is
+/// exact. Changes of occlusion within an exposure are not modeled.
 class CameraOptics {
  public:
   static constexpr int kMaxTaps = 32;
@@ -42,8 +42,8 @@ class CameraOptics {
   /// beyond the rendered one repeats its border. The frame is valid until the next call.
   const FineImage& Expose(const models::Image& pinhole, ExposurePath X_WC);
 
-  /// How many views the exposure is the mean of: 1 as long as no pixel moves by more than a quarter of a pixel, else as
-  /// many as keep them 1 px apart or closer, up to kMaxTaps.
+  /// Number of views that are averaged: 1 when no pixel moves by more than 0.25 px, else as many as keep neighbors at
+  /// most 1 px apart, up to kMaxTaps.
   int TapsFor(ExposurePath X_WC) const;
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Marks a function of which the compiler makes a second copy, vectorised for CPUs with AVX2. For integers, and for
-/// floating-point numbers in the order as written: then both copies give the same.
+/// Marks a function for function multiversioning: a second copy is vectorized for CPUs with AVX2. Use it only for
+/// integers and for floating-point operations in a fixed order, for which both copies give the same result.
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
 #define TOUCHDOWN_CLONE_FOR_CPUS __attribute__((target_clones("avx2", "default"), optimize("O3")))
 #else

@@ -15,8 +15,8 @@
 
 namespace touchdown::sim {
 
-/// A model drawn by MuJoCo on a GL context of its own: what every view of a room is made with, whatever it shows. There
-/// is no sky or fog, and of shadows what Draw is given.
+/// A model that MuJoCo draws on its own GL context, the basis of every view of a room. Without sky and fog; the only
+/// shadows are those passed to Draw.
 class GlScene {
  public:
   enum class Pixels {
@@ -27,33 +27,33 @@ class GlScene {
   /// Copies the model's textures into the GL context; `model` must outlive it. Throws std::runtime_error when there is
   /// no buffer for a view of that size.
   GlScene(const mjModel& model, const PinholeView& view, Pixels pixels, std::unique_ptr<GlContext> context);
-  /// Leaves its context current, as what was made in it may yet have to be destroyed.
+  /// Leaves its context current, so that objects created in it can be destroyed.
   ~GlScene() { gl_->MakeCurrent(); }
   GlScene(const GlScene&) = delete;
   GlScene& operator=(const GlScene&) = delete;
 
-  /// Call before anything else, and before OpenGL is used on what it holds.
+  /// Call before any other member, and before using OpenGL on its objects.
   void MakeCurrent() { gl_->MakeCurrent(); }
 
   const mjrContext& resources() const { return resources_; }
 
-  /// Lists what is to be drawn: the model's geoms, as `options` has it. `data` must have its kinematics computed.
+  /// Fills the draw list with the geoms of the model, by `options`. `data` must have its kinematics computed.
   void List(mjData& data, const mjvOption& options);
-  /// Adds a thing to the list that is not in the model, at X_WG, of MuJoCo's size for its type.
+  /// Adds a geom that is not in the model to the draw list, at X_WG, with MuJoCo's size for its type.
   void Add(mjtGeom type, const Eigen::Vector3d& size_m, const Eigen::Isometry3d& X_WG, const Eigen::Vector4f& rgba);
   /// Draws the list from X_WC (frame C: X right, Y down, Z forward), darkens the ground by `shade` unless it is null,
   /// and writes the pixels, row 0 at the top, without padding between rows.
   void Draw(const Eigen::Isometry3d& X_WC, const GroundShade* shade, std::uint8_t* pixels);
 
  private:
-  /// MuJoCo's list of what is drawn.
+  /// MuJoCo's draw list.
   struct GeomList : mjvScene {
     explicit GeomList(const mjModel& model);
     ~GeomList() { mjv_freeScene(this); }
     GeomList(const GeomList&) = delete;
     GeomList& operator=(const GeomList&) = delete;
   };
-  /// What MuJoCo keeps in the GL context that is current: textures, and an off-screen buffer of the view's size.
+  /// MuJoCo's objects in the current GL context: textures and an off-screen buffer.
   struct Resources : mjrContext {
     Resources(const mjModel& model, const PinholeView& view);
     ~Resources() { mjr_freeContext(this); }

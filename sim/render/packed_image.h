@@ -22,7 +22,7 @@ class PackedImage {
  public:
   static constexpr int kFractionBits = 16;  ///< Fixed-point positions have a resolution of 1/65536 px.
 
-  /// A run of lookups: position i is (x[i], y[i]) + shift + i * step. Positions beyond the image are drawn to its
+  /// A run of lookups: position i is (x[i], y[i]) + shift + i * step. Positions beyond the image are clamped to its
   /// border.
   struct Run {
     const std::int32_t* x = nullptr;
@@ -35,7 +35,7 @@ class PackedImage {
   PackedImage() = default;
   explicit PackedImage(const models::Image& image) { Pack(image); }
 
-  /// Takes the place of what was packed before. The image has at least 2 x 2 px.
+  /// Replaces the packed image. The image has at least 2 x 2 px.
   void Pack(const models::Image& image);
 
   /// Adds the gray levels of a run, interpolated at 1/256 px, to sums[0] to sums[count - 1], in 1/65536 gray level.

@@ -13,7 +13,8 @@ struct mjData_;
 
 namespace touchdown::sim {
 
-/// What a camera without lens errors, exposure time and noise sees: MuJoCo's renderer on a GL context of its own.
+/// Image of an ideal pinhole camera, without lens errors, exposure time and noise: MuJoCo's renderer on its own GL
+/// context.
 ///
 /// The camera's spectral response is the red channel. Of the geom groups, see GeomGroup, the vehicle is not shown,
 /// but under a sun its shadow is.
@@ -27,8 +28,8 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// The view from X_WC (frame C: X right, Y down, Z forward), row 0 at the top. `data` must have its kinematics
-  /// computed (mj_forward, mj_step); of the vehicle in it, only the shadow counts. The image is valid until the
+  /// Renders the view from X_WC (frame C: X right, Y down, Z forward), row 0 at the top. `data` must have its
+  /// kinematics computed (mj_forward, mj_step); only the shadow of the vehicle is used. The image is valid until the
   /// next call.
   const models::Image& Render(mjData_& data, const Eigen::Isometry3d& X_WC);
 

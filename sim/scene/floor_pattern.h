@@ -5,16 +5,16 @@
 
 namespace touchdown::sim {
 
-/// A floor as a function of place: concrete, planks, carpet or tiles, with specks, drawn from a seed. Defined
+/// A floor as a function of position: concrete, planks, carpet or tiles, with specks, drawn from a seed. Defined
 /// everywhere, so that two textures of different resolution show the same floor.
 class FloorPattern {
  public:
   explicit FloorPattern(std::uint64_t seed);
 
-  /// Reflectance, 0 to 255, at a place of the floor in W.
+  /// Reflectance, 0 to 255, at a point of the floor in W.
   double At(const Eigen::Vector2d& p_W) const;
 
-  /// Green and blue of the floor over its red.
+  /// Ratios of green and blue to red.
   double green() const { return green_; }
   double blue() const { return blue_; }
 

@@ -2,12 +2,12 @@
 
 namespace touchdown::sim {
 
-/// MuJoCo's geom groups, by what the camera has to do with them.
+/// MuJoCo's geom groups, by visibility to the camera.
 enum GeomGroup : int {
-  kScenery = 0,       ///< Seen: the pad, the floor about it, and all that lies on the floor.
-  kSurroundings = 1,  ///< Seen beyond the floor's center only: the rest of the floor, the walls.
-  kVehicle = 2,       ///< Not seen.
-  kInvisible = 3,     ///< Solid, but not seen.
+  kScenery = 0,       ///< Visible: the pad, the floor around it, and the items on the floor.
+  kSurroundings = 1,  ///< Visible only beyond the center of the floor: the rest of the floor, the walls.
+  kVehicle = 2,       ///< Not visible.
+  kInvisible = 3,     ///< Solid, but not visible.
 };
 
 }  // namespace touchdown::sim

@@ -17,7 +17,7 @@ class GrassPattern {
   /// Reflectance, 0 to 255, red, green, blue, of the square of that side around W's origin. Row 0 lies at its +Y edge.
   cv::Mat3b Print(double side_m, int texels) const;
 
-  /// Whether a place of the ground is the path's.
+  /// Whether a point of the ground is on the path.
   bool IsPath(const Eigen::Vector2d& p_W) const;
 
  private:
@@ -37,7 +37,7 @@ class GrassPattern {
   Path path_;
   double path_gray_;
   Eigen::Vector2d path_along_, path_left_;
-  double path_distance_m_;  ///< Of its middle from the pad's center.
+  double path_distance_m_;  ///< Distance of its middle from the pad's center.
   double path_half_width_m_;
   double stone_m_;  ///< Size of the gravel's stones.
 };

@@ -6,7 +6,7 @@
 
 namespace touchdown::sim {
 
-/// How much of its light a square of the ground keeps, along W's axes.
+/// Fraction of the light that reaches a square of the ground, aligned with W.
 struct GroundShade {
   cv::Mat1b
       light;  ///< 255: all of it, as at the border everywhere. Row 0 lies at the highest y, column 0 at the lowest x.
@@ -14,16 +14,16 @@ struct GroundShade {
   double side_m = 0.0;
 };
 
-/// Darkens the ground in a picture that OpenGL has drawn, as long as its context, matrices and depths are still there.
+/// Darkens the ground in an image that OpenGL has drawn; needs its context, matrices and depths.
 class GroundShadePainter {
  public:
-  /// What stands before the ground hides the shade.
+  /// Objects in front of the ground hide the shade.
   void Paint(const GroundShade& shade);
 
  private:
   void Upload(const cv::Mat1b& light);
 
-  std::uint32_t texture_ = 0;  ///< Goes with its context.
+  std::uint32_t texture_ = 0;  ///< Released with its context.
 };
 
 }  // namespace touchdown::sim

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-/// Randomness as a function of place and seed, from which surfaces are made: defined everywhere, in any order.
+/// Noise as a function of position and seed, for surfaces: defined everywhere, in any order.
 namespace touchdown::sim {
 
 /// Uniform over [0, 1), a function of the cell, whose coordinates are whole numbers.

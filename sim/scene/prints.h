@@ -6,8 +6,8 @@
 #include "models/landing_pad.h"
 #include "sim/scene/scene.h"
 
-/// What is printed, woven or painted on the things of the room, as reflectance: 0 is a perfect black, 255 a perfect
-/// white. Column 0 lies at the sheet's -X edge, row 0 at its +Y edge.
+/// Artwork of the items of the room, as reflectance: 0 is a perfect black, 255 a perfect white. Column 0 lies at the
+/// sheet's -X edge, row 0 at its +Y edge.
 namespace touchdown::sim {
 
 inline constexpr double kPaper = 225.0;

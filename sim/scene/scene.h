@@ -15,7 +15,7 @@ struct mjModel_;
 
 namespace touchdown::sim {
 
-/// What lies around the pad. The layout is drawn from the flight's seed (stream "scene").
+/// Surroundings of the pad. The layout is drawn from the seed of the flight (stream "scene").
 struct SceneConfig {
   enum class Setting {
     kIndoor,   ///< A floor between four walls, under a light that is nearly even.
@@ -35,14 +35,14 @@ struct SceneConfig {
 
   bool IsOutdoor() const { return setting == Setting::kOutdoor; }
 
-  /// Throws InputError, without a file name, for a value out of its range (see Describe), or for more than 80 things in
+  /// Throws InputError, without a file name, for a value out of its range (see Describe), or for more than 80 items in
   /// all.
   void Validate() const;
 };
 
 void Describe(models::ConfigVisitor& v, SceneConfig& config);
 
-/// A flat, printed thing on the floor, or a solid one, at its pose on the floor.
+/// A flat printed item or a solid item, with its pose on the floor.
 struct SceneItem {
   enum class Kind { kPoster, kRing, kLetterH, kRectangle, kBox, kCylinder, kBall, kStone };
   Kind kind = Kind::kPoster;
@@ -52,7 +52,7 @@ struct SceneItem {
   std::uint64_t texture_seed = 0;
 
   bool IsFlat() const { return kind < Kind::kBox; }
-  /// The corners of its rectangle on the floor in W, counter-clockwise.
+  /// Corners of its rectangle on the floor in W, counter-clockwise.
   std::array<Eigen::Vector2d, 4> Corners() const;
 };
 
@@ -67,12 +67,12 @@ struct Scene {
   std::uint64_t floor_seed = 0;
 };
 
-/// Solid objects stay at least this far from the pad's center with all their body: clear of the flight path.
+/// Smallest distance of any part of a solid item from the pad's center, which keeps the flight path clear.
 inline constexpr double kSolidKeepOut_m = 0.60;
 
-/// Draws a layout. Nothing lies over the pad's sheet or over another item, solid objects keep clear of the flight path
-/// above it, and most flat items lie within 1.5 m of it, where the camera looks. Throws InputError when the floor is
-/// too small for so many things.
+/// Draws a layout. No item overlaps the pad's sheet or another item, solid items keep the flight path clear, and most
+/// flat items are within 1.5 m of the pad, where the camera looks. Throws InputError when the floor is too small for
+/// the items.
 Scene MakeScene(const SceneConfig& config, const models::LandingPad& pad, std::uint64_t seed);
 
 inline constexpr char kPadCoverName[] = "pad_cover";
@@ -82,8 +82,8 @@ inline constexpr char kSunName[] = "sun";
 /// The whole MJCF: options, assets, floor, pad, items, lights, and `vehicle_body` (a `<body>` element) among them.
 ///
 /// The pad's sheet lies at z = 0, other prints and the visible floor a fraction of a millimeter below it; the solid
-/// floor "floor" is an invisible plane at z = 0. GeomGroup says who sees what. The sheet kPadCoverName above the pad is
-/// transparent until its alpha is set to 1.
+/// floor "floor" is an invisible plane at z = 0. GeomGroup defines the visibility. The sheet kPadCoverName above the
+/// pad is transparent until its alpha is set to 1.
 std::string SceneMjcf(const Scene& scene, const std::string& vehicle_body, double timestep_s);
 
 /// Fills the pixels of the textures that SceneMjcf declares, before a GL context is made of the model.

@@ -9,14 +9,14 @@
 
 namespace touchdown::sim {
 
-/// A convex solid of MuJoCo's: a box, cylinder, capsule, sphere or ellipsoid, with its size as MuJoCo has it.
+/// A convex solid of MuJoCo: a box, cylinder, capsule, sphere or ellipsoid, with its size as MuJoCo has it.
 struct Solid {
   mjtGeom type = mjGEOM_BOX;
   Eigen::Vector3d size_m = Eigen::Vector3d::Zero();
   Eigen::Isometry3d X_WG = Eigen::Isometry3d::Identity();
 };
 
-/// What a solid item is and where it stands. Throws std::logic_error for a flat one.
+/// Shape and pose of a solid item. Throws std::logic_error for a flat item.
 Solid SolidOf(const SceneItem& item);
 
 }  // namespace touchdown::sim

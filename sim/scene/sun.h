@@ -6,7 +6,7 @@
 
 namespace touchdown::sim {
 
-/// The sun over the ground outdoors. Places and angles are of W, so that on tilted ground they are the ground's.
+/// The sun over outdoor ground. Directions are in W, which is tilted with the ground.
 struct Sun {
   double elevation_deg = 45.0;
   double azimuth_deg = 60.0;
@@ -15,10 +15,10 @@ struct Sun {
   /// Throws InputError, without a file name, for a value out of its range (see Describe).
   void Validate() const;
 
-  /// Unit vector in W towards it.
+  /// Unit vector in W towards the sun.
   Eigen::Vector3d Direction() const;
 
-  /// What the ground keeps of its light where the sun does not reach.
+  /// Fraction of the light in the shadow.
   double Shade() const { return 1.0 / (1.0 + to_sky); }
 };
 

@@ -18,7 +18,7 @@ struct TextureSize {
 
 TextureSize FloorTexture(const SceneConfig& config);
 TextureSize FloorCenterTexture(const SceneConfig& config);
-/// The square around the pad that has a floor texture of its own, finer than the rest.
+/// Side of the square around the pad that has a finer floor texture.
 inline constexpr double kFloorCenterSize_m = 3.0;
 
 TextureSize SizeFor(const SceneItem& item);
@@ -28,14 +28,14 @@ TextureSize SizeFor(const SceneItem& item);
 /// that six halvings leave no remainder.
 TextureSize PadTextureSize(const models::LandingPad& pad);
 
-/// The name that an item's geom, material and texture share.
+/// Common name of an item's geom, material and texture.
 std::string ItemName(std::size_t index);
 
 /// Gray level, 0 to 255, of the pad's paper at the pad's center, at the scene's illumination.
 double PaperLevel(const Scene& scene);
 
 /// Evenness of the room's light over the floor: 1 at the pad's center, smooth, within [0.75, 1.12] everywhere. It is
-/// drawn from the scene's seed and painted into all that is flat.
+/// drawn from the scene's seed and painted into all flat items.
 class RoomLight {
  public:
   explicit RoomLight(const Scene& scene);

@@ -13,15 +13,15 @@ namespace touchdown::sim {
 
 /// The shadow of the vehicle on the ground, in the light of a model's sun (kSunName).
 ///
-/// Parts that cover each other darken the ground once, and where a solid object's shadow is painted already, not again.
-/// Turning rotors take the share of light that their blades cover. The edge is as soft as the sun is wide. Solid
-/// objects and walls catch no shadow.
+/// Overlapping parts, and the painted shadows of solid items, darken the ground once. A spinning rotor blocks the
+/// fraction of the light that its blades cover. The penumbra corresponds to the size of the sun. No shadow falls on
+/// solid items and walls.
 class VehicleShadow {
  public:
   explicit VehicleShadow(const mjModel& model);
 
-  /// What the vehicle takes of the ground's light as it is in `data`, whose kinematics are computed; valid until the
-  /// next call. Null when there is no sun that casts shadows.
+  /// Shade of the vehicle at its pose in `data`, whose kinematics are computed; valid until the next call. nullptr
+  /// without a sun that casts shadows.
   const GroundShade* Cast(const mjData& data);
 
  private:
@@ -37,7 +37,7 @@ class VehicleShadow {
   const mjModel& model_;
   std::optional<Eigen::Vector3d> to_sun_;
   double shade_ = 1.0;
-  std::vector<Part> parts_;  ///< What lets light through comes first.
+  std::vector<Part> parts_;  ///< Transparent parts come first.
   std::vector<int> solids_;  ///< Geoms whose shadows are painted into the ground.
   cv::Mat1b mask_;
   GroundShade cast_;

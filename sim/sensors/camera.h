@@ -42,13 +42,13 @@ class Camera {
   Camera(const CameraConfig& config, const Eigen::Isometry3d& X_BC, World& world, const models::TimeBase& time,
          std::uint64_t seed);
 
-  /// Call at every tick from 0 on, with the state of that tick. Returns the frame that is delivered now, if any. Frames
-  /// are exposed about the ticks that the rate's period divides; before tick 0 the camera is taken to be at rest.
-  /// Throws std::logic_error when a tick was left out.
+  /// Call at every tick from 0 on, with the state of that tick. Returns the frame that is delivered at this tick, if
+  /// any. Exposures are centered on the ticks that the frame period divides; before tick 0 the camera is assumed to be
+  /// at rest. Throws std::logic_error for a skipped tick.
   std::optional<models::CameraFrame> Sample(const TrueState& truth);
 
-  /// Pose of the camera in W as it is at `truth`. The rotors' vibration tilts its compliant mount: the lens lags behind
-  /// the acceleration, turning about the optical center.
+  /// Pose of the camera in W at a true state. The vibration of the rotors tilts its compliant mount: the lens lags
+  /// behind the acceleration, rotating about the optical center.
   Eigen::Isometry3d X_WC(const TrueState& truth) const;
 
   /// Wall-clock cost of the newest frame's rendering and image effects, ms. For timing.json only.

@@ -10,9 +10,8 @@
 namespace touchdown::sim {
 
 /// Pixel noise: Gaussian, independent from pixel to pixel and frame to frame (stream "camera.noise"), followed by
-/// rounding to 8 bits. Every row of a frame is a stretch, drawn at random, of a long strip of noise that is drawn once:
-/// two rows of a flight have some of their noise in common in one case of a thousand, and then hardly ever at the same
-/// columns.
+/// rounding to 8 bits. Every row of a frame is a random section of a long strip of noise that is drawn once: one pair
+/// of rows in a thousand overlaps in the strip, and then almost never at the same columns.
 class ImageNoise {
  public:
   static constexpr double kMaxSigma = 24.0;

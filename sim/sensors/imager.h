@@ -11,8 +11,7 @@
 
 namespace touchdown::sim {
 
-/// A camera without a vehicle: renders the scene of a model, exposes it through the lens, adds noise. Any view of the
-/// room can be taken with it.
+/// A camera without a vehicle: renders the scene of a model from any pose, exposes it through the lens, and adds noise.
 class Imager {
  public:
   /// `model` must outlive it. `noise_sigmas`, gray levels of 255, are the noise levels to choose from; each draws from
@@ -23,14 +22,14 @@ class Imager {
   Imager(const mjModel_& model, CameraOptics optics, const std::vector<double>& noise_sigmas, std::uint64_t seed,
          int oversampling = 1);
 
-  /// The frame of an exposure along X_WC, with the first noise level. `data` must have its kinematics computed, as for
+  /// Frame of an exposure along X_WC, with the first noise level. `data` must have its kinematics computed, as for
   /// Renderer::Render.
   models::Image Take(mjData_& data, ExposurePath X_WC) { return AddNoise(Expose(data, X_WC)); }
 
-  /// The first half of Take: what falls on the sensor. Valid until the next call.
+  /// First half of Take: the image on the sensor, without noise. Valid until the next call.
   const FineImage& Expose(mjData_& data, ExposurePath X_WC);
 
-  /// The second half of Take. Each call draws new noise. Throws std::out_of_range when there is no such level.
+  /// Second half of Take: adds noise, new in each call. Throws std::out_of_range for an unknown level.
   models::Image AddNoise(const FineImage& exposed, std::size_t noise_level = 0);
 
  private:

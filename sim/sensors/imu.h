@@ -30,17 +30,17 @@ struct ImuConfig {
 void Describe(models::ConfigVisitor& v, ImuConfig& config);
 
 /// Accelerometer and gyro at U. A sample is the mean of specific force and body rate over the ticks since the last
-/// sample, as the low-pass filter of a real one has it (so that the rotors' vibration is damped, not merely aliased,
-/// and summing samples gives the change of velocity), plus white noise of density x sqrt(rate), plus a bias drawn once,
-/// cut off at the range.
+/// sample, as from the low-pass filter of a real IMU (rotor vibration is damped, not only aliased, and the sum of
+/// samples is the change of velocity), plus white noise of density x sqrt(rate), plus a bias drawn once, saturated at
+/// the range.
 class Imu {
  public:
   /// Draws the bias from the stream "imu.bias"; noise comes from "imu.noise". `X_BU` is the true mounting.
   Imu(const ImuConfig& config, const Eigen::Isometry3d& X_BU, const models::TimeBase& time, std::uint64_t seed,
       const GroundTilt& ground = {});
 
-  /// Call once a tick, in order; returns a sample on the ticks of its rate. The first call's tick may be before 0. The
-  /// sample at tick 0 is of that instant, taken as unaccelerated.
+  /// Call once per tick, in order; returns a sample on the ticks of its rate. The first tick may be negative. The
+  /// sample at tick 0 is instantaneous, without acceleration.
   std::optional<models::ImuSample> Sample(const TrueState& truth);
 
  private:
