@@ -8,8 +8,8 @@
 
 namespace touchdown::controller {
 
-/// Gains in terms of angular acceleration, so that they hold for a vehicle of any inertia. They are tuned for a rotor
-/// lag of 40 ms: a quicker rotor bears higher ones.
+/// Gains in terms of angular acceleration, so that they do not depend on the inertia. They are tuned for a rotor lag of
+/// 40 ms; faster rotors allow higher gains.
 struct AttitudeControllerConfig {
   double roll_pitch_angle_gain_1_s = 8.0;
   double roll_pitch_rate_gain_1_s = 22.0;
@@ -37,15 +37,15 @@ class AttitudeController {
   /// `period_s` is the time between two calls of Torque.
   AttitudeController(const AttitudeControllerConfig& config, const models::Vehicle& vehicle, double period_s);
 
-  /// The torque in B, Nm, that turns `attitude` towards `set_point`, gyroscopic torque compensated.
+  /// Torque in B, Nm, that rotates `attitude` towards `set_point`, with compensation of the gyroscopic torque.
   Eigen::Vector3d Torque(const models::TaitBryan& set_point, const models::TaitBryan& attitude,
                          const Eigen::Vector3d& w_WB_B);
 
-  /// Steps the integrators by the newest call's rate error, but for axes on which the rotors gave less torque than was
-  /// asked for and the error would ask for still more.
+  /// Integrates the rate error of the newest call, except on axes where the rotors saturated and the error would
+  /// increase the demand (anti-windup).
   void Integrate(const Eigen::Vector3d& achieved_torque_n_m);
 
-  /// Forgets the integrators and the derivative's past.
+  /// Resets the integrators and the derivative.
   void Reset();
 
  private:

@@ -16,7 +16,7 @@
 
 namespace touchdown::controller {
 
-/// The controller by its name, and its options.
+/// Name of the controller, and its options.
 struct FlightControllerConfig {
   std::string name = "paper";  ///< One of ControllerNames().
   GuidanceConfig guidance;
@@ -24,11 +24,11 @@ struct FlightControllerConfig {
   AttitudeControllerConfig attitude;
   double vision_fresh_s = 0.07;
 
-  /// Throws InputError for what one of its parts refuses, and for a value out of its range (see Describe).
+  /// Throws InputError for a value out of its range (see Describe), and for a part that is invalid.
   void Validate() const;
 };
 
-/// The names that FlightControllerConfig::name may have.
+/// Allowed values of FlightControllerConfig::name.
 std::vector<std::string> ControllerNames();
 
 /// Throws InputError for a name that is not among ControllerNames(); the message lists them.
@@ -36,7 +36,7 @@ void RequireControllerName(const std::string& name);
 
 void Describe(models::ConfigVisitor& v, FlightControllerConfig& config);
 
-/// What the controller did on an IMU tick: the command, and what led to it, for the logs.
+/// Output of the controller at an IMU tick: the command and its intermediate values, for the logs.
 struct ControlOutput {
   models::RotorCommand rotors;
   Phase phase = Phase::kStandby;
@@ -44,12 +44,12 @@ struct ControlOutput {
   models::TaitBryan attitude_set_point;
   double thrust_n = 0.0;                                 ///< Collective, achieved after saturation.
   Eigen::Vector3d torque_n_m = Eigen::Vector3d::Zero();  ///< In B, achieved after saturation.
-  models::VehicleEstimate::Motion motion;                ///< What the position loop went by: vision's, or predicted.
+  models::VehicleEstimate::Motion motion;                ///< Input of the position loop: from vision, or predicted.
   bool motion_is_predicted = true;
-  bool script_done = false;  ///< Every maneuver has been flown: a flight that ends in the air may stop here.
+  bool script_done = false;  ///< Every maneuver is complete; a flight that ends in the air may stop.
 };
 
-/// Guidance, position loop, attitude loop and mixer in a row (Sec. V): one Update at every IMU sample.
+/// Cascade of guidance, position loop, attitude loop and mixer (Sec. V), with one Update per IMU sample.
 class FlightController {
  public:
   /// Throws InputError for a configuration, a rate or a script that cannot be flown (see Guidance).
@@ -58,7 +58,7 @@ class FlightController {
 
   ControlOutput Update(const models::VehicleEstimate& estimate);
 
-  /// Where the flight stands after the newest Update. In kStandby the vehicle is at rest on the ground.
+  /// Phase after the newest Update. In kStandby the vehicle is at rest on the ground.
   Phase phase() const { return guidance_.phase(); }
 
  private:

@@ -12,11 +12,11 @@
 
 namespace touchdown::controller {
 
-/// One step of what the vehicle is to do.
+/// One maneuver of the script.
 struct Maneuver {
   using Kind = ManeuverKind;
   Kind kind = Kind::kHover;
-  Eigen::Vector3d position_m{0.0, 0.0, 1.0};  ///< In W; of a takeoff, its height alone counts.
+  Eigen::Vector3d position_m{0.0, 0.0, 1.0};  ///< Set-point in W; a takeoff uses its height only.
   double duration_s = 0.0;
 };
 
@@ -55,7 +55,7 @@ struct GuidanceConfig {
   double blind_descent_rate_m_s = 0.20;
   double h_land_clearance_m = -0.025;
 
-  // The pad is not seen.
+  // Loss of the pad.
   double pad_lost_s = 0.30;
   double pad_found_s = 0.10;
   double hold_limit_s = 0.6;
@@ -63,20 +63,20 @@ struct GuidanceConfig {
   double search_climb_limit_s = 5.0;
   double search_climb_m = 1.0;
 
-  /// Throws InputError for a value out of its range (see Describe), or when the numbers contradict each other.
+  /// Throws InputError for a value out of its range (see Describe), or when values contradict each other.
   void Validate() const;
 };
 
 void Describe(models::ConfigVisitor& v, GuidanceConfig& config);
 
-/// Guidance by set-points (Sec. V): where the flight stands, and what the position loop is to follow.
+/// Guidance by set-points (Sec. V): phase of the flight and set-point of the position loop.
 class Guidance {
  public:
   /// Inputs of a tick.
   struct Input {
     models::Tick tick = 0;
     models::VehicleEstimate::Motion motion;  ///< From vision while it is fresh, predicted otherwise.
-    bool pad_lost = true;                    ///< As PadWatch has it.
+    bool pad_lost = true;                    ///< See PadWatch.
     bool pad_found = false;
   };
   struct Output {
@@ -84,12 +84,12 @@ class Guidance {
     Eigen::Vector3d p_m = Eigen::Vector3d::Zero();    ///< Set-point in W.
     Eigen::Vector3d v_m_s = Eigen::Vector3d::Zero();  ///< Its velocity.
     double thrust_ratio = 0.0;                        ///< Blind climb only: thrust over nominal weight.
-    bool script_done = false;                         ///< Every maneuver of the script has been flown.
+    bool script_done = false;                         ///< Every maneuver of the script is complete.
   };
 
   /// `period_s` is the time between two calls of Update, `standing_height_m` the body's height when it stands on its
-  /// gear. Throws InputError when the script cannot be flown from where it starts: an empty one, a takeoff in the air,
-  /// anything else on the ground, anything after a landing, a set-point below the blind height, a negative duration.
+  /// gear. Throws InputError for a script that cannot be flown from its start: empty, a takeoff in the air, another
+  /// maneuver on the ground, a maneuver after a landing, a set-point below the blind height, a negative duration.
   Guidance(const GuidanceConfig& config, const models::TimeBase& time, double period_s, double standing_height_m,
            std::vector<Maneuver> script, bool starts_airborne);
 
@@ -117,17 +117,17 @@ class Guidance {
   double period_s_;
   double standing_height_m_;
   std::vector<Maneuver> script_;
-  std::size_t step_ = 0;  ///< In the script.
+  std::size_t step_ = 0;  ///< Index of the maneuver in the script.
 
   Phase phase_;
   models::Tick now_ = 0, previous_ = 0, entered_ = 0;
   bool begun_ = false;
-  bool pad_known_ = false;  ///< Found at least once: positions mean something.
+  bool pad_known_ = false;  ///< The pad was found at least once, so positions are valid.
   double entry_height_m_ = 0.0;
-  models::Tick hovered_ = 0;  ///< Of the current maneuver.
+  models::Tick hovered_ = 0;  ///< Hover time of the current maneuver.
 
-  double landing_height_m_ = 0.0;                ///< Of P_set (Sec. V), towards which the set-point moves.
-  std::optional<models::Tick> satisfied_since_;  ///< In Q' with little error of height.
+  double landing_height_m_ = 0.0;                ///< Height of P_set (Sec. V), towards which the set-point moves.
+  std::optional<models::Tick> satisfied_since_;  ///< Since when the vehicle is in Q' with a small error of height.
   Eigen::Vector3d p_m_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d v_m_s_ = Eigen::Vector3d::Zero();
 };

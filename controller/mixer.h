@@ -9,17 +9,17 @@
 
 namespace touchdown::controller {
 
-/// What the rotors together do to the body: a force along +Z_B and a torque in B.
+/// Wrench of the rotors on the body: a force along +Z_B and a torque in B.
 struct Wrench {
   double thrust_n = 0.0;
   Eigen::Vector3d torque_n_m = Eigen::Vector3d::Zero();
 };
 
-/// Turns a wanted wrench into rotor speeds, within what running motors can do. What does not fit is given up in this
-/// order: yaw torque first, then collective thrust, roll and pitch torque last.
+/// Converts a demanded wrench to rotor speeds within the limits of running motors. On saturation it reduces the yaw
+/// torque first, then the collective thrust, and the roll and pitch torque last.
 class Mixer {
  public:
-  /// Rotors at their steady speeds, and the wrench that those speeds give: after saturation, for anti-windup.
+  /// Steady rotor speeds, and their wrench after saturation, for anti-windup.
   struct Result {
     models::RotorCommand rotors;
     Wrench achieved;
@@ -29,7 +29,7 @@ class Mixer {
 
   Result Mix(const Wrench& wanted) const;
 
-  /// The steady wrench of rotors at `command`'s speeds.
+  /// Steady wrench of rotors at the speeds of `command`.
   Wrench WrenchOf(const models::RotorCommand& command) const;
 
  private:

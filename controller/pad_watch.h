@@ -6,12 +6,12 @@
 
 namespace touchdown::controller {
 
-/// Keeps count of when the pad was seen.
+/// Tracks when the pad was seen.
 class PadWatch {
  public:
   struct Settings {
-    models::Tick lost_after = 0;   ///< Without a sighting.
-    models::Tick found_after = 0;  ///< Of sightings, none of them later than lost_after upon the one before.
+    models::Tick lost_after = 0;   ///< Time without a sighting.
+    models::Tick found_after = 0;  ///< Duration of sightings with gaps of at most lost_after.
     models::Tick fresh_for = 0;
   };
 
@@ -20,11 +20,11 @@ class PadWatch {
   /// `pad_seen` is the mid-exposure of the newest frame whose pose was used; nullopt: none yet.
   void Update(models::Tick tick, std::optional<models::Tick> pad_seen);
 
-  /// Whether the newest sighting is too old to fly by, or there is none.
+  /// Whether the newest sighting is too old for control, or absent.
   bool lost() const { return lost_; }
-  /// Whether the pad is not lost and has been seen for long enough for position and velocity to be relied on.
+  /// Whether the pad is not lost and has been seen long enough for a reliable position and velocity.
   bool found() const { return found_; }
-  /// Whether the newest sighting is young enough for an estimate that knows nothing of what was commanded since.
+  /// Whether the newest sighting is recent enough for an estimate that does not use commands.
   bool fresh() const { return fresh_; }
 
  private:

@@ -9,9 +9,9 @@
 
 namespace touchdown::controller {
 
-/// A cascade on each axis of W: position P to velocity, velocity PI to acceleration. The integral is on the velocity's
-/// error so that a step of the set-point does not wind it up. The horizontal gains are low since the velocity comes
-/// late: from vision, through a filter that does not know the vehicle's acceleration.
+/// A cascade on each axis of W: position P to velocity, velocity PI to acceleration. The integral is of the velocity
+/// error, so that a step of the set-point does not wind it up. The horizontal gains are low because the velocity lags:
+/// it comes from vision through a filter that does not use the acceleration.
 struct PositionControllerConfig {
   double xy_position_gain_1_s = 1.1;
   double xy_velocity_gain_1_s = 2.4;
@@ -51,21 +51,21 @@ class PositionController {
   /// `period_s` is the time between two calls of Update.
   PositionController(const PositionControllerConfig& config, const models::Vehicle& vehicle, double period_s);
 
-  /// Thrust and tilt towards `target`, at the present yaw. The thrust makes up for the present tilt.
+  /// Thrust and tilt towards `target`, at the current yaw. The thrust compensates the current tilt.
   Demand Update(const Target& target, const models::VehicleEstimate::Motion& motion, const models::TaitBryan& attitude);
 
-  /// The thrust and tilt that hold the trim.
+  /// Thrust and tilt of the trim.
   Demand Trimmed(const models::TaitBryan& attitude) const;
 
-  /// Steps the integrators by the newest Update's velocity error, but not further into a limit that the tilt, the
-  /// acceleration or (by `achieved_thrust_n`) the rotors have reached.
+  /// Integrates the velocity error of the newest Update, except further into a limit of the tilt, the acceleration or
+  /// (by `achieved_thrust_n`) the rotors (anti-windup).
   void Integrate(double achieved_thrust_n);
 
-  /// Takes the trim to be the tilt in which the vehicle stands: true of a level pad (the second assumption of
-  /// Sec. IV-C.2), whatever the IMU's level error.
+  /// Sets the trim to the tilt of the standing vehicle, which is correct on a level pad (the second assumption of Sec.
+  /// IV-C.2) for any level error of the IMU.
   void SetTrimFromStance(const models::TaitBryan& attitude);
 
-  /// The acceleration in W, m/s^2, that the integrators ask for against constant disturbances.
+  /// Acceleration in W, m/s^2, of the integrators against constant disturbances.
   const Eigen::Vector3d& trim_m_s2() const { return integral_; }
 
  private:
@@ -77,7 +77,7 @@ class PositionController {
   double period_s_;
   Eigen::Vector3d position_gain_, velocity_gain_, integral_gain_;
   Eigen::Vector3d velocity_error_ = Eigen::Vector3d::Zero();
-  Eigen::Vector3d excess_ = Eigen::Vector3d::Zero();  ///< Asked-for acceleration less the limited one.
+  Eigen::Vector3d excess_ = Eigen::Vector3d::Zero();  ///< Demanded minus limited acceleration.
   double asked_thrust_n_ = 0.0;
   Eigen::Vector3d integral_ = Eigen::Vector3d::Zero();
 };
