@@ -12,8 +12,8 @@
 namespace touchdown::models {
 namespace {
 
-/// Of 1 + a s + b s^2 + c s^3 with c != 0; infinity when there is none: the smallest positive eigenvalue of the
-/// companion matrix that is real.
+/// Smallest positive root of 1 + a s + b s^2 + c s^3 with c != 0; infinity without one: the smallest positive
+/// eigenvalue of the companion matrix that is real.
 double SmallestPositiveRoot(double a, double b, double c) {
   Eigen::Matrix3d companion;
   companion << 0.0, 0.0, -1.0 / c, 1.0, 0.0, -a / c, 0.0, 1.0, -b / c;
@@ -67,7 +67,7 @@ Eigen::Vector2d CameraModel::Distort(const Eigen::Vector2d& ideal) const {
 Eigen::Matrix2d CameraModel::DistortJacobian(const Eigen::Vector2d& ideal) const {
   const double x = ideal.x(), y = ideal.y(), r2 = ideal.squaredNorm();
   const double gain = 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3));
-  const double slope = 2.0 * (k1 + r2 * (2.0 * k2 + r2 * 3.0 * k3));  // Of the gain, over r^2 / 2.
+  const double slope = 2.0 * (k1 + r2 * (2.0 * k2 + r2 * 3.0 * k3));  // Derivative of the gain by r^2 / 2.
   Eigen::Matrix2d jacobian = gain * Eigen::Matrix2d::Identity() + slope * ideal * ideal.transpose();
   const double shear = 2.0 * (p1 * x + p2 * y);
   jacobian += Eigen::Matrix2d{{2.0 * p1 * y + 6.0 * p2 * x, shear}, {shear, 6.0 * p1 * y + 2.0 * p2 * x}};

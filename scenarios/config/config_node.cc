@@ -79,7 +79,7 @@ class TreeBuilder : public YAML::EventHandler {
   struct OpenNode {
     ConfigNode* node;
     std::optional<PendingKey> pending;                    ///< Waits for its value.
-    std::unordered_map<std::string, std::string> places;  ///< Of its keys so far.
+    std::unordered_map<std::string, std::string> places;  ///< Origins of its keys so far.
   };
 
   ConfigNode MakeNode(ConfigNode::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {

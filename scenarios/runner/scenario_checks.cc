@@ -17,7 +17,7 @@ void RequireInRoom(const Scenario& s, double x_m) {
   }
 }
 
-/// The same of a place in the air.
+/// Same for a position in the air.
 void RequireInRoom(const Scenario& s, const Eigen::Vector3d& p_WB) {
   RequireInRoom(s, p_WB.x());
   RequireInRoom(s, p_WB.y());

@@ -31,7 +31,7 @@ FolderLock::FolderLock(const fs::path& folder) {
   const fs::path file = folder / ".lock";
   fd_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (fd_ < 0) throw InputError(fmt::format("output folder {}: {}", folder.string(), strerror(errno)));
-  // Of all kinds of locks the one that a forked process does not inherit.
+  // A forked process does not inherit this kind of lock.
   struct flock whole {};
   whole.l_type = F_WRLCK;
   whole.l_whence = SEEK_SET;

@@ -9,8 +9,8 @@ namespace touchdown::util {
 /// Result of a process that exited.
 struct ProcessResult {
   bool succeeded = false;  ///< It exited with status 0.
-  std::string out = {};    ///< What it wrote to stdout.
-  std::string err = {};    ///< What it wrote to stderr.
+  std::string out = {};    ///< Output on stdout.
+  std::string err = {};    ///< Output on stderr.
 };
 
 /// Runs a program, found on the PATH by the first of `arguments`, and waits for its end. nullopt when the program does

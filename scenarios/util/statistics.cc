@@ -14,7 +14,7 @@
 namespace touchdown::util {
 namespace {
 
-constexpr double kUpper = 0.975;  // Of a two-sided interval of 95 %.
+constexpr double kUpper = 0.975;  // Upper quantile of a two-sided 95 % interval.
 
 void RequireSome(std::size_t count) {
   if (count == 0) throw std::invalid_argument("there are no values to sum up");
@@ -60,7 +60,7 @@ Interval QuantileInterval(std::vector<double> values, double q, int clusters) {
   RequireClusters(clusters, values.size());
   std::sort(values.begin(), values.end());
   const auto count = static_cast<std::size_t>(clusters);
-  // How many of the clusters lie below the true quantile.
+  // Number of clusters below the true quantile.
   const boost::math::binomial below(static_cast<double>(clusters), std::clamp(q, 0.0, 1.0));
   for (std::size_t i = 0; i < count; ++i) {
     const double at_most_i = boost::math::cdf(below, static_cast<double>(i));
@@ -80,15 +80,15 @@ int FewestForQuantile(double q) {
   return static_cast<int>(std::ceil(std::log(1.0 - kUpper) / std::log(nearer)));
 }
 
-double NormalQuantile(double chance) { return boost::math::quantile(boost::math::normal(), chance); }
+double NormalQuantile(double probability) { return boost::math::quantile(boost::math::normal(), probability); }
 
-double StudentsTQuantile(double chance, int degrees_of_freedom) {
-  return boost::math::quantile(boost::math::students_t(degrees_of_freedom), chance);
+double StudentsTQuantile(double probability, int degrees_of_freedom) {
+  return boost::math::quantile(boost::math::students_t(degrees_of_freedom), probability);
 }
 
-double BinomialTail(int least, int trials, double chance) {
+double BinomialTail(int least, int trials, double probability) {
   if (least <= 0) return 1.0;
-  return boost::math::cdf(boost::math::complement(boost::math::binomial(trials, chance), least - 1));
+  return boost::math::cdf(boost::math::complement(boost::math::binomial(trials, probability), least - 1));
 }
 
 Interval MeanInterval(std::span<const double> values) {

@@ -29,11 +29,11 @@ Interval QuantileInterval(std::vector<double> values, double q, int clusters);
 int FewestForQuantile(double q);
 
 /// Normal quantile (inverse CDF), and quantile of Student's t distribution.
-double NormalQuantile(double chance);
-double StudentsTQuantile(double chance, int degrees_of_freedom);
+double NormalQuantile(double probability);
+double StudentsTQuantile(double probability, int degrees_of_freedom);
 
 /// P(X >= least) for X ~ Binomial(trials, probability).
-double BinomialTail(int least, int trials, double chance);
+double BinomialTail(int least, int trials, double probability);
 
 /// Mean with its interval by Student's t with n - 1 degrees of freedom; the interval of a single value is the value.
 Interval MeanInterval(std::span<const double> values);

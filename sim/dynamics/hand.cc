@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 
 constexpr double kLowest_m = 0.35;
 constexpr double kLift_s = 2.5;  // To the first of its heights.
-constexpr double kOff = 0.25;    // Of the height: how far off the pad, along each axis.
+constexpr double kOff = 0.25;    // Largest horizontal distance from the pad along each axis, per height.
 
 /// From 0 to 1 over [0, 1], at rest at both ends.
 double LeastJerk(double s) {

@@ -89,7 +89,7 @@ class World {
   MujocoData data_;
   int vehicle_body_ = 0;
   int pad_cover_ = -1;
-  std::vector<bool> is_foot_;  ///< By geom.
+  std::vector<bool> is_foot_;  ///< Per geom.
   double resting_height_m_ = 0.0;
   double contact_ceiling_m_ = 0.0;  ///< Height of the body's origin above which contact is impossible.
   Eigen::Vector3d wind_m_s_ = Eigen::Vector3d::Zero();

@@ -65,7 +65,7 @@ class CameraOptics {
   PinholeView view_;
   int grid_columns_;
   int grid_rows_;
-  /// Where each pixel of the frame lies in the pinhole view, in 1/65536 px.
+  /// Position of each pixel of the frame in the pinhole view, in 1/65536 px.
   std::vector<std::int32_t> lookups_x_, lookups_y_;
   PackedImage pinhole_;
   FineImage frame_;

@@ -58,7 +58,7 @@ struct ChaseView::Impl {
   MujocoModel model;
   MujocoData data;
   GlScene scene;
-  TextureFilter filter;  ///< As it is made: every pixel's own mip level.
+  TextureFilter filter;  ///< Default: a mip level per pixel.
   VehicleShadow shadow;
   int pad_cover;
   mjvOption options;

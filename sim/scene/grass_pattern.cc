@@ -110,7 +110,7 @@ cv::Mat3b GrassPattern::Turfs(double side_m, int texels) const {
   return print;
 }
 
-/// Where a blade leans: about as its neighbors do.
+/// Direction in which a blade leans, similar to its neighbors.
 double GrassPattern::Lean(const Eigen::Vector2d& p, double deviation) const {
   return 4.0 * SmoothNoise(p.x() / 0.20, p.y() / 0.20, seed_ + 15) + deviation;
 }

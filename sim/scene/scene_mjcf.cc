@@ -115,7 +115,7 @@ std::string Light(const SceneConfig& config) {
       kSunName, -to_sun.x(), -to_sun.y(), -to_sun.z(), sky, sun);
 }
 
-/// What is drawn first hides the rest, and hidden pixels cost nothing: from the top down.
+/// Ordered from the top down: hidden pixels cost nothing.
 std::string Things(const Scene& scene) {
   std::string things;
   const Eigen::Vector2d sheet(scene.pad.sheet_length_m, scene.pad.sheet_width_m);

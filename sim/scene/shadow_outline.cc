@@ -21,7 +21,7 @@ void AddEllipse(const Vector3d& center, const Vector3d& a, const Vector3d& b, st
   }
 }
 
-/// Where light from `to_light` grazes an ellipsoid: on the sphere that it is made of by stretching, a great circle.
+/// Terminator of an ellipsoid in the light from `to_light`: the image of a great circle of the unit sphere.
 void AddTerminator(const Vector3d& center, const Vector3d& half_axes, const Vector3d& to_light,
                    std::vector<Vector3d>& points) {
   const Vector3d pole = to_light.cwiseQuotient(half_axes).normalized();

@@ -27,7 +27,7 @@ constexpr double kLargeSheet_m = 0.2;
 constexpr int kFaceTexels = 64;
 constexpr int kLightCells = 32;
 
-/// Where a texture lies on the floor.
+/// Position of a texture on the floor.
 class Placement {
  public:
   explicit Placement(const Eigen::Vector2d& extent_m) : Placement(Eigen::Vector2d::Zero(), 0.0, extent_m) {}

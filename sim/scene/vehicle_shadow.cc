@@ -17,7 +17,7 @@ constexpr int kSide = 256;
 /// Area of a two-bladed propeller's blades over its disc's.
 constexpr std::uint8_t kBladesOpacity = 31;
 constexpr std::uint8_t kOpaque = 255;
-/// Of a blur as wide as the sun's disc of 0.53 degrees, for each meter that the light has still to go.
+/// Standard deviation of the penumbra per meter of distance, for the sun's disc of 0.53 degrees.
 constexpr double kBlurPerMeter = 0.0093 / 4.0;
 
 }  // namespace

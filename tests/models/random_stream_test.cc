@@ -97,7 +97,7 @@ TEST(RandomStream, DrawsAVectorInTheOrderOfItsAxes) {
   EXPECT_EQ(v.z(), scalar.Normal());
 }
 
-TEST(RandomStream, TakesItsChances) {
+TEST(RandomStream, DrawsWithTheGivenProbability) {
   RandomStream random(5, "test");
   int hits = 0;
   for (int i = 0; i < 100000; ++i) hits += random.Chance(0.3);

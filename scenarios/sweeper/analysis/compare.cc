@@ -16,13 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kUpper = 0.975;  // Of a two-sided interval of 95 %.
+constexpr double kUpper = 0.975;  // Upper quantile of a two-sided 95 % interval.
 constexpr double kPower = 0.8;
 
 using Pair = std::pair<const SweepResult*, const SweepResult*>;
 using PairsBySeed = std::map<std::uint64_t, std::vector<Pair>>;
 
-/// What two sweeps' flights are paired by.
+/// Key by which the flights of two sweeps are paired.
 using Identity = std::tuple<std::uint64_t, std::string, std::map<std::string, std::string>>;
 
 Identity IdentityOf(const SweepResult& result, const std::vector<std::string>& keys) {
@@ -53,24 +53,24 @@ PairsBySeed PairsOf(const StoredResults& a, const StoredResults& b, Comparison& 
   return pairs;
 }
 
-/// By Bonett and Price 2012, of `gained` and `lost` passes in so many seeds: as if one more had changed each way.
+/// Interval of Bonett and Price (2012) for `gained` and `lost` passes, with one more change in each direction.
 util::Interval ShareDifference(double gained, double lost, double seeds) {
   const double n = seeds + 2.0, up = (gained + 1.0) / n, down = (lost + 1.0) / n;
   const double half = util::NormalQuantile(kUpper) * std::sqrt((up + down - (up - down) * (up - down)) / n);
   return {(gained - lost) / seeds, std::max(-1.0, up - down - half), std::min(1.0, up - down + half)};
 }
 
-/// The smallest change of a pass rate that seeds show with 80 % chance, when `both_ways` of them change in each
-/// direction anyway: so many more must change in one of them, and do so by a binomial's chance. 1 when no change of so
-/// few seeds shows.
+/// Smallest change of a pass rate that the seeds detect with 80 % power, when `both_ways` of them change in each
+/// direction anyway: so many more must change in one of them, and do so by a binomial's probability. 1 when no change
+/// of so few seeds shows.
 double ResolvableChange(int both_ways, int seeds) {
   int needed = both_ways + 1;
   while (needed + both_ways <= seeds && ShareDifference(both_ways, needed, seeds).high >= 0.0) ++needed;
   if (needed + both_ways > seeds) return 1.0;
   double too_rare = 0.0, enough = 1.0;
   for (int i = 0; i < 40; ++i) {
-    const double chance = 0.5 * (too_rare + enough);
-    (util::BinomialTail(needed, seeds, chance) < kPower ? too_rare : enough) = chance;
+    const double probability = 0.5 * (too_rare + enough);
+    (util::BinomialTail(needed, seeds, probability) < kPower ? too_rare : enough) = probability;
   }
   return enough - static_cast<double>(both_ways) / seeds;
 }
@@ -99,7 +99,7 @@ PairedDifference PassRateDifference(const PairsBySeed& pairs_by_seed) {
 
 std::optional<PairedDifference> MetricDifference(const runner::MetricInfo& metric, const PairsBySeed& pairs_by_seed) {
   int count = 0;
-  std::vector<double> of_a, of_b, differences;  // Of each seed, the mean.
+  std::vector<double> of_a, of_b, differences;  // Mean of each seed.
   for (const auto& [seed, pairs] : pairs_by_seed) {
     std::vector<double> a_values, b_values;
     for (const auto& [a, b] : pairs) {

@@ -25,7 +25,7 @@ constexpr const char* kLogDigest = "log_sha256";
 /// The columns of a row beside its parameters and metrics, those between `seed` and the metrics.
 constexpr std::array<const char*, 3> kFlightColumns = {"process", "verdict", "outcome"};
 
-/// Where the parts of a row lie: id, variant, parameters, seed, flight columns, metrics, log_sha256.
+/// Column indices of a row: id, variant, parameters, seed, flight columns, metrics, log_sha256.
 ///
 /// Files of versions before 0.2 have no column `process`: there, the outcome of a flight without one says how its
 /// process ended.
@@ -46,7 +46,7 @@ struct Layout {
   }
 };
 
-/// What a cell must hold; throws std::invalid_argument for nullopt.
+/// Required value of a cell; throws std::invalid_argument for nullopt.
 template <typename Value>
 Value Required(const std::optional<Value>& value) {
   if (!value) throw std::invalid_argument("not a row");

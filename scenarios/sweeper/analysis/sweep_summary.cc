@@ -67,7 +67,7 @@ SweepCheck Judged(const SweepCriterion& criterion, const std::vector<SweepResult
   return {check, figure};
 }
 
-/// What the sequential test says: nothing while flights are missing between others.
+/// Result of the sequential test over the flights in order, up to the first missing one.
 SweepCheck Decided(const StopWhen& stop, const SweepOutcome& sweep) {
   SequentialTest test(stop);
   if (sweep.results.size() == sweep.planned) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scenarios/sweeper/analysis/pass_edge.h"
+#include "scenarios/sweeper/analysis/pass_boundary.h"
 #include "scenarios/sweeper/plan/sweep_store.h"
 #include "scenarios/util/statistics.h"
 

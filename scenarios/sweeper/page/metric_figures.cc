@@ -15,7 +15,7 @@ struct Bin {
   int passed = 0, all = 0;
 };
 
-/// Of equal widths over all that there is of the metric.
+/// Histogram with bins of equal width over the range of the metric.
 std::vector<Bin> BinsOf(const std::vector<SweepResult>& results, const std::string& metric) {
   const std::vector<double> values = MetricValues(results, metric);
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
@@ -40,7 +40,7 @@ std::vector<Bin> BinsOf(const std::vector<SweepResult>& results, const std::stri
   return bins;
 }
 
-/// What the criteria ask of the metric's quantiles; not what is far from every value.
+/// Limits of the criteria on the metric, without limits far from every value.
 std::vector<double> LimitsNear(const std::vector<Bin>& bins, const SweepSpec& terms, const std::string& metric) {
   const double span = bins.back().to - bins.front().from;
   std::vector<double> limits;

@@ -32,7 +32,7 @@ std::vector<DrawnPoint> DrawnPoints(const SweepOutcome& sweep, std::size_t axis)
 /// The rows or columns of a heat map.
 struct HeatAxis {
   std::vector<std::function<bool(const std::string& value)>> cells = {};
-  std::vector<std::string> tics = {};  ///< What stands where, for gnuplot; the first cell's middle is 0.
+  std::vector<std::string> tics = {};  ///< Labels and positions, for gnuplot; the center of the first cell is 0.
 };
 
 /// A cell for each listed value, named; numbers with the smallest first.
@@ -95,7 +95,7 @@ std::string GroupLines(const std::vector<DrawnPoint>& points) {
   return csv;
 }
 
-/// Of the variant of that number.
+/// Results of the variant at an index.
 const char* ColorOf(std::size_t variant) {
   constexpr std::array<const char*, 6> kColors = {"ESTIMATE", "SET_POINT", "THIRD", "FOURTH", "FIRST", "SECOND"};
   return kColors[variant % kColors.size()];

@@ -116,7 +116,7 @@ report::ReportSection PassRateSection(const SweepOutcome& sweep, const SweepSumm
   return section;
 }
 
-/// Of the first flight's scenario; nullopt for one that this program does not read.
+/// Scenario of the first flight; nullopt for one that this program cannot read.
 std::optional<double> PadRadius_m(const SweepOutcome& sweep) {
   try {
     return runner::ParseScenario(sweep.results.front().row.scenario, "scenario", {}).pad.outer_radius_m;
@@ -139,7 +139,7 @@ report::ReportTable MetricsTable(const SweepOutcome& sweep) {
   return table;
 }
 
-/// Of the metrics that the criteria name, and the one that a landing is first judged by.
+/// Figures of the metrics in the criteria, and of the touchdown error.
 report::ReportSection MetricsSection(const SweepOutcome& sweep) {
   report::ReportSection section{.id = "metrics", .title = "Metrics"};
   std::vector<std::string> shown{kTouchdownError};
@@ -159,7 +159,7 @@ report::ReportTable VariantTable(const StoredResults& stored, const std::string&
       .caption =
           "The second variant less the first, over the flights that share seed and values, with "
           "95 % intervals, for which all pairs of a seed count as one; last the smallest change that so "
-          "many seeds show with 80 % chance.",
+          "many seeds detect with 80 % power.",
       .head = {"Metric", "Unit", "Pairs", "Seeds", a, b, "Difference", "Interval", "Resolvable"}};
   for (const PairedDifference& each : Compare(OfVariant(stored, a), OfVariant(stored, b), {}).differences) {
     table.rows.push_back({each.name, each.unit, std::to_string(each.pairs), std::to_string(each.seeds), Short(each.a),

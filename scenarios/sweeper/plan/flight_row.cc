@@ -43,7 +43,7 @@ std::string RowJson(const FlightRow& row) {
   });
   json["metrics"] = Json::object();
   for (const auto& [name, value] : row.metrics) json["metrics"][name] = value;
-  // What a process writes may not be UTF-8.
+  // The output of a process may not be UTF-8.
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -87,7 +87,7 @@ void Describe(models::ConfigVisitor& v, NormalValues& values) {
 
 namespace {
 
-/// Of a parameter that is evenly spaced.
+/// Values of an evenly spaced parameter.
 struct RangeOfValues {
   double from = 0.0;
   double to = 1.0;

@@ -14,7 +14,7 @@
 namespace touchdown::sweeper {
 namespace {
 
-/// Of as many equal parts of the unit interval as there are seeds, the one that each seed is in.
+/// Latin hypercube: index of the interval of each seed, of as many equal intervals as seeds.
 std::vector<std::size_t> PartsOf(std::size_t seeds, const std::string& key) {
   std::vector<std::size_t> parts(seeds);
   std::iota(parts.begin(), parts.end(), 0);
@@ -103,7 +103,7 @@ std::string Words(const SweepPlan& plan, const PlannedFlight& flight) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-/// Where that was written by which two flights of a seed differ.
+/// Location of the keys by which two flights of a seed differ.
 std::string PlaceOfDifference(const SweepFile& file, const PlannedFlight& a, const PlannedFlight& b) {
   for (std::size_t i = 0; i < file.parameters.size(); ++i) {
     if (a.values[i] != b.values[i]) {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "scenarios/sweeper/analysis/pass_edge.h"
+#include "scenarios/sweeper/analysis/pass_boundary.h"
 #include "scenarios/sweeper/run/run_sweep.h"
 
 namespace touchdown::sweeper {

@@ -58,7 +58,7 @@ SweepPlan Join(const std::vector<Part>& parts) {
   return whole;
 }
 
-/// What was collected before may be judged anew, and the parts by the same terms.
+/// Earlier collections may be judged again, and the parts must have the same specification.
 void RefuseOtherTerms(const std::vector<Part>& parts) {
   for (const Part& part : parts) {
     if (TermsJson(part.terms) == TermsJson(parts.front().terms)) continue;

@@ -9,7 +9,7 @@ namespace {
 
 using controller::Phase;
 
-/// How much frames count towards a metric of vision: a sum, which grows with every frame that makes the metric worse.
+/// Contribution of frames to a metric of vision: a sum that grows with every frame that worsens the metric.
 double ShareOf(const std::string& metric, const std::vector<runner::FrameRecord>& frames) {
   const runner::Metrics detection = runner::Detection(frames), errors = runner::PoseErrors(frames);
   const auto value = [](const runner::Metrics& metrics, const std::string& name) {

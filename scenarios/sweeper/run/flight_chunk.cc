@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kChunkSignature = "\"program\"";
 
-/// Where flights leave their rows until these are whole: what lies in the sweep's rows may be taken in at any time.
+/// Folder of incomplete rows: files in the sweep's folder of rows may be collected at any time.
 class Bench {
  public:
   Bench(const fs::path& folder, int number) : place_((folder / "tasks" / fmt::format("{}.XXXXXX", number)).string()) {

@@ -31,7 +31,7 @@ struct Flying {
   bool is_hung = false;
 };
 
-/// Of a process that left none.
+/// Row for a process that wrote none.
 FlightRow RowWithoutFlight(const Flying& flying, const WorkerEnd& end) {
   FlightRow row{.id = flying.task->id,
                 .program = util::ProgramDigest(),
@@ -65,7 +65,7 @@ std::string LastLine(std::string text) {
   return text.substr(text.rfind('\n') + 1);
 }
 
-/// What a process of the crew does; returns its exit status.
+/// Main function of a worker; returns its exit status.
 int FlyAndExplain(const ProcessPoolOptions& options, const FlightTask& task) {
   try {
     options.fly(task);

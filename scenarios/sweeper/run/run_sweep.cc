@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is known of the planned flights, and what is to be flown next.
+/// State of the planned flights, and the queue of flights to fly.
 class FlightQueue {
  public:
   FlightQueue(const SweepFile& file, const SweepPlan& plan, const SweepStore& store, bool retry) : plan_(plan) {
@@ -50,7 +50,7 @@ class FlightQueue {
   }
 
   bool IsDecided() const { return test_ && test_->decision() != SequentialTest::Decision::kOpen; }
-  /// As many flights, from the plan's start, as the decision took; all without one.
+  /// Number of flights, from the start of the plan, up to the decision; all without one.
   std::size_t counted() const { return IsDecided() ? static_cast<std::size_t>(test_->taken()) : plan_.flights.size(); }
   bool IsDone() const { return IsDecided() || progress_.done == progress_.planned; }
 

@@ -18,7 +18,7 @@ std::string InOneLine(const std::string& text) {
   return joined;
 }
 
-/// What a tool of Slurm printed.
+/// Output of a Slurm tool.
 std::string Ask(const std::vector<std::string>& arguments) {
   const std::optional<util::ProcessResult> run = util::RunProcess(arguments);
   if (!run) throw InputError(fmt::format("--slurm: there is no {} on this machine", arguments[0]));

@@ -35,7 +35,7 @@ std::string LastOf(int fd) {
   return text;
 }
 
-/// What the forked process is, until its end.
+/// Main function of the forked process.
 [[noreturn]] void BeWorker(const std::function<int()>& work, int stderr_fd, rlim_t memory, pid_t parent) {
   setpgid(0, 0);
   prctl(PR_SET_NAME, "touchdown-fly");
@@ -57,7 +57,7 @@ std::string LastOf(int fd) {
     fprintf(stderr, "internal error: %s\n", error.what());
   }
   fflush(stderr);
-  _exit(status);  // What this process has of its parent's is not for it to finish.
+  _exit(status);  // Skips the destructors and buffers inherited from the parent.
 }
 
 }  // namespace

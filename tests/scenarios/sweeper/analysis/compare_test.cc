@@ -103,7 +103,7 @@ TEST(Compare, PairsFlightsBySeedVariantAndParametersAlone) {
   EXPECT_THROW(Compare(a, a, {{"pass_rate", 2.0}}), InputError);
 }
 
-TEST(Compare, ResolvesAChangeOfThePassRateWithEightyPercentChance) {
+TEST(Compare, ResolvesAChangeOfThePassRateWithEightyPercentPower) {
   StoredResults a = Stored({});
   constexpr int kPairs = 100;
   for (std::uint64_t seed = 0; seed < kPairs; ++seed) a.results.push_back(Result(seed, true));

@@ -44,7 +44,7 @@ double ShareDecided(double pass_rate, Decision decision, const StopWhen& stop) {
   return static_cast<double>(count) / kSequences;
 }
 
-TEST(SequentialTest, KeepsItsChancesOfError) {
+TEST(SequentialTest, KeepsItsProbabilitiesOfError) {
   const StopWhen stop{.good_pass_rate = 0.95, .bad_pass_rate = 0.85, .good_refused = 0.05, .bad_accepted = 0.1};
   // Wald's bounds hold about; overshoot makes the errors rarer. Three standard deviations of the share are 0.02.
   EXPECT_LT(ShareDecided(0.95, Decision::kBad, stop), 0.05 + 0.02);

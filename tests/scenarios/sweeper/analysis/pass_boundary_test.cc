@@ -1,4 +1,4 @@
-#include "scenarios/sweeper/analysis/pass_edge.h"
+#include "scenarios/sweeper/analysis/pass_boundary.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ TEST(PassBoundary, HoldsTheTrueEdgeNineteenTimesOfTwenty) {
       const util::Interval edge = AfterGrid(level, 0.8, 10, static_cast<std::uint64_t>(seed)).edge();
       held += edge.low <= TrueEdge(level, 0.8) && TrueEdge(level, 0.8) <= edge.high ? 1 : 0;
     }
-    // 57 expected of 60; 50 or fewer have a chance below 1 %, and a prior is not the truth.
+    // 57 expected of 60; 50 or fewer have a probability below 1 %, and a prior is not the truth.
     EXPECT_GE(held, 51) << level;
   }
 }

@@ -1,4 +1,4 @@
-#include "scenarios/sweeper/analysis/pass_edge.h"
+#include "scenarios/sweeper/analysis/pass_boundary.h"
 
 #include <algorithm>
 #include <array>
@@ -9,11 +9,11 @@ namespace touchdown::sweeper {
 namespace {
 
 constexpr int kPlaces = 121, kWidths = 17;
-// Of the range: from a step between neighboring places to a slope over all of it.
+// Fractions of the range: from a step between neighboring locations to a slope over the whole range.
 constexpr double kNarrowest = 0.005, kWidest = 0.5;
 constexpr std::array<double, 3> kLapses = {0.002, 0.02, 0.06};
 
-/// Of the logistic 1 / (1 + exp(x)), so that it falls from 1 to 0.
+/// Argument of the logistic function 1 / (1 + exp(x)), which falls from 1 to 0.
 double Falling(double x) { return 1.0 / (1.0 + std::exp(x)); }
 
 }  // namespace
@@ -36,11 +36,11 @@ PassBoundary::PassBoundary(double min, double max, double level) : min_(min), ma
 }
 
 void PassBoundary::Take(double value, int passed, int failed) {
-  constexpr double kLeastChance = 1e-12;
+  constexpr double kMinProbability = 1e-12;
   for (Curve& curve : curves_) {
     const double pass_rate = (1.0 - curve.lapse) * Falling((value - curve.middle) / curve.width);
-    if (passed > 0) curve.log_posterior += passed * std::log(std::max(kLeastChance, pass_rate));
-    if (failed > 0) curve.log_posterior += failed * std::log(std::max(kLeastChance, 1.0 - pass_rate));
+    if (passed > 0) curve.log_posterior += passed * std::log(std::max(kMinProbability, pass_rate));
+    if (failed > 0) curve.log_posterior += failed * std::log(std::max(kMinProbability, 1.0 - pass_rate));
   }
 }
 
