@@ -128,21 +128,21 @@ std::string DryRunJson(const DryRun& dry_run) {
 std::string SummaryText(const sweeper::SweepOutcome& sweep, const sweeper::SweepSummary& summary,
                         const std::string& out) {
   std::string text = fmt::format("{}: {} of {} flights\n", sweep.terms.name, summary.all.flown, sweep.planned);
-  if (summary.all.flown > 0 && !sweep.terms.sought) {
+  if (summary.all.flown > 0 && !sweep.terms.search) {
     text += fmt::format("  passed  {}{}\n", Percent(summary.all),
                         sweep.terms.stop_when ? ", not corrected for the early stop" : "");
   }
   for (const sweeper::PassCountOf& each : summary.by_value) {
     text += fmt::format("  {:<40} {}\n", fmt::format("{}={}", each.key, each.value), Percent(each.count));
   }
-  for (const sweeper::PassBoundaryOf& each : summary.edges) text += BoundaryText(each, sweep.terms.sought);
+  for (const sweeper::PassBoundaryOf& each : summary.edges) text += BoundaryText(each, sweep.terms.search);
   for (const auto& [check, interval] : summary.criteria) {
     const char* const verdict = !summary.is_whole ? "so far" : check.pass ? "pass" : "FAIL";
     text += fmt::format("  {}  {:<40} {:>10} {:<4} {}{}\n", verdict, check.name, sweeper::ValueText(check), check.unit,
                         check.limit, IntervalText(interval));
   }
   if (const std::string lost = sweeper::LostProcesses(sweep.results); !lost.empty()) {
-    text += fmt::format("  {}{}\n", lost, sweep.terms.sought ? "" : "; --retry flies them again");
+    text += fmt::format("  {}{}\n", lost, sweep.terms.search ? "" : "; --retry flies them again");
   }
   if (sweep.whole > sweep.planned) {
     text += fmt::format("  {} more flights belong to parts of the sweep that are not collected here\n",
@@ -166,7 +166,7 @@ std::string SummaryJson(const sweeper::SweepOutcome& sweep, const sweeper::Sweep
   json["hung"] = sweeper::CountEnds(sweep.results, sweeper::ProcessEnd::kHung);
   json["out_of_memory"] = sweeper::CountEnds(sweep.results, sweeper::ProcessEnd::kOutOfMemory);
   // An incomplete sweep has no verdict.
-  const bool passes = sweep.terms.sought ? summary.finds_edge() : summary.keeps_criteria();
+  const bool passes = sweep.terms.search ? summary.finds_edge() : summary.keeps_criteria();
   json["pass"] = summary.is_whole ? Json(passes) : Json();
   json["parameters"] = Json::array();
   for (const sweeper::PassCountOf& each : summary.by_value) {

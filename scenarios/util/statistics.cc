@@ -103,7 +103,8 @@ Interval MeanInterval(std::span<const double> values) {
 Interval WilsonInterval(int successes, int trials) { return WilsonInterval(successes, trials, trials); }
 
 Interval WilsonInterval(int successes, int trials, int clusters) {
-  if (trials < 1 || successes < 0 || successes > trials) throw std::invalid_argument("no share of so many trials");
+  if (trials < 1 || successes < 0 || successes > trials)
+    throw std::invalid_argument("invalid number of successes or trials");
   RequireClusters(clusters, static_cast<std::size_t>(trials));
   const double n = clusters, p = static_cast<double>(successes) / trials;
   const double z = NormalQuantile(kUpper);

@@ -20,7 +20,7 @@ constexpr double kFloorDepth_m = 0.0010;
 constexpr double kCenterDepth_m = 0.0008;
 constexpr double kPrintDepth_m = 0.0005;
 constexpr double kCoverHeight_m = 0.0005;
-/// A sphere is made of so many rings, and a cylinder's wall. A cylinder of one has no ends.
+/// Number of rings of a sphere and of the wall of a cylinder. A cylinder with one ring has no ends.
 constexpr int kStacksOfABall = 10;
 
 std::string Texture(const std::string& name, const TextureSize& size) {

@@ -88,9 +88,9 @@ TEST(ResolveYawAmbiguity, TurnsThePoseAboutThePadWhenItsYawIsHalfATurnAway) {
   X_WB.translation() << 0.3, -0.2, 1.0;
   X_WB.linear() = RotationFromTaitBryan({0.1, -0.05, DegToRad(80)});
   EXPECT_TRUE(ResolveYawAmbiguity(X_WB, DegToRad(20)).isApprox(X_WB));
-  const Eigen::Isometry3d twin = ResolveYawAmbiguity(X_WB, DegToRad(-95));
-  EXPECT_TRUE(twin.translation().isApprox(Eigen::Vector3d(-0.3, 0.2, 1.0)));
-  const TaitBryan angles = TaitBryanFromRotation(twin.linear());
+  const Eigen::Isometry3d resolved = ResolveYawAmbiguity(X_WB, DegToRad(-95));
+  EXPECT_TRUE(resolved.translation().isApprox(Eigen::Vector3d(-0.3, 0.2, 1.0)));
+  const TaitBryan angles = TaitBryanFromRotation(resolved.linear());
   EXPECT_NEAR(angles.roll, 0.1, 1e-12);
   EXPECT_NEAR(angles.pitch, -0.05, 1e-12);
   EXPECT_NEAR(RadToDeg(angles.yaw), -100.0, 1e-9);

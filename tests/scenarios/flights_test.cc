@@ -39,26 +39,26 @@ void ExpectPass(const FlightResult& result) {
 std::vector<std::string> Short() { return {"time_limit_s=3"}; }
 
 cv::Mat FilmAt(const fs::path& file, double time_s) {
-  cv::VideoCapture film(file.string());
-  film.set(cv::CAP_PROP_POS_MSEC, 1000.0 * time_s);
+  cv::VideoCapture video(file.string());
+  video.set(cv::CAP_PROP_POS_MSEC, 1000.0 * time_s);
   cv::Mat picture;
-  film.read(picture);
+  video.read(picture);
   return picture;
 }
 
 /// JPEG alone is off by 2; a frame's time that shifts by one by 5 and more. Other CPUs draw the same flight.
 constexpr double kSamePicture = 8.0;
 
-/// The README's picture is this flight's contact sheet, made smaller, and the tour's one of its film. To remake them:
+/// The README's image is this flight's contact sheet, made smaller, and the tour's one of its video. To remake them:
 ///   TOUCHDOWN_WRITE_DOCS=1 build/release/tests/scenarios/shipped_flights_slow_tests --gtest_filter=*README*
 TEST(Flights, TakeoffHoverLandPassesAndLooksAsInTheREADME) {
   const fs::path place = fs::path(::testing::TempDir()) / "flights_test_takeoff_hover_land";
   fs::remove_all(place);
   ExpectPass(cli::FlyIntoFolder(Flight("takeoff_hover_land"), place));
   cv::Mat sheet;
-  cv::VideoCapture film((place / "flight.mp4").string());
-  EXPECT_GT(film.get(cv::CAP_PROP_FRAME_COUNT), 400);
-  EXPECT_LE(static_cast<double>(fs::file_size(place / "flight.mp4")), 1e5 / 30.0 * film.get(cv::CAP_PROP_FRAME_COUNT))
+  cv::VideoCapture video((place / "flight.mp4").string());
+  EXPECT_GT(video.get(cv::CAP_PROP_FRAME_COUNT), 400);
+  EXPECT_LE(static_cast<double>(fs::file_size(place / "flight.mp4")), 1e5 / 30.0 * video.get(cv::CAP_PROP_FRAME_COUNT))
       << "at most 1 MB for 10 s";
   cv::resize(cv::imread((place / "frames.png").string()), sheet, {1280, 720}, 0, 0, cv::INTER_AREA);
   const cv::Mat picture = FilmAt(place / "flight.mp4", 7.0);
@@ -119,9 +119,9 @@ TEST(Flights, LeaveTheirFolderWhole) {
   EXPECT_EQ(json.at("outcome"), "gave_up");
   EXPECT_EQ(json.at("verdict"), "fail");
   EXPECT_EQ(json.at("log_sha256"), result.log_sha256);
-  cv::VideoCapture film((place / "flight.mp4").string());
-  EXPECT_EQ(film.get(cv::CAP_PROP_FPS), 30.0);
-  EXPECT_EQ(film.get(cv::CAP_PROP_FRAME_COUNT), 91) << "3 s and the picture at their end";
+  cv::VideoCapture video((place / "flight.mp4").string());
+  EXPECT_EQ(video.get(cv::CAP_PROP_FPS), 30.0);
+  EXPECT_EQ(video.get(cv::CAP_PROP_FRAME_COUNT), 91) << "3 s and the last image";
   fs::remove_all(place);
 }
 
@@ -136,7 +136,7 @@ TEST(Flights, AreTheSameWithAndWithoutTheirFilm) {
   const FlightResult with = cli::FlyIntoFolder(scenario, place, {.video = true});
   EXPECT_TRUE(fs::exists(place / "flight.mp4"));
   EXPECT_EQ(with.log_sha256, without.log_sha256);
-  // A film of an earlier flight does not stay beside a later one.
+  // A video of an earlier flight does not stay beside a later one.
   cli::FlyIntoFolder(scenario, place, {.video = false});
   EXPECT_FALSE(fs::exists(place / "flight.mp4"));
   fs::remove_all(place);

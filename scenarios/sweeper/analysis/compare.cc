@@ -61,7 +61,7 @@ util::Interval ShareDifference(double gained, double lost, double seeds) {
 }
 
 /// Smallest change of a pass rate that the seeds detect with 80 % power, when `both_ways` of them change in each
-/// direction anyway: so many more must change in one of them, and do so by a binomial's probability. 1 when no change
+/// direction anyway: the additional changes in one direction have a binomial probability. 1 when no change
 /// of so few seeds shows.
 double ResolvableChange(int both_ways, int seeds) {
   int needed = both_ways + 1;

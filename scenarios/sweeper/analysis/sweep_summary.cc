@@ -102,13 +102,13 @@ util::Interval PosteriorBoundary(PassBoundary posterior, const std::map<double, 
   return posterior.edge();
 }
 
-PassBoundaryOf BoundaryOfSearch(const SearchedBoundary& sought, std::size_t axis,
+PassBoundaryOf BoundaryOfSearch(const SearchedBoundary& search, std::size_t axis,
                                 const std::vector<SweepResult>& results) {
-  PassBoundaryOf found{.key = sought.key, .pass_rate = sought.pass_rate};
+  PassBoundaryOf found{.key = search.key, .pass_rate = search.pass_rate};
   const PassCount all = CountWhere(results, [](const SweepResult&) { return true; });
   if (all.passed == 0 || all.passed == all.flown) return found;
-  found.edge = PosteriorBoundary({sought.min, sought.max, sought.pass_rate}, CountsOf(TrialsOver(axis, results, "")));
-  found.may_lie_beyond = found.edge->low == sought.min || found.edge->high == sought.max;
+  found.edge = PosteriorBoundary({search.min, search.max, search.pass_rate}, CountsOf(TrialsOver(axis, results, "")));
+  found.may_lie_beyond = found.edge->low == search.min || found.edge->high == search.max;
   return found;
 }
 
@@ -116,8 +116,8 @@ std::vector<PassBoundaryOf> EdgesOf(const SweepSpec& terms, const std::vector<Sw
   std::vector<PassBoundaryOf> edges;
   for (std::size_t axis = 0; axis < terms.axes.size(); ++axis) {
     const std::string& key = terms.axes[axis].key;
-    if (terms.sought && terms.sought->key == key) edges.push_back(BoundaryOfSearch(*terms.sought, axis, results));
-    if (terms.sought || !IsNumeric(terms.axes[axis])) continue;
+    if (terms.search && terms.search->key == key) edges.push_back(BoundaryOfSearch(*terms.search, axis, results));
+    if (terms.search || !IsNumeric(terms.axes[axis])) continue;
     for (const std::string& variant : terms.flown_variants()) {
       const auto edge = PassBoundaryOver(TrialsOver(axis, results, variant));
       if (edge) edges.push_back({.variant = variant, .key = key, .pass_rate = kBoundaryPassRate, .edge = *edge});

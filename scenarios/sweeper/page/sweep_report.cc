@@ -20,7 +20,7 @@ constexpr int kMostPictures = 50;
 
 data Flag(bool on) { return on ? data::type::bool_true : data::type::bool_false; }
 
-/// The boundary that was sought: of flights that gather around it the share that passed says nothing.
+/// Boundary of a search. The pass rate of its flights is not meaningful, as they concentrate near the boundary.
 template <typename Put>
 void PutEdge(const PassBoundaryOf& each, const Put& put) {
   if (!each.edge) {
@@ -40,7 +40,7 @@ data Glance(const SweepOutcome& sweep, const SweepSummary& summary) {
     item.set("unit", unit);
     items << item;
   };
-  if (sweep.terms.sought) {
+  if (sweep.terms.search) {
     for (const PassBoundaryOf& each : summary.edges) PutEdge(each, put);
   } else if (summary.all.flown > 0) {
     put("Passed", RateText(summary.all), "%");

@@ -110,7 +110,7 @@ struct SweepFile {
   std::vector<SweepVariant> variants = {};  ///< A file without variants has one that is unnamed and sets nothing.
   std::vector<SweepCriterion> criteria = {};
   std::optional<StopWhen> stop_when = {};
-  std::optional<SearchedBoundary> sought = {};  ///< Set by FindBoundary, not by a file.
+  std::optional<SearchedBoundary> search = {};  ///< Set by FindBoundary, not by a file.
 };
 
 /// Number that a YAML value stands for; nullopt if it is not a number.

@@ -35,9 +35,9 @@ SweepSpec TermsFrom(const Json& json) {
                        .bad_accepted = stop.at("bad_accepted")};
   }
   if (json.contains("sought")) {
-    const Json& sought = json.at("sought");
-    terms.sought = {
-        .key = sought.at("key"), .min = sought.at("min"), .max = sought.at("max"), .pass_rate = sought.at("pass_rate")};
+    const Json& search = json.at("sought");
+    terms.search = {
+        .key = search.at("key"), .min = search.at("min"), .max = search.at("max"), .pass_rate = search.at("pass_rate")};
   }
   return terms;
 }
@@ -59,7 +59,7 @@ SweepSpec TermsOf(const SweepFile& file) {
                   .description = file.description,
                   .criteria = file.criteria,
                   .stop_when = file.stop_when,
-                  .sought = file.sought};
+                  .search = file.search};
   for (const SweepParameter& parameter : file.parameters) {
     const auto* listed = std::get_if<ListedValues>(&parameter.values);
     terms.axes.push_back({parameter.key, listed == nullptr ? std::vector<std::string>() : listed->yaml});
@@ -91,11 +91,11 @@ std::string TermsJson(const SweepSpec& terms) {
                          {"good_refused", terms.stop_when->good_refused},
                          {"bad_accepted", terms.stop_when->bad_accepted}};
   }
-  if (terms.sought) {
-    json["sought"] = {{"key", terms.sought->key},
-                      {"min", terms.sought->min},
-                      {"max", terms.sought->max},
-                      {"pass_rate", terms.sought->pass_rate}};
+  if (terms.search) {
+    json["sought"] = {{"key", terms.search->key},
+                      {"min", terms.search->min},
+                      {"max", terms.search->max},
+                      {"pass_rate", terms.search->pass_rate}};
   }
   return json.dump();
 }

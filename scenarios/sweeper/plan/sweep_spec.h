@@ -21,7 +21,7 @@ struct SweepSpec {
   std::vector<std::string> variants = {};  ///< Names; empty without variants.
   std::vector<SweepCriterion> criteria = {};
   std::optional<StopWhen> stop_when = {};
-  std::optional<SearchedBoundary> sought = {};
+  std::optional<SearchedBoundary> search = {};
 
   std::vector<std::string> keys() const;
   /// One unnamed variant for a sweep without variants.

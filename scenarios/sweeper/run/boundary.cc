@@ -15,7 +15,7 @@ namespace {
 double NumberFrom(const SweepParameter& parameter, const std::string& yaml) {
   if (const auto number = AsNumber(yaml)) return *number;
   throw InputError(
-      fmt::format("{}: {}: a boundary is sought between numbers, {} is none", parameter.place, parameter.key, yaml));
+      fmt::format("{}: {}: a boundary search needs numbers, {} is not one", parameter.place, parameter.key, yaml));
 }
 
 std::size_t IndexOf(const SweepFile& file, const std::string& key) {
@@ -67,7 +67,7 @@ Boundary FindBoundary(const SweepFile& file, const BoundarySearch& search, const
   SweepFile whole = file;
   whole.criteria.clear();  // They are not meant of flights that gather where half of them fail.
   whole.parameters[parameter].values = UniformValues{min, max};  // On its page: not listed, but met here and there.
-  whole.sought = {search.key, min, max, search.pass_rate};
+  whole.search = {search.key, min, max, search.pass_rate};
   while (boundary.flights < search.flights) {
     const int round = std::min(kRound, search.flights - boundary.flights);
     for (int i = 0; i < round; ++i) {

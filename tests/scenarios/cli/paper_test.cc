@@ -66,7 +66,7 @@ TEST_F(PaperCommand, DoesNotReplaceAFullRunByAQuickOne) {
   const std::string claim = R"({"kind": "touchdown.paper", "quick": false})";
   folder_.Put("full/paper.json", claim);
   folder_.Put("full/measurements/hovering_1.json", "an hour's work");
-  EXPECT_THAT(ErrorOf({"paper", "--quick", "--out", "full"}), HasSubstr("full: holds a full run"));
+  EXPECT_THAT(ErrorOf({"paper", "--quick", "--out", "full"}), HasSubstr("full: contains a full run"));
   EXPECT_EQ(folder_.Content("full/paper.json"), claim);
   EXPECT_EQ(folder_.Content("full/measurements/hovering_1.json"), "an hour's work");
 }

@@ -13,7 +13,7 @@ class EndWatchTest : public ::testing::Test {
     control_.phase = Phase::kHover;
     truth_.X_WB.translation() << 0.0, 0.0, 1.0;
   }
-  /// The ending within so many seconds of the same state.
+  /// The ending within a time in the same state.
   std::optional<Ending> Within(double seconds) {
     for (const models::Tick end = truth_.tick + scenario_.time.FromSeconds(seconds); truth_.tick < end; ++truth_.tick) {
       if (const auto ending = watch_.Judge(truth_, control_)) return ending;

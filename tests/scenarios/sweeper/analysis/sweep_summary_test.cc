@@ -8,12 +8,12 @@
 namespace touchdown::sweeper {
 namespace {
 
-/// So many flights at a value, the first of which pass.
+/// Flights at a value, of which the first ones pass.
 void Add(std::vector<PassTrial>& trials, double value, int passed, int flown) {
   for (int i = 0; i < flown; ++i) trials.push_back({value, static_cast<std::uint64_t>(i), i < passed});
 }
 
-/// So many flights, each with a touchdown error of its number in millimeters.
+/// Flights with a touchdown error of 1, 2, ... mm.
 SweepOutcome Landings(int passed, int flown, std::vector<SweepCriterion> criteria) {
   SweepOutcome sweep{.terms = {.criteria = std::move(criteria)}, .planned = static_cast<std::size_t>(flown)};
   for (int i = 0; i < flown; ++i) {
@@ -132,7 +132,7 @@ TEST(SweepSummary, TellsTheEdgeOfEachVariantOverEachListedNumber) {
 }
 
 TEST(SweepSummary, TellsTheEdgeThatWasSoughtAlsoWhereItMayLieBeyond) {
-  SweepOutcome sweep{.terms = {.axes = {{"wind", {}}}, .sought = SearchedBoundary{"wind", 0.0, 10.0, 0.6}}};
+  SweepOutcome sweep{.terms = {.axes = {{"wind", {}}}, .search = SearchedBoundary{"wind", 0.0, 10.0, 0.6}}};
   for (std::uint64_t i = 0; i < 12; ++i) {
     sweep.results.push_back(
         {.seed = i, .values = {std::to_string(i % 11)}, .row = {.verdict = runner::Verdict::kPass}});

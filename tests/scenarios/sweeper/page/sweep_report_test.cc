@@ -118,7 +118,7 @@ TEST_F(SweepReportTest, DrawsEachVariantByItself) {
 
 TEST_F(SweepReportTest, HeadsABoundaryByTheBoundary) {
   sweep_.terms.axes[0] = {"camera.noise_sigma", {}};
-  sweep_.terms.sought = {"camera.noise_sigma", 2.0, 10.0, 0.5};
+  sweep_.terms.search = {"camera.noise_sigma", 2.0, 10.0, 0.5};
   EXPECT_THAT(Page(), AllOf(HasSubstr("<dt>Boundary</dt>"), Not(HasSubstr("95 % interval (Wilson)</dt>"))));
   for (SweepResult& result : sweep_.results) result.row.verdict = runner::Verdict::kPass;
   EXPECT_THAT(Page(), HasSubstr("<dt>No boundary found</dt>"));

@@ -35,7 +35,7 @@ SweepSpec Terms() {
           .criteria = {{.metric = "pass_rate", .min = 0.9, .max = 1.0},
                        {.metric = "flight.sim_time_s", .quantile = 0.25, .max = 0.1 + 0.2, .by = JudgedBy::kInterval}},
           .stop_when = StopWhen{.good_pass_rate = 0.9, .bad_pass_rate = 0.8},
-          .sought = SearchedBoundary{"camera.noise_sigma", 3.0, 4.5, 0.9}};
+          .search = SearchedBoundary{"camera.noise_sigma", 3.0, 4.5, 0.9}};
 }
 
 FlightRow Row(const std::string& id, runner::Verdict verdict = runner::Verdict::kPass,
@@ -108,10 +108,10 @@ TEST_F(SweepStoreTest, KeepsWhatTheResultsAreJudgedBy) {
   EXPECT_EQ(terms.criteria[1].by, JudgedBy::kInterval);
   ASSERT_TRUE(terms.stop_when);
   EXPECT_EQ(terms.stop_when->bad_pass_rate, 0.8);
-  ASSERT_TRUE(terms.sought);
-  EXPECT_EQ(terms.sought->key, "camera.noise_sigma");
-  EXPECT_EQ(terms.sought->max, 4.5);
-  EXPECT_EQ(terms.sought->pass_rate, 0.9);
+  ASSERT_TRUE(terms.search);
+  EXPECT_EQ(terms.search->key, "camera.noise_sigma");
+  EXPECT_EQ(terms.search->max, 4.5);
+  EXPECT_EQ(terms.search->pass_rate, 0.9);
 }
 
 TEST(SweepSpec, AreOfASweepsFile) {
