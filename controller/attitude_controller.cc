@@ -28,7 +28,7 @@ void Describe(models::ConfigVisitor& v, AttitudeControllerConfig& c) {
   v.Number({"max_roll_pitch_rate_deg_s", "Limit of the commanded roll and pitch rates."}, c.max_roll_pitch_rate_deg_s,
            kDegreePerSecond, kPositive);
   v.Number({"max_roll_pitch_integral_rad_s2",
-            "Limit of the integral part of roll and pitch. Larger holds against larger constant torques."},
+            "Limit of the integral part of roll and pitch. Larger compensates larger constant torques."},
            c.max_roll_pitch_integral_rad_s2, kRadianPerSecond2, kPositive);
   v.Number({"yaw_angle_gain_1_s", "Commanded rate per angle error of yaw. Higher is stiffer and less damped."},
            c.yaw_angle_gain_1_s, kPerSecond, kNotNegative);
@@ -42,7 +42,7 @@ void Describe(models::ConfigVisitor& v, AttitudeControllerConfig& c) {
   v.Number({"max_yaw_rate_deg_s", "Limit of the commanded yaw rate."}, c.max_yaw_rate_deg_s, kDegreePerSecond,
            kPositive);
   v.Number(
-      {"max_yaw_integral_rad_s2", "Limit of the integral part of yaw. Larger holds against larger constant torques."},
+      {"max_yaw_integral_rad_s2", "Limit of the integral part of yaw. Larger compensates larger constant torques."},
       c.max_yaw_integral_rad_s2, kRadianPerSecond2, kPositive);
 }
 

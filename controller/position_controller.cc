@@ -46,10 +46,10 @@ void Describe(models::ConfigVisitor& v, PositionControllerConfig& c) {
   v.Number({"max_tilt_deg", "Limit of the commanded tilt."}, c.max_tilt_deg, kDegree, PositiveUpTo(kSteepest_deg));
   v.Number({"max_z_acceleration_m_s2", "Limit of the commanded vertical acceleration; below gravity."},
            c.max_z_acceleration_m_s2, kMeterPerSecond2, PositiveUpTo(kBelowGravity_m_s2));
-  v.Number({"max_xy_integral_m_s2", "Limit of the horizontal integral part. Larger holds against stronger wind."},
+  v.Number({"max_xy_integral_m_s2", "Limit of the horizontal integral part. Larger compensates stronger wind."},
            c.max_xy_integral_m_s2, kMeterPerSecond2, kPositive);
   v.Number({"max_z_integral_m_s2",
-            "Limit of the vertical integral part. Larger holds against larger errors of mass or "
+            "Limit of the vertical integral part. Larger compensates larger errors of mass or "
             "thrust."},
            c.max_z_integral_m_s2, kMeterPerSecond2, kPositive);
   v.Number({"max_integrated_error_m_s",

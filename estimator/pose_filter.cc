@@ -22,10 +22,11 @@ void Describe(models::ConfigVisitor& v, PoseFilterConfig& c) {
             "Density of the vertical acceleration noise in the motion model. Larger follows vision sooner, with more "
             "noise."},
            c.z_acceleration_noise_m_s2_sqrt_hz, kMeterPerSecond2RootHertz, kPositive);
-  v.Choice({"vision_noise",
-            "Source of the standard deviation of vision's position: proportional to the height, or the covariance of the "
-            "pose. It is at least min_xy_noise_m and min_z_noise_m."},
-           c.vision_noise, kVisionNoiseNames);
+  v.Choice(
+      {"vision_noise",
+       "Source of the standard deviation of vision's position: proportional to the height, or the covariance of the "
+       "pose. It is at least min_xy_noise_m and min_z_noise_m."},
+      c.vision_noise, kVisionNoiseNames);
   v.Number({"xy_noise_per_height",
             "Standard deviation of vision's horizontal position per meter of height, from tilt errors. Larger follows "
             "vision later."},

@@ -13,7 +13,7 @@ struct PhotoScore {
   double distance_error = 0.0;  ///< Of the camera from the pad, over the true distance; where there is a pose.
 };
 
-/// A fresh estimator on the single photograph, with gravity known and no earlier pose to be held against.
+/// A fresh estimator on the single photograph, with gravity known and no earlier pose for comparison.
 PhotoScore Score(const Photograph& photo);
 
 }  // namespace touchdown::tests

@@ -61,7 +61,7 @@ TEST(ConfigNode, ReadsAHundredThousandKeysInNoTime) {
   const auto begin = std::chrono::steady_clock::now();
   EXPECT_THAT(Parsing(text + "k7:\n"),
               ThrowsInputError(StartsWith("f.yaml:100001: k7: duplicate key, first given at f.yaml:8")));
-  // A second here; over a minute when every key is held against every other.
+  // A second here; over a minute when every key is compared with every other.
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
 }
 
