@@ -42,6 +42,8 @@ constexpr MetricInfo kMetrics[] = {
     {"estimate.roll_rmse_deg", "deg", "RMS error of vision's roll in frames with status ok."},
     {"estimate.pitch_rmse_deg", "deg", "The same of pitch."},
     {"estimate.yaw_rmse_deg", "deg", "The same of yaw, modulo 180 degrees."},
+    {"estimate.tilt_rmse_deg", "deg",
+     "RMS angle between the true and the estimated body Z axis in frames with status ok."},
     {"estimate.availability", "", "Frames with status ok over frames with the whole ring in view.", true},
     {"estimate.ring_frames", "", "Frames with the whole ring in view."},
     {"estimate.false_pads", "", "Frames whose detected pad's center is over 30 px from the true one."},
@@ -136,7 +138,7 @@ const MetricInfo* FindMetric(std::string_view name) {
 }
 
 Metrics PoseErrors(std::span<const FrameRecord> frames) {
-  RootMeanSquare xy, z, xyz, roll, pitch, yaw;
+  RootMeanSquare xy, z, xyz, roll, pitch, yaw, tilt;
   for (const FrameRecord& frame : frames) {
     if (frame.status != estimator::FrameStatus::kOk) continue;
     const models::TaitBryan truth = models::TaitBryanFromRotation(frame.X_WB.linear());
@@ -149,6 +151,7 @@ Metrics PoseErrors(std::span<const FrameRecord> frames) {
     roll.Add(Square(RadToDeg(models::WrapToPi(angles.roll - truth.roll))));
     pitch.Add(Square(RadToDeg(angles.pitch - truth.pitch)));
     yaw.Add(Square(RadToDeg(models::WrapToPi(angles.yaw - truth.yaw))));
+    tilt.Add(Square(RadToDeg(models::AngleBetween(X_WB.linear().col(2), frame.X_WB.linear().col(2)))));
   }
   Metrics metrics;
   xy.Put(metrics, "estimate.xy_rmse_m");
@@ -157,6 +160,7 @@ Metrics PoseErrors(std::span<const FrameRecord> frames) {
   roll.Put(metrics, "estimate.roll_rmse_deg");
   pitch.Put(metrics, "estimate.pitch_rmse_deg");
   yaw.Put(metrics, "estimate.yaw_rmse_deg");
+  tilt.Put(metrics, "estimate.tilt_rmse_deg");
   return metrics;
 }
 

@@ -74,6 +74,8 @@ TEST(Metrics, TakeTheVisionErrorAgainstTheTruth) {
   EXPECT_NEAR(metrics.at("estimate.roll_rmse_deg"), 1.0 / std::sqrt(2.0), 1e-9);
   EXPECT_NEAR(metrics.at("estimate.pitch_rmse_deg"), 2.0 / std::sqrt(2.0), 1e-9);
   EXPECT_NEAR(metrics.at("estimate.yaw_rmse_deg"), 3.0 / std::sqrt(2.0), 1e-9);
+  const double tilt = std::acos(std::cos(DegToRad(1)) * std::cos(DegToRad(2)));
+  EXPECT_NEAR(metrics.at("estimate.tilt_rmse_deg"), models::RadToDeg(tilt) / std::sqrt(2.0), 1e-9);
 }
 
 TEST(Metrics, TakeAPoseTurnedByHalfATurnForTheSame) {
