@@ -18,7 +18,7 @@ struct TaitBryan {
   double yaw = 0.0;    ///< (-pi, pi], about Z up; positive turns left.
 };
 
-/// The same angles in degrees, for configurations, which hold numbers in the unit of their key.
+/// Tait-Bryan angles in degrees, for configurations, which store numbers in the unit of their key.
 struct TaitBryanDeg {
   double roll = 0.0;
   double pitch = 0.0;
@@ -31,30 +31,30 @@ constexpr TaitBryanDeg ToDegrees(const TaitBryan& angles) {
   return {.roll = RadToDeg(angles.roll), .pitch = RadToDeg(angles.pitch), .yaw = RadToDeg(angles.yaw)};
 }
 
-/// R_WB of the given angles.
+/// Rotation R_WB of the given angles.
 Eigen::Matrix3d RotationFromTaitBryan(const TaitBryan& angles);
 
-/// The angles of R_WB. At pitch = +-90 deg, where roll and yaw turn about the same axis, roll is set to 0.
+/// Angles of R_WB. At pitch = +-90 deg, where roll and yaw rotate about the same axis, roll is set to 0.
 TaitBryan TaitBryanFromRotation(const Eigen::Matrix3d& R_WB);
 
-/// The angle's equivalent in (-pi, pi].
+/// Equivalent of an angle modulo 2 pi, in (-pi, pi].
 double WrapToPi(double angle);
 
 /// Equivalent of an angle modulo pi, in (-pi/2, pi/2]: the observable yaw of an H, which looks the same rotated by
 /// 180 degrees (Sec. IV-C.3).
 double WrapToHalfPi(double angle);
 
-/// The shortest rotation R with R * from = to, for unit vectors, through the quaternion halfway between them. For
-/// opposite vectors the axis is undefined: any one perpendicular to `from` is taken.
+/// Shortest rotation R with R * from = to, for unit vectors. For opposite vectors, whose rotation axis is undefined, it
+/// uses an arbitrary axis perpendicular to `from`.
 Eigen::Matrix3d ShortestRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
-/// Angle between two vectors other than 0, in [0, pi]; accurate where it is small.
+/// Angle between two nonzero vectors, in [0, pi]; accurate for small angles too.
 double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
-/// exp([phi]x): the rotation by |phi| radians about phi.
+/// Rotation by |phi| radians about phi: exp([phi]x).
 Eigen::Matrix3d RotationExp(const Eigen::Vector3d& phi);
 
-/// The inverse of RotationExp: the rotation vector of R, its norm in [0, pi].
+/// Inverse of RotationExp: rotation vector of R, with a norm in [0, pi].
 Eigen::Vector3d RotationLog(const Eigen::Matrix3d& R);
 
 }  // namespace touchdown::models

@@ -12,14 +12,14 @@
 namespace touchdown::models {
 namespace {
 
-/// Smallest positive root of 1 + a s + b s^2 + c s^3 with c != 0; infinity without one: the smallest positive
-/// eigenvalue of the companion matrix that is real.
+/// Smallest positive root of 1 + a s + b s^2 + c s^3, with c != 0; infinity if there is none. The roots are the real
+/// eigenvalues of the companion matrix.
 double SmallestPositiveRoot(double a, double b, double c) {
   Eigen::Matrix3d companion;
   companion << 0.0, 0.0, -1.0 / c, 1.0, 0.0, -a / c, 0.0, 1.0, -b / c;
   double smallest = std::numeric_limits<double>::infinity();
   for (const std::complex<double>& root : companion.eigenvalues()) {
-    constexpr double kRoundOff = 1e-7;  // A double root comes out as a pair.
+    constexpr double kRoundOff = 1e-7;  // Round-off splits a double root into a complex pair.
     const bool is_real = std::abs(root.imag()) <= kRoundOff * std::abs(root);
     if (is_real && root.real() > 0.0) smallest = std::min(smallest, root.real());
   }
@@ -29,7 +29,7 @@ double SmallestPositiveRoot(double a, double b, double c) {
 void RequireUndistortable(const CameraModel& camera) {
   for (const double u : {-0.5, camera.width_px - 0.5}) {
     for (const double v : {-0.5, camera.height_px - 0.5}) {
-      if (!camera.Ray({u, v})) throw InputError("the camera's distortion folds within the image");
+      if (!camera.Ray({u, v})) throw InputError("the camera's distortion is not invertible within the image");
     }
   }
 }
@@ -39,7 +39,7 @@ void RequireUndistortable(const CameraModel& camera) {
 void Describe(ConfigVisitor& v, CameraModel& c) {
   v.Integer({"width_px", "Width of the image."}, c.width_px, kImageSize_px);
   v.Integer({"height_px", "Height of the image."}, c.height_px, kImageSize_px);
-  v.Number({"fx_px", "Horizontal focal length. A longer one narrows the field of view."}, c.fx_px, kPixel, kPositive);
+  v.Number({"fx_px", "Horizontal focal length. A larger value narrows the field of view."}, c.fx_px, kPixel, kPositive);
   v.Number({"fy_px", "Vertical focal length; equal to fx_px for square pixels."}, c.fy_px, kPixel, kPositive);
   v.Number({"cx_px", "Horizontal coordinate of the principal point. Pixel centers lie on integers."}, c.cx_px, kPixel,
            kAny);
@@ -67,7 +67,7 @@ Eigen::Vector2d CameraModel::Distort(const Eigen::Vector2d& ideal) const {
 Eigen::Matrix2d CameraModel::DistortJacobian(const Eigen::Vector2d& ideal) const {
   const double x = ideal.x(), y = ideal.y(), r2 = ideal.squaredNorm();
   const double gain = 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3));
-  const double slope = 2.0 * (k1 + r2 * (2.0 * k2 + r2 * 3.0 * k3));  // Derivative of the gain by r^2 / 2.
+  const double slope = 2.0 * (k1 + r2 * (2.0 * k2 + r2 * 3.0 * k3));  // Derivative of the gain with respect to r^2 / 2.
   Eigen::Matrix2d jacobian = gain * Eigen::Matrix2d::Identity() + slope * ideal * ideal.transpose();
   const double shear = 2.0 * (p1 * x + p2 * y);
   jacobian += Eigen::Matrix2d{{2.0 * p1 * y + 6.0 * p2 * x, shear}, {shear, 6.0 * p1 * y + 2.0 * p2 * x}};
@@ -76,7 +76,7 @@ Eigen::Matrix2d CameraModel::DistortJacobian(const Eigen::Vector2d& ideal) const
 
 double CameraModel::MonotonicRadius() const {
   // The derivative of r (1 + k1 r^2 + k2 r^4 + k3 r^6) is 1 + 3 k1 s + 5 k2 s^2 + 7 k3 s^3 with s = r^2. Without k3 its
-  // smallest positive root is 2 / q, in the form that does not cancel and holds for k2 = 0 as well.
+  // smallest positive root is 2 / q, a form that avoids cancellation and also holds for k2 = 0.
   if (k3 != 0.0) return std::sqrt(SmallestPositiveRoot(3.0 * k1, 5.0 * k2, 7.0 * k3));
   const double discriminant = 9.0 * k1 * k1 - 20.0 * k2;
   const double q = discriminant >= 0.0 ? -3.0 * k1 + std::sqrt(discriminant) : 0.0;
@@ -106,7 +106,7 @@ std::optional<Eigen::Vector2d> CameraModel::UndistortRadial(const Eigen::Vector2
   const auto gain = [this](double r2) { return 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3)); };
   if (std::isfinite(r_max) && r_max * gain(r_max * r_max) <= r_distorted) return std::nullopt;
 
-  // Newton on the radius, kept inside the bracket within which the distortion grows.
+  // Newton's method on the radius, kept within the bracket in which the distortion is monotonic.
   double low = 0.0, high = r_max;
   double r = std::min(r_distorted, r_max);
   constexpr int kMaxIterations = 100;

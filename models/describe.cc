@@ -8,7 +8,7 @@
 namespace touchdown::models {
 namespace {
 
-/// The shortest decimal number that reads back to the same bits, without an exponent where people write none.
+/// Shortest decimal number that parses to the same bits. Numbers of usual size have no exponent.
 std::string NumberText(double value) {
   constexpr double kSmallest = 1e-4, kLargest = 1e16;
   const double size = std::abs(value);
@@ -65,7 +65,7 @@ void ConfigChecker::Integer64(const Key& key, std::int64_t& value, const Range& 
 }
 
 void ConfigChecker::Choice(const Key& key, int& index, std::span<const std::string_view> names) {
-  if (index >= static_cast<int>(names.size())) throw Error(PathOf(key.name), "is not among the choices");
+  if (index >= static_cast<int>(names.size())) throw Error(PathOf(key.name), "is not one of the choices");
 }
 
 void ConfigChecker::Section(const Key& key, const SectionFile&, const std::function<void(ConfigVisitor&)>& describe) {

@@ -15,7 +15,7 @@
 
 #include "models/error.h"
 
-/// The description of configurations. A struct's keys are described once, beside the struct, by a function
+/// Description of configurations. The keys of a struct are described once, next to the struct, by a function
 ///
 ///     void Describe(models::ConfigVisitor& v, CameraConfig& config);
 ///
@@ -33,14 +33,14 @@ inline constexpr Unit kNoUnit{"-"}, kMeter{"m"}, kSecond{"s"}, kMillisecond{"ms"
     kPixel{"px"}, kHertz{"Hz"}, kPerSecond{"1/s"}, kPerSecond2{"1/s^2"}, kMeterPerSecond2RootHertz{"m/s^2/sqrt(Hz)"},
     kRadianPerSecondRootHertz{"rad/s/sqrt(Hz)"}, kDegree{"deg"}, kDegreePerSecond{"deg/s"};
 
-/// The numbers that a key accepts, in the key's unit.
+/// Numbers that a key accepts, in the key's unit.
 struct Range {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
   bool min_is_open = false;  ///< `min` itself is out of range.
 
   bool Contains(double value) const { return (min_is_open ? value > min : value >= min) && value <= max; }
-  /// "must be above 0 and at most 3".
+  /// The range as a requirement, for example "must be above 0 and at most 3".
   std::string Sentence() const;
 };
 
@@ -49,21 +49,21 @@ inline constexpr Range kAny{}, kPositive{.min = 0.0, .min_is_open = true}, kNotN
 constexpr Range Between(double min, double max) { return {.min = min, .max = max}; }
 constexpr Range PositiveUpTo(double max) { return {.min = 0.0, .max = max, .min_is_open = true}; }
 
-/// Longest time that a key accepts, s: ten hours is beyond every flight.
+/// Longest time that a key accepts, s: ten hours, longer than any flight.
 inline constexpr double kLongest_s = 36000.0;
 inline constexpr Range kPositiveTime = PositiveUpTo(kLongest_s), kTime = Between(0.0, kLongest_s);
 
-/// A key and its meaning, for the reference.
+/// Name and description of a key. The reference of keys lists both.
 struct Key {
   std::string_view name;
   std::string_view doc;
-  bool required = false;  ///< Must be given; for keys of a list's items and of the root.
+  bool required = false;  ///< The key must be given; for keys of list items and of the root.
 };
 
 /// Whether a section's value may be the name of a file that holds the section's keys.
 struct SectionFile {
   bool allowed = false;
-  /// Name of a further format that the file may have ("camera_info"). Readers know the formats by these names.
+  /// Name of another format that the file may have ("camera_info"). Readers identify formats by these names.
   std::string_view format = {};
   /// The key of the section that such a file describes; empty for the section itself.
   std::string_view format_key = {};
@@ -78,19 +78,19 @@ class ConfigVisitor {
 
   virtual void Number(const Key& key, double& value, const Unit& unit, const Range& range) = 0;
   virtual void OptionalNumber(const Key& key, std::optional<double>& value, const Unit& unit, const Range& range) = 0;
-  /// A list of as many numbers as there are values.
+  /// A list of exactly `values.size()` numbers.
   virtual void Numbers(const Key& key, const std::vector<double*>& values, const Unit& unit, const Range& range) = 0;
   virtual void Integer64(const Key& key, std::int64_t& value, const Range& range) = 0;
   virtual void Boolean(const Key& key, bool& value) = 0;
   virtual void Text(const Key& key, std::string& value) = 0;
-  /// One of the names; `index` is its place among them, -1 for not given.
+  /// One of `names`; `index` is the index of the chosen name, -1 if none is given.
   virtual void Choice(const Key& key, int& index, std::span<const std::string_view> names) = 0;
 
-  /// Keys within a key.
+  /// A section: keys nested in a key.
   virtual void Section(const Key& key, const SectionFile& file,
                        const std::function<void(ConfigVisitor&)>& describe) = 0;
-  /// Keys within a key that may be absent altogether; `is_set` says whether it is present. Visitors that read no text
-  /// describe what is present.
+  /// A section that may be absent; `is_set` is true when it is present. By default, visitors visit only sections that
+  /// are present.
   virtual void OptionalSection(const Key& key, bool is_set, const SectionFile& file,
                                const std::function<void(ConfigVisitor&)>& describe) {
     if (is_set) Section(key, file, describe);
@@ -99,12 +99,12 @@ class ConfigVisitor {
   virtual void List(const Key& key, std::size_t count, const std::function<void(std::size_t)>& resize,
                     const std::function<void(ConfigVisitor&, std::size_t)>& describe) = 0;
 
-  /// A key of the visited section that has the new name `new_key`, as seen from the section. Written, it is an error
-  /// that names the new one.
+  /// A renamed key of the visited section. `new_key` is the new name, relative to the section. A file that still uses
+  /// `old_key` is an error, and the message states the new name.
   virtual void Renamed(std::string_view /*old_key*/, std::string_view /*new_key*/) {}
 
-  /// A condition on a key of the visited section (on the whole section: "") that spans several keys. It is checked once
-  /// everything is read: `check` throws InputError, without a place.
+  /// A condition that spans several keys, reported at a key of the visited section, or at the section itself if `key`
+  /// is "". It is checked after everything is read: `check` throws InputError, without a location.
   virtual void Check(std::string_view key, const std::function<void()>& check) = 0;
 
   template <std::integral T>
@@ -142,11 +142,11 @@ class ConfigVisitor {
     Section(key, file, [&section](ConfigVisitor& v) { Describe(v, section); });
   }
 
-  /// Where the section is present, the keys that it leaves out are those of `otherwise`.
+  /// An optional section. When it is present, the keys that it omits have the values of `defaults`.
   template <typename T>
-  void OptionalKeys(const Key& key, std::optional<T>& section, const T& otherwise, const SectionFile& file = {}) {
-    OptionalSection(key, section.has_value(), file, [&section, &otherwise](ConfigVisitor& v) {
-      if (!section) section = otherwise;
+  void OptionalKeys(const Key& key, std::optional<T>& section, const T& defaults, const SectionFile& file = {}) {
+    OptionalSection(key, section.has_value(), file, [&section, &defaults](ConfigVisitor& v) {
+      if (!section) section = defaults;
       Describe(v, *section);
     });
   }
@@ -169,7 +169,7 @@ class ConfigChecker : public ConfigVisitor {
   void Check(std::string_view key, const std::function<void()>& check) override;
 
  protected:
-  /// The error at a key, by its path from the described struct ("rotor.max_speed_rad_s"); "" is the struct itself.
+  /// Error at a key, given by its path from the described struct ("rotor.max_speed_rad_s"); "" is the struct itself.
   virtual InputError Error(const std::string& path, const std::string& message) const;
 
  private:

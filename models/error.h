@@ -4,8 +4,8 @@
 
 namespace touchdown {
 
-/// Unusable input of the user: a file, a key, a value, a folder. The message is one line for the user and names file,
-/// line and key where they exist. The program exits with status 2.
+/// Invalid user input: a file, a key, a value or a folder. The message is one line for the user and states file, line
+/// and key where they exist. The program exits with status 2.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

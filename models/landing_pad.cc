@@ -9,13 +9,14 @@
 namespace touchdown::models {
 namespace {
 
-/// Half a width from a file or a calculation may be off by a rounding, which is no gap between strokes.
+/// Tolerance, m: strokes whose gap is smaller meet. A stroke of half the width may be off by rounding.
 constexpr double kNoGap_m = 1e-9;
 
 void RequirePrintable(const LandingPad& pad) {
-  if (pad.ring_width_m >= pad.outer_radius_m) throw InputError("the pad's ring must be narrower than its radius");
+  if (pad.ring_width_m >= pad.outer_radius_m)
+    throw InputError("the pad's ring_width_m must be less than its outer_radius_m");
   if (pad.h_width_m - 2.0 * pad.h_stroke_m < -kNoGap_m || pad.h_stroke_m >= pad.h_height_m) {
-    throw InputError("the pad's H must be at least as wide as its two strokes, and higher than one");
+    throw InputError("the pad's h_width_m must be at least 2 h_stroke_m, and its h_height_m above h_stroke_m");
   }
   if (std::hypot(pad.h_height_m, pad.h_width_m) / 2.0 >= pad.inner_radius_m()) {
     throw InputError("the pad's H must fit inside its ring with a white gap");
@@ -37,13 +38,13 @@ void Describe(ConfigVisitor& v, LandingPad& c) {
   v.Number({"outer_radius_m", "Outer radius of the ring."}, c.outer_radius_m, kMeter, kPositive);
   v.Number({"ring_width_m", "Width of the ring's black line."}, c.ring_width_m, kMeter, kPositive);
   v.Number({"h_height_m", "Length of the H's long strokes, along X."}, c.h_height_m, kMeter, kPositive);
-  v.Number({"h_width_m", "Width of the H over both long strokes, along Y."}, c.h_width_m, kMeter, kPositive);
-  v.Number({"h_stroke_m", "Width of the H's strokes. Half of h_width_m makes the H a solid rectangle."}, c.h_stroke_m,
-           kMeter, kPositive);
+  v.Number({"h_width_m", "Width of the H including both long strokes, along Y."}, c.h_width_m, kMeter, kPositive);
+  v.Number({"h_stroke_m", "Width of the H's strokes. A value of half h_width_m makes the H a solid rectangle."},
+           c.h_stroke_m, kMeter, kPositive);
   v.Number({"sheet_length_m", "Length of the white sheet, along X."}, c.sheet_length_m, kMeter, kPositive);
   v.Number({"sheet_width_m", "Width of the white sheet, along Y."}, c.sheet_width_m, kMeter, kPositive);
   v.List(
-      {"marks", "Further black markings within the ring. They may touch or overlap the H."}, c.marks.size(),
+      {"marks", "Additional black markings within the ring. They may touch or overlap the H."}, c.marks.size(),
       [&c](std::size_t count) { c.marks.assign(count, {}); },
       [&c](ConfigVisitor& item, std::size_t index) {
         Describe(item, c.marks[index]);

@@ -11,12 +11,12 @@ namespace touchdown::models {
 template <std::ranges::input_range Values>
 auto OrderStatistic(const Values& values, std::size_t rank) {
   std::vector<std::ranges::range_value_t<Values>> sorted(std::ranges::begin(values), std::ranges::end(values));
-  const auto place = sorted.begin() + static_cast<std::ptrdiff_t>(rank);
-  std::nth_element(sorted.begin(), place, sorted.end());
-  return *place;
+  const auto nth = sorted.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(sorted.begin(), nth, sorted.end());
+  return *nth;
 }
 
-/// The median of at least one value; of an even number, the larger of the middle two.
+/// Median of at least one value. For an even number of values it is the larger of the middle two.
 template <std::ranges::input_range Values>
 auto UpperMedian(const Values& values) {
   return OrderStatistic(values, std::ranges::size(values) / 2);

@@ -52,7 +52,7 @@ bool Contains(const Polygon& polygon, const Vector2d& p, bool on_outline) {
   return inside;
 }
 
-/// Between two segments that do not cross.
+/// Distance between two segments that do not cross, m.
 double Gap(const Vector2d& from_a, const Vector2d& to_a, const Vector2d& from_b, const Vector2d& to_b) {
   return std::min({DistanceFromSegment(from_a, to_a, from_b), DistanceFromSegment(from_a, to_a, to_b),
                    DistanceFromSegment(from_b, to_b, from_a), DistanceFromSegment(from_b, to_b, to_a)});
@@ -88,7 +88,7 @@ double Gap(const Polygon& a, const Polygon& b) {
 
 double NarrowestPart(const Circle& circle) { return 2.0 * circle.radius_m; }
 
-/// A rectangle around `center`, whose first side is rotated by `angle` from X towards Y.
+/// Rectangle around `center`, rotated by `angle`, rad, from X towards Y.
 Polygon Rectangle(const Vector2d& size, const Vector2d& center = Vector2d::Zero(), double angle = 0.0) {
   const Eigen::Rotation2Dd rotation(angle);
   Polygon rectangle;
@@ -117,9 +117,10 @@ Polygon Mirrored(const std::vector<Vector2d>& quarter) {
   return polygon;
 }
 
-PadShape ShapeOf(const PadMark& mark) {
-  if (mark.shape == PadMark::Shape::kDisc) return {Color::kBlack, Circle{mark.center_m, 0.5 * mark.diameter_m}};
-  return {Color::kBlack, Rectangle({mark.length_m, mark.width_m}, mark.center_m, DegToRad(mark.angle_deg))};
+PadShape ShapeOf(const PadMarking& marking) {
+  if (marking.shape == PadMarking::Shape::kDisc)
+    return {Color::kBlack, Circle{marking.center_m, 0.5 * marking.diameter_m}};
+  return {Color::kBlack, Rectangle({marking.length_m, marking.width_m}, marking.center_m, DegToRad(marking.angle_deg))};
 }
 
 /// The smallest width of one of the shapes or gap between two of them.
@@ -149,7 +150,7 @@ PadOutline::PadOutline(const LandingPad& pad) : letter_quarter_(LetterQuarter(pa
              {Color::kWhite, Circle{.radius_m = pad.inner_radius_m()}},
              {Color::kBlack, Mirrored(letter_quarter_)}};
   narrowest_m_ = Narrowest(shapes_);
-  for (const PadMark& mark : pad.marks) shapes_.push_back(ShapeOf(mark));
+  for (const PadMarking& marking : pad.marks) shapes_.push_back(ShapeOf(marking));
 
   const Polygon& outline = letter();
   for (std::size_t i = 0; i < outline.corners_m.size(); ++i) {

@@ -25,43 +25,43 @@ struct PadShape {
   Color color = Color::kBlack;
   std::variant<Circle, Polygon> outline;
 
-  /// Whether the point of the plane, in W, lies on the shape. A border between black and white is black: a black shape
+  /// Whether a point of the pad plane, in W, is on the shape. A border between black and white is black: a black shape
   /// includes its outline, a white one does not.
   bool Contains(const Eigen::Vector2d& p_W) const;
 };
 
-/// The artwork of a landing pad as shapes in the pad's frame W: the white sheet, the ring (a black circle and a white
-/// one within it), the letter (one black polygon), the marks.
+/// Artwork of a landing pad as shapes in the pad's frame W: the white sheet, the ring (a black circle and a white
+/// circle within it), the letter (one black polygon) and the markings.
 class PadOutline {
  public:
   /// `pad` must be valid.
   explicit PadOutline(const LandingPad& pad);
 
-  /// Every shape, in the order of printing: each covers those before it. The first is the sheet.
+  /// All shapes, in the order of printing: each covers those before it. The first is the sheet.
   const std::vector<PadShape>& shapes() const { return shapes_; }
 
-  /// The letter's corners. The letter is symmetric about both axes of W.
+  /// Outline of the letter, which is symmetric about both axes of W.
   const Polygon& letter() const { return std::get<Polygon>(shapes_[kLetter].outline); }
 
-  /// Whether the point of the plane, in W, lies on black: on the ring, on the letter or on a mark.
+  /// Whether a point of the pad plane, in W, is black: on the ring, the letter or a marking.
   bool IsBlack(const Eigen::Vector2d& p_W) const;
 
-  /// Whether the point of the plane, in W, lies on the letter.
+  /// Whether a point of the pad plane, in W, is on the letter.
   bool IsLetter(const Eigen::Vector2d& p_W) const { return shapes_[kLetter].Contains(p_W); }
 
-  /// Distance of the point of the plane, in W, from the letter's outline, m; positive on both sides of it.
+  /// Unsigned distance of a point of the pad plane, in W, from the letter's outline, m.
   double DistanceFromLetter(const Eigen::Vector2d& p_W) const;
 
-  /// Points about every `spacing_m` along the letter's outline, in W, m. They mirror each other in both axes, as the
-  /// letter does, so that a curve fitted to them is symmetric too.
+  /// Points along the letter's outline, in W, m, about `spacing_m` apart. They are symmetric about both axes, like the
+  /// letter, so that a curve fitted to them is symmetric too.
   std::vector<Eigen::Vector2d> PointsAlongLetter(double spacing_m) const;
 
   /// Width of the narrowest black or white stripe of sheet, ring and letter, m: the smallest distance between two parts
-  /// of their outlines that do not touch. Marks do not count: they may touch or overlap the letter.
+  /// of their outlines that do not touch. Markings are ignored because they may touch or overlap the letter.
   double narrowest_m() const { return narrowest_m_; }
 
  private:
-  enum { kSheet, kRingOuter, kRingInner, kLetter, kFirstMark };  // The order of the shapes.
+  enum { kSheet, kRingOuter, kRingInner, kLetter, kFirstMarking };  // The order of the shapes.
 
   /// A side of the letter, prepared for DistanceFromLetter.
   struct Side {
@@ -70,7 +70,8 @@ class PadOutline {
   };
 
   std::vector<PadShape> shapes_;
-  std::vector<Eigen::Vector2d> letter_quarter_;  // Its corners in the first quadrant, from the X axis to the Y axis.
+  std::vector<Eigen::Vector2d>
+      letter_quarter_;  // The letter's corners in the first quadrant, from the X axis to the Y axis.
   std::vector<Side> letter_sides_;
   double narrowest_m_;
 };

@@ -7,8 +7,8 @@
 
 namespace touchdown::models {
 
-/// A separate source of random numbers for each consumer, derived from the flight's seed and the source's name
-/// ("imu", "camera.noise", "wind"), so that adding a source does not shift the others.
+/// A source of random numbers, derived from the flight's seed and the name of the stream ("imu", "camera.noise",
+/// "wind"). Each consumer has its own stream, so that adding one does not change the numbers of the others.
 class RandomStream {
  public:
   RandomStream(std::uint64_t seed, std::string_view name);
@@ -24,8 +24,10 @@ class RandomStream {
   double Normal();
   Eigen::Vector3d NormalVector3();
 
-  bool Chance(double probability) { return Uniform() < probability; }
+  /// True with the given probability.
+  bool Bernoulli(double probability) { return Uniform() < probability; }
 
+  /// 64 random bits.
   std::uint64_t Bits() { return engine_(); }
 
  private:

@@ -68,16 +68,16 @@ struct VehicleEstimate {
   };
 
   Tick tick = 0;
-  TaitBryan attitude = {};                           ///< Roll, pitch: IMU. Yaw: vision, carried on by the gyro.
+  TaitBryan attitude = {};  ///< Roll and pitch from the IMU; yaw from vision, propagated by the gyro.
   Eigen::Vector3d w_WB_B = Eigen::Vector3d::Zero();  ///< rad/s.
   std::optional<Motion> motion = std::nullopt;       ///< nullopt before the first vision pose.
-  /// Covariance of the error that the estimator claims, of (p_WB in m, rotation vector in W in rad, v_WB in m/s);
-  /// present with `motion`.
+  /// Covariance of the estimation error, as the estimator computes it, of (p_WB in m, rotation vector in W in rad, v_WB
+  /// in m/s); set whenever `motion` is set.
   std::optional<Eigen::Matrix<double, 9, 9>> covariance = std::nullopt;
   std::optional<Tick> pad_seen = std::nullopt;  ///< Mid-exposure of the newest frame whose pose was used.
-  bool pad_tracked = false;                     ///< The newest frame gave a pose that was used.
+  bool pad_tracked = false;                     ///< True if the pose of the newest frame was used.
   /// Disturbance force over mass: measured specific force minus commanded thrust over mass, in B. On the ground it
-  /// includes the ground's reaction. nullopt when the estimator does not estimate it, or knows no command.
+  /// includes the ground's reaction. nullopt when the estimator does not estimate it or has received no command.
   std::optional<Eigen::Vector3d> disturbance_B_m_s2 = std::nullopt;
 };
 

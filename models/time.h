@@ -6,21 +6,21 @@
 
 namespace touchdown::models {
 
-/// Simulated time as a count of physics ticks since the start of the flight. There is no other clock
-/// inside the loop.
+/// Simulated time as a count of physics ticks since the start of the flight. The loop uses no other clock.
 using Tick = std::int64_t;
 
-/// The length of a tick. Every periodic source fires on the ticks that its period divides.
+/// Length of a tick. A periodic source fires on the ticks that are multiples of its period.
 struct TimeBase {
   int ticks_per_s = 1200;
 
   double period_s() const { return 1.0 / ticks_per_s; }
   double ToSeconds(Tick tick) const { return static_cast<double>(tick) / ticks_per_s; }
 
-  /// The tick nearest to `time_s`, which may be negative; at most 1e15 from 0, which stands for never.
+  /// Tick nearest to `time_s`, which may be negative. The result is clamped to +-1e15, which stands for never.
   Tick FromSeconds(double time_s) const;
 
-  /// Whole nanoseconds, as recordings count time, and back: each the nearest. A tick read back is the same tick.
+  /// Converts a tick to whole nanoseconds, the unit of time in recordings, and back, rounding to the nearest. The round
+  /// trip of a tick is exact.
   std::int64_t ToNanoseconds(Tick tick) const;
   Tick FromNanoseconds(std::int64_t time_ns) const;
 
@@ -29,7 +29,7 @@ struct TimeBase {
   Tick PeriodOf(int rate_hz) const;
 };
 
-/// The range of a periodic source's rate, beside TimeBase::PeriodOf.
+/// Range of a periodic source's rate. TimeBase::PeriodOf checks in addition that the rate divides the ticks.
 inline constexpr Range kRate_hz = Between(1, 100000);
 
 void Describe(ConfigVisitor& v, TimeBase& time);

@@ -15,7 +15,7 @@ Eigen::Isometry3d Pose(const Mounting& mounting, const Eigen::Matrix3d& R_nomina
   return X_BS;
 }
 
-/// The camera looks down, the image's up towards body forward.
+/// R_BC of a camera that looks down, with the image's top towards body forward.
 Eigen::Matrix3d R_LookingDown() {
   Eigen::Matrix3d R;
   R << 0, -1, 0,  //
@@ -27,16 +27,16 @@ Eigen::Matrix3d R_LookingDown() {
 void RequireAirworthy(const Vehicle& vehicle) {
   const Rotor& rotor = vehicle.rotor;
   if (2.0 * vehicle.inertia_kg_m2.maxCoeff() > vehicle.inertia_kg_m2.sum()) {
-    throw InputError("the vehicle's moments of inertia break the triangle inequality");
+    throw InputError("the vehicle's moments of inertia violate the triangle inequality");
   }
   if (rotor.min_speed_rad_s >= rotor.max_speed_rad_s) {
-    throw InputError("the rotor's idle speed must lie between 0 and its highest speed");
+    throw InputError("the rotor's min_speed_rad_s must be less than its max_speed_rad_s");
   }
   if (rotor.ThrustAt(rotor.max_speed_rad_s) <= vehicle.HoverThrustPerRotor()) {
     throw InputError("the vehicle's rotors cannot lift its mass");
   }
   if (vehicle.camera.position_m.z() <= -vehicle.gear.height_m) {
-    throw InputError("the vehicle's camera must sit above its feet");
+    throw InputError("the vehicle's camera must be above the landing gear contact points");
   }
 }
 
@@ -47,12 +47,12 @@ double Rotor::SpeedFor(double thrust_n) const {
 }
 
 void Describe(ConfigVisitor& v, Rotor& r) {
-  v.Number({"thrust_coefficient_n_s2", "Thrust over the squared rotor speed in rad/s."}, r.thrust_coefficient_n_s2,
-           {"N s^2"}, kPositive);
-  v.Number({"torque_ratio_m", "Drag torque per thrust."}, r.torque_ratio_m, kMeter, kPositive);
-  v.Number(
-      {"time_constant_s", "Time constant of the lag from commanded to actual speed. Longer delays every correction."},
-      r.time_constant_s, kSecond, kPositiveTime);
+  v.Number({"thrust_coefficient_n_s2", "Thrust divided by the squared rotor speed in rad/s."},
+           r.thrust_coefficient_n_s2, {"N s^2"}, kPositive);
+  v.Number({"torque_ratio_m", "Drag torque divided by thrust."}, r.torque_ratio_m, kMeter, kPositive);
+  v.Number({"time_constant_s",
+            "Time constant of the lag from commanded to actual speed. A larger value delays every correction."},
+           r.time_constant_s, kSecond, kPositiveTime);
   v.Number({"max_speed_rad_s", "Highest rotor speed. It limits the thrust, and with it the payload."},
            r.max_speed_rad_s, kRadianPerSecond, kPositive);
   v.Number({"min_speed_rad_s", "Idle speed of a running motor. A command of 0 stops it."}, r.min_speed_rad_s,
@@ -69,11 +69,11 @@ void Describe(ConfigVisitor& v, Mounting& m) {
 }
 
 void Describe(ConfigVisitor& v, LandingGear& g) {
-  v.Number({"half_spacing_m", "Half of the distance between two feet, along X and Y."}, g.half_spacing_m, kMeter,
-           kPositive);
+  v.Number({"half_spacing_m", "Half of the distance between two contact points, along X and Y."}, g.half_spacing_m,
+           kMeter, kPositive);
   v.Number({"height_m", "Height of the body's origin above the landing gear contact points."}, g.height_m, kMeter,
            kPositive);
-  v.Number({"foot_radius_m", "Radius of each foot."}, g.foot_radius_m, kMeter, kPositive);
+  v.Number({"foot_radius_m", "Radius of the sphere at each contact point."}, g.foot_radius_m, kMeter, kPositive);
 }
 
 void Describe(ConfigVisitor& v, Vehicle& c) {
@@ -83,15 +83,15 @@ void Describe(ConfigVisitor& v, Vehicle& c) {
   v.Number({"arm_m", "Horizontal distance from the body's origin to each rotor."}, c.arm_m, kMeter, kPositive);
   v.Number({"rotor_height_m", "Height of the rotor plane above the body's origin."}, c.rotor_height_m, kMeter,
            Between(-2.0, 2.0));
-  v.Keys({"rotor", "Motor and propeller; all four are equal."}, c.rotor);
-  v.Vector3({"linear_drag_n_s_m", "Drag force per airspeed along the body's axes (rotor drag)."}, c.linear_drag_n_s_m,
-            {"N s/m"}, kNotNegative);
-  v.Vector3({"quadratic_drag_n_s2_m2", "Drag force per squared airspeed along the body's axes (fuselage)."},
+  v.Keys({"rotor", "Motor and propeller; all four are identical."}, c.rotor);
+  v.Vector3({"linear_drag_n_s_m", "Drag force divided by airspeed along the body's axes (rotor drag)."},
+            c.linear_drag_n_s_m, {"N s/m"}, kNotNegative);
+  v.Vector3({"quadratic_drag_n_s2_m2", "Drag force divided by squared airspeed along the body's axes (fuselage)."},
             c.quadratic_drag_n_s2_m2, {"N s^2/m^2"}, kNotNegative);
-  v.Keys({"gear", "Landing gear with four feet."}, c.gear);
-  v.Keys({"camera", "Mounting of the camera. Nominally it looks down, with the image's up towards body forward."},
+  v.Keys({"gear", "Landing gear with four contact points."}, c.gear);
+  v.Keys({"camera", "Mounting of the camera. Nominally it looks down, with the image's top towards body forward."},
          c.camera);
-  v.Keys({"imu", "Mounting of the IMU. Nominally its axes are the body's."}, c.imu);
+  v.Keys({"imu", "Mounting of the IMU. Nominally its axes are those of the body."}, c.imu);
   v.Check("", [&c] { RequireAirworthy(c); });
 }
 

@@ -12,8 +12,8 @@ namespace touchdown::models {
 inline constexpr int kRotorCount = 4;
 inline constexpr double kGravity_m_s2 = 9.81;
 
-/// One of four equal rotors. Thrust is thrust_coefficient * speed^2 along +Z_B, drag torque is torque_ratio times the
-/// thrust about Z_B, against the spin; the speed follows its command as a first-order lag.
+/// One of four identical rotors. Thrust is thrust_coefficient * speed^2 along +Z_B. Drag torque about Z_B, opposite to
+/// the spin, is torque_ratio times the thrust. The speed follows its command as a first-order lag.
 struct Rotor {
   double thrust_coefficient_n_s2 = 1.29e-5;  // 2.94 N at 477 rad/s, a 10 inch propeller.
   double torque_ratio_m = 0.0165;
@@ -23,7 +23,7 @@ struct Rotor {
   double propeller_diameter_m = 0.254;
 
   double ThrustAt(double speed_rad_s) const { return thrust_coefficient_n_s2 * speed_rad_s * speed_rad_s; }
-  /// Speed for a thrust in N; 0 for a thrust that is not positive.
+  /// Speed in rad/s for a thrust in N; 0 if the thrust is not positive.
   double SpeedFor(double thrust_n) const;
 };
 
@@ -57,9 +57,9 @@ struct Vehicle {
   Mounting camera{.position_m = {0.0, 0.0, -0.05}, .misalignment_deg = {}};
   Mounting imu;
 
-  /// Throws InputError, without a file name, for a value out of its range (see Describe), or when the moments break the
-  /// triangle inequality, the idle speed is not below the highest, the rotors cannot lift the vehicle, or the camera
-  /// is below the contact points of the gear.
+  /// Throws InputError, without a file name, for a value out of its range (see Describe), or when the moments violate
+  /// the triangle inequality, the idle speed is not below the highest, the rotors cannot lift the vehicle, or the
+  /// camera is not above the landing gear contact points.
   void Validate() const;
 
   /// Position of a rotor's hub in B.
@@ -69,9 +69,9 @@ struct Vehicle {
 
   double HoverThrustPerRotor() const { return mass_kg * kGravity_m_s2 / kRotorCount; }
 
-  /// Pose of the camera frame C in B. Nominally it looks down, the image's up towards body forward.
+  /// Pose of the camera frame C in B. Nominally it looks down, with the image's top towards body forward.
   Eigen::Isometry3d X_BC() const;
-  /// Pose of the IMU frame U in B. Nominally its axes are B's.
+  /// Pose of the IMU frame U in B. Nominally its axes are those of B.
   Eigen::Isometry3d X_BU() const;
 };
 

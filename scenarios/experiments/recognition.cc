@@ -57,7 +57,7 @@ class RecognitionRoom {
 
   /// Draws a view. In a room with a pad, four views in five aim at the pad, and all others at distractors.
   Sample DrawSample() {
-    const bool aims_at_pad = scene_.config.pad && random_.Chance(0.8);
+    const bool aims_at_pad = scene_.config.pad && random_.Bernoulli(0.8);
     const int first = scene_.config.pad ? 2 : 0, last = static_cast<int>(shapes_.size()) - 1;
     const training::GroundShape& target =
         shapes_[static_cast<std::size_t>(aims_at_pad ? 0 : random_.UniformInt(first, last))];

@@ -30,7 +30,7 @@ ChessboardCamera::ChessboardCamera(const Chessboard& board, const Eigen::Isometr
 ChessboardCamera::~ChessboardCamera() = default;
 
 models::Image ChessboardCamera::Capture(const Eigen::Isometry3d& X_WC) {
-  return impl_->imager.Take(*impl_->data, std::array{X_WC});
+  return impl_->imager.Capture(*impl_->data, std::array{X_WC});
 }
 
 }  // namespace touchdown::laboratory

@@ -36,10 +36,10 @@ Eigen::Isometry3d StartPose(const Start& start, const sim::World& world) {
 /// learned the biases of its IMU.
 void StandBeforeFlight(const Start& start, const models::TimeBase& time, sim::Imu& imu,
                        estimator::StateEstimator& estimator, FlightAudience& audience) {
-  constexpr double kStanding_s = 2.0;
+  constexpr double kTimeAtRest_s = 2.0;
   sim::TrueState standing;
   standing.X_WB.linear() = Upright(start.yaw_deg);
-  for (standing.tick = -time.FromSeconds(kStanding_s); standing.tick < 0; ++standing.tick) {
+  for (standing.tick = -time.FromSeconds(kTimeAtRest_s); standing.tick < 0; ++standing.tick) {
     const auto sample = imu.Sample(standing);
     if (!sample) continue;
     estimator.AddImu(*sample, true);
@@ -102,7 +102,7 @@ FlightLog FlyClosedLoop(const Scenario& s, FlightObservers observers, const util
       if (const auto tracked = tracking_system.Sample(truth)) recorder.OnTracking(*tracked);
 
       if (const auto sample = imu.Sample(truth)) {
-        const bool at_rest = hand ? hand->Stands(truth.tick) : controller->phase() == controller::Phase::kStandby;
+        const bool at_rest = hand ? hand->IsOnGround(truth.tick) : controller->phase() == controller::Phase::kStandby;
         estimator->AddImu(*sample, at_rest);
         audience.OnImu(*sample, at_rest);
         const models::VehicleEstimate estimate =

@@ -16,7 +16,7 @@ EndWatch::EndWatch(const Scenario& scenario)
       half_room_m_(scenario.scene.floor_size_m / 2.0),
       ceiling_m_(scenario.ceiling_m()) {
   if (scenario.hand.carries) {
-    hand_ends_ = time_.FromSeconds(sim::Hand::kStanding_s + scenario.hand.duration_s);
+    hand_ends_ = time_.FromSeconds(sim::Hand::kTimeAtRest_s + scenario.hand.duration_s);
   }
 }
 

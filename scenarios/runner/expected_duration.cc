@@ -23,7 +23,7 @@ double Landing_s(const GuidanceConfig& c, double height_m) {
 }  // namespace
 
 double ExpectedDuration_s(const Scenario& scenario) {
-  if (scenario.hand.carries) return sim::Hand::kStanding_s + scenario.hand.duration_s;
+  if (scenario.hand.carries) return sim::Hand::kTimeAtRest_s + scenario.hand.duration_s;
   const GuidanceConfig& guidance = scenario.controller.guidance;
   constexpr double kTransfer_m_s = 0.5;
   double duration_s = 0.0;

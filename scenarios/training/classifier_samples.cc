@@ -91,7 +91,7 @@ models::LandingPad DrawPad(models::PadLetter letter, RandomStream& random) {
   const bool solid = letter == models::PadLetter::kRectangle;
   models::LandingPad pad;
   if (solid) pad.h_stroke_m = 0.5 * pad.h_width_m;
-  if (random.Chance(0.5)) return pad;
+  if (random.Bernoulli(0.5)) return pad;
   pad.ring_width_m = pad.outer_radius_m * random.Uniform(0.07, 0.30);
   const double diagonal_m = 2.0 * pad.inner_radius_m() * random.Uniform(0.55, 0.88);
   const double slope = random.Uniform(0.45, 0.95);
@@ -111,7 +111,7 @@ SceneSamples CollectSceneSamples(const SceneSamplesConfig& config, const sim::Ca
   SceneSamples samples;
   for (int frame = 0; frame < config.frames; ++frame) {
     const int last = static_cast<int>(shapes.size()) - 1;
-    const int target = random.Chance(kPadViewProbability) ? 0 : random.UniformInt(1, last);
+    const int target = random.Bernoulli(kPadViewProbability) ? 0 : random.UniformInt(1, last);
     const GroundShape& shape = shapes[static_cast<std::size_t>(target)];
     const View view = DrawView(config.views, scene, shape, config.camera, random);
     models::Image image = camera.Capture(view);

@@ -5,7 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "models/pad_outline.h"
-#include "sim/scene/prints.h"
+#include "sim/scene/artwork.h"
 
 namespace touchdown::training {
 namespace {
@@ -88,7 +88,7 @@ Sheet ItemSheet(const sim::SceneItem& item) {
   sheet.yaw = item.yaw;
   sheet.size_m = item.size_m.head<2>();
   const cv::Size size = Texels(sheet.size_m);
-  const cv::Mat1b print = sim::PrintSheet(item, size.width, size.height);
+  const cv::Mat1b print = sim::PaintSheet(item, size.width, size.height);
   double darkest = 0.0, brightest = 0.0;
   cv::minMaxLoc(print, &darkest, &brightest);
   sheet.ink = print < 0.5 * (darkest + brightest);

@@ -74,7 +74,7 @@ cv::Mat1f Warped(const cv::Matx33d& homography, const cv::Mat1f& pattern) {
 
 std::vector<float> VaryPattern(const std::vector<float>& pattern, RandomStream& random) {
   const cv::Mat1f transformed = RandomSymmetry(cv::Mat1f(pattern).reshape(1, kSide), random);
-  const cv::Mat1f varied = random.Chance(0.5) ? Warped(DrawHomography(random), transformed) : transformed;
+  const cv::Mat1f varied = random.Bernoulli(0.5) ? Warped(DrawHomography(random), transformed) : transformed;
   return {varied.begin(), varied.end()};
 }
 

@@ -99,15 +99,15 @@ Eigen::Isometry3d View::PoseAt(double offset_s) const {
 
 View DrawView(const ViewConfig& config, const sim::Scene& scene, const GroundShape& target,
               const models::CameraModel& camera, RandomStream& random) {
-  const bool hovering = random.Chance(config.hovering_fraction);
+  const bool hovering = random.Bernoulli(config.hovering_fraction);
   View view{.X_WC = DrawPose(config, hovering, scene, target, camera, random)};
   view.exposure_s = LogUniform(config.min_exposure_s, config.max_exposure_s, random);
   if (!hovering) {
     view.v_WC = random.Uniform() * config.speed_scale_m_s * random.NormalVector3() / std::sqrt(3.0);
     view.w_WC_C = random.Uniform() * config.rate_scale_rad_s * random.NormalVector3() / std::sqrt(3.0);
-    view.defocus_px = random.Chance(0.5) ? config.max_defocus_px * random.Uniform() : 0.0;
+    view.defocus_px = random.Bernoulli(0.5) ? config.max_defocus_px * random.Uniform() : 0.0;
   }
-  view.contrast = random.Chance(0.5) ? random.Uniform(config.min_contrast, 1.0) : 1.0;
+  view.contrast = random.Bernoulli(0.5) ? random.Uniform(config.min_contrast, 1.0) : 1.0;
   const int levels = static_cast<int>(config.noise_sigmas.size());
   view.noise_level = random.UniformInt(0, view.contrast < kLowContrast && levels > 1 ? levels - 2 : levels - 1);
   view.brightness = random.Uniform(0.0, 120.0) * (1.0 - view.contrast);

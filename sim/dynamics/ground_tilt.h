@@ -4,9 +4,9 @@
 
 namespace touchdown::sim {
 
-/// Tilt of the ground and the pad. W remains the frame of the pad; gravity is tilted in it.
+/// Tilt of the ground and the pad. W remains the frame of the pad, so that gravity is tilted in W.
 ///
-/// L is the level frame that W becomes when the ground is leveled: R_LW = Ry(pitch) Rx(roll). A positive roll lowers
+/// Frame L is W without the tilt: R_LW = Ry(pitch) Rx(roll). A positive roll lowers
 /// the ground towards -Y, a positive pitch towards +X.
 struct GroundTilt {
   double roll_deg = 0.0;

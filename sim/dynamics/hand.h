@@ -35,30 +35,31 @@ struct BodyMotion {
   Eigen::Vector3d w_WB_B = Eigen::Vector3d::Zero();  ///< rad/s, in B.
 };
 
-/// The motion of a vehicle that is carried: a function of time, drawn from the stream "hand".
+/// Motion of a hand-held vehicle as a function of time, drawn from the stream "hand".
 ///
-/// Height, place over the pad, roll, pitch and yaw each go from one drawn value to the next with the least jerk, a
+/// Height, horizontal position, roll, pitch and yaw each move from one random value to the next with minimum jerk, a
 /// model of hand motion (Flash and Hogan, The coordination of arm movements, J. Neuroscience 5(7), 1985). The
 /// horizontal range is proportional to the height, so that the pad is in view most of the time.
 class Hand {
  public:
-  /// Time at rest before the lift, in which the estimator learns the accelerometer bias.
-  static constexpr double kStanding_s = 2.0;
+  /// Time at rest before the lift, during which the estimator estimates the accelerometer bias.
+  static constexpr double kTimeAtRest_s = 2.0;
 
-  /// `X_WB` is the pose on the pad from which it is lifted. Throws InputError when the config is not valid.
+  /// `X_WB` is the pose on the pad before the lift. Throws InputError when the config is not valid.
   Hand(const HandConfig& config, const Eigen::Isometry3d& X_WB, const models::TimeBase& time, std::uint64_t seed);
 
-  /// Whether the vehicle still stands on the ground.
-  bool Stands(models::Tick tick) const { return time_.ToSeconds(tick) < kStanding_s; }
+  /// Whether the vehicle is still on the ground.
+  bool IsOnGround(models::Tick tick) const { return time_.ToSeconds(tick) < kTimeAtRest_s; }
+  /// Motion at a tick.
   BodyMotion At(models::Tick tick) const;
 
  private:
-  /// A smooth random function of time.
-  class Wander {
+  /// A smooth random function of time: a sequence of minimum-jerk segments.
+  class MinimumJerkPath {
    public:
-    /// From `start` through values drawn from +-`reach` about `middle`; one of them is `middle` + `reach` and one is
-    /// `middle` - `reach`. Times are in s since the lift.
-    Wander(double start, double middle, double reach, double duration_s, models::RandomStream& random);
+    /// Starts at `start` and passes through random values within `middle` +- `reach`, one of which is `middle` +
+    /// `reach` and a later one `middle` - `reach`. Times are in s since the lift.
+    MinimumJerkPath(double start, double middle, double reach, double duration_s, models::RandomStream& random);
     double At(double t_s) const;
 
    private:
@@ -70,9 +71,9 @@ class Hand {
 
   HandConfig config_;
   models::TimeBase time_;
-  Eigen::Isometry3d X_WB_standing_;
-  std::vector<Wander> wanders_;        // Height, roll, pitch, yaw, and the place along X and Y over the height.
-  std::vector<double> tremor_phases_;  // Along and about X, Y and Z.
+  Eigen::Isometry3d X_WB_at_rest_;
+  std::vector<MinimumJerkPath> paths_;  // Height, roll, pitch, yaw, and X and Y divided by the height.
+  std::vector<double> tremor_phases_;   // Along and about X, Y and Z.
 };
 
 }  // namespace touchdown::sim

@@ -14,14 +14,15 @@ class SimulationError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Takes over MuJoCo's process-wide handlers, once: a warning is stored for TakeMujocoWarning instead of being written
-/// to MUJOCO_LOG.TXT, and instead of ending the process, an error throws SimulationError, or std::bad_alloc.
+/// Installs process-wide MuJoCo handlers, once. A warning is stored for PopMujocoWarning instead of being written to
+/// MUJOCO_LOG.TXT. An error throws SimulationError, or std::bad_alloc if memory ran out, instead of ending the process.
 void InstallMujocoHandlers();
 
-/// Throws std::bad_alloc for MuJoCo's out-of-memory error.
-void RefuseLackOfMemory(std::string_view message);
+/// Throws std::bad_alloc if `message` is one of MuJoCo's out-of-memory errors.
+void ThrowIfOutOfMemory(std::string_view message);
 
-/// The first warning that MuJoCo raised on this thread since the last call; nullopt when there was none.
-std::optional<std::string> TakeMujocoWarning();
+/// Returns and clears the first warning that MuJoCo raised on this thread since the last call; nullopt if there is
+/// none.
+std::optional<std::string> PopMujocoWarning();
 
 }  // namespace touchdown::sim

@@ -23,7 +23,7 @@ std::unique_ptr<mjVFS, VfsDeleter> VfsWith(const char* name, const std::string& 
   std::unique_ptr<mjVFS, VfsDeleter> vfs(new mjVFS);
   mj_defaultVFS(vfs.get());
   if (mj_makeEmptyFileVFS(vfs.get(), name, static_cast<int>(content.size())) != 0) {
-    throw std::runtime_error("MuJoCo's virtual file system refused a model of " + std::to_string(content.size()) +
+    throw std::runtime_error("MuJoCo's virtual file system rejected a model of " + std::to_string(content.size()) +
                              " bytes");
   }
   std::memcpy(vfs->filedata[mj_findFileVFS(vfs.get(), name)], content.data(), content.size());
@@ -41,7 +41,7 @@ MujocoModel LoadModel(const std::string& mjcf) {
   const auto vfs = VfsWith(kName, mjcf);
   std::array<char, 1024> error{};
   MujocoModel model(mj_loadXML(kName, vfs.get(), error.data(), static_cast<int>(error.size())));
-  RefuseLackOfMemory(error.data());
+  ThrowIfOutOfMemory(error.data());
   if (!model || error[0] != '\0') throw std::runtime_error(std::string("MuJoCo: ") + error.data());
   return model;
 }

@@ -19,14 +19,14 @@ struct MujocoDataDeleter {
 using MujocoModel = std::unique_ptr<mjModel_, MujocoModelDeleter>;
 using MujocoData = std::unique_ptr<mjData_, MujocoDataDeleter>;
 
-/// Compiles an MJCF document held in memory. Throws std::runtime_error with MuJoCo's own text when it does not compile,
-/// or compiles with a warning.
+/// Compiles an MJCF document held in memory. Throws std::runtime_error with MuJoCo's message when it does not
+/// compile, or compiles with a warning.
 MujocoModel LoadModel(const std::string& mjcf);
 
-/// The state of `model` at its initial configuration, with kinematics, lights and cameras computed.
+/// Makes the state of `model` at its initial configuration, with kinematics, lights and cameras computed.
 MujocoData MakeData(const mjModel_& model);
 
-/// Sets the pose of the body with the model's first free joint. Does not compute kinematics.
+/// Sets the pose of the body that has the model's first free joint. Does not compute kinematics.
 void SetFreePose(const Eigen::Isometry3d& X_WB, mjData_& data);
 
 }  // namespace touchdown::sim

@@ -10,7 +10,7 @@
 namespace touchdown::sim {
 namespace {
 
-/// The exact course of a first-order lag towards a constant command.
+/// Exact response of a first-order lag to a constant command.
 struct Lag {
   double start, command, time_constant_s;
 
@@ -28,9 +28,11 @@ void AddForceAt(const Eigen::Vector3d& p_B, const Eigen::Vector3d& force, Wrench
 }  // namespace
 
 void Describe(models::ConfigVisitor& v, VibrationConfig& c) {
-  v.Number({"imbalance_kg_m",
-            "Imbalance of each rotor, mass times eccentricity, within 20 %. Larger shakes IMU and camera more."},
-           c.imbalance_kg_m, {"kg m"}, models::Between(0.0, 1.0));
+  v.Number(
+      {"imbalance_kg_m",
+       "Imbalance of each rotor, mass times eccentricity, +-20 % from rotor to rotor. A larger value shakes IMU and "
+       "camera more."},
+      c.imbalance_kg_m, {"kg m"}, models::Between(0.0, 1.0));
 }
 
 void VibrationConfig::Validate() const { models::ValidateConfig(*this); }

@@ -28,18 +28,19 @@ struct Wrench {
 };
 
 /// Four rotors whose speeds follow their commands as a first-order lag. Each gives thrust along +Z_B at its hub, drag
-/// torque about Z_B (see models::Vehicle), and the force of its imbalance, which turns with it in the rotor plane. The
-/// reaction to the rotors' own acceleration and their gyroscopic moment are left out.
+/// torque about Z_B (see models::Vehicle), and the force of its imbalance, which rotates with it in the rotor plane.
+/// The reaction to the rotors' own acceleration and their gyroscopic moment are not modeled.
 class Rotors {
  public:
-  /// Draws the phase and the imbalance of each rotor from the stream "vibration". Stopped until Reset.
+  /// Draws the phase and the imbalance of each rotor from the stream "vibration". The rotors are stopped until Reset.
   Rotors(const models::Vehicle& vehicle, const VibrationConfig& vibration, const models::TimeBase& time,
          std::uint64_t seed);
 
   /// Sets all rotors to this speed, rad/s, and to their initial phases.
   void Reset(double speed_rad_s);
 
-  /// One tick under the command, each speed taken into [0, max_speed_rad_s]. Returns the wrench at the tick's middle.
+  /// Advances by one tick, with the commanded speeds clamped to [0, max_speed_rad_s]. Returns the wrench at the middle
+  /// of the tick.
   Wrench Step(const models::RotorCommand& command);
 
   const std::array<double, models::kRotorCount>& speeds_rad_s() const { return speeds_rad_s_; }

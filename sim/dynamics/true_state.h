@@ -9,7 +9,7 @@
 
 namespace touchdown::sim {
 
-/// The truth at a tick. Only sim/ and scenarios/ see it. Values over "the last tick" are 0 or false at tick 0.
+/// True state at a tick, which only sim/ and scenarios/ use. Values over "the last tick" are 0 at tick 0.
 struct TrueState {
   models::Tick tick = 0;
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
@@ -20,8 +20,8 @@ struct TrueState {
   std::array<double, models::kRotorCount> rotor_speed_rad_s{};
   Eigen::Vector3d vibration_m_s2_B =
       Eigen::Vector3d::Zero();   ///< Acceleration of B's origin from the imbalances alone, in B.
-  bool gear_in_contact = false;  ///< A foot touches the ground or an object.
-  bool body_in_contact = false;  ///< Anything but a foot touches the ground or an object.
+  bool gear_in_contact = false;  ///< A landing gear contact point touches the ground or an object.
+  bool body_in_contact = false;  ///< Another part of the vehicle touches the ground or an object.
 };
 
 }  // namespace touchdown::sim

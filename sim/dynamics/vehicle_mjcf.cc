@@ -42,7 +42,7 @@ std::string ContactAttributes(Contact contact) {
       return R"( contype="0" conaffinity="0")";
     case Contact::kBody:
       return R"( contype="1" conaffinity="1" priority="1" condim="3" friction="0.5 0.005 0.0001" solref="0.01 1")";
-    case Contact::kFoot:  // Critically damped rubber: 0.5 m/s compress it by some 3 mm, without a bounce.
+    case Contact::kFoot:  // Critically damped rubber: contact at 0.5 m/s compresses it by about 3 mm, without a bounce.
       return R"( contype="1" conaffinity="1" priority="2" condim="3" friction="1 0.005 0.0001" solref="0.015 1")"
              R"( solimp="0.9 0.95 0.001")";
   }

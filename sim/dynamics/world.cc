@@ -35,10 +35,10 @@ Eigen::Isometry3d UprightPose(const Vector3d& p_WB, double yaw) {
 }  // namespace
 
 void Describe(models::ConfigVisitor& v, WorldConfig& c) {
-  v.Vector3({"wind_m_s", "Mean wind in W, until an event changes it."}, c.wind_m_s, models::kMeterPerSecond,
+  v.Vector3({"wind_m_s", "Mean wind in W. Events of the scenario can change it."}, c.wind_m_s, models::kMeterPerSecond,
             models::Between(-50.0, 50.0));
   v.Numbers({"ground_tilt_deg",
-             "Roll and pitch of the ground, and of W with it, against level. The slope is at most 15 "
+             "Roll and pitch of the ground, and of W with it, relative to level. The slope is at most 15 "
              "degrees."},
             {&c.ground_tilt.roll_deg, &c.ground_tilt.pitch_deg}, models::kDegree, models::Between(-15.0, 15.0));
   Describe(v, c.vibration);
@@ -69,11 +69,11 @@ World::World(const WorldConfig& config, const models::Vehicle& vehicle, const Sc
 World::~World() = default;
 
 void World::Reset(const Eigen::Isometry3d& X_WB, bool rotors_at_hover) {
-  if (!X_WB.matrix().allFinite()) throw SimulationError("the vehicle's first pose is not finite");
+  if (!X_WB.matrix().allFinite()) throw SimulationError("the vehicle's initial pose is not finite");
   mj_resetData(model_.get(), data_.get());
   SetFreePose(X_WB, *data_);
   mj_forward(model_.get(), data_.get());
-  TakeMujocoWarning();
+  PopMujocoWarning();
   rotors_.Reset(rotors_at_hover ? vehicle_.rotor.SpeedFor(vehicle_.HoverThrustPerRotor()) : 0.0);
   SetWind(config_.wind_m_s);
   SetPush(Vector3d::Zero(), Vector3d::Zero());
@@ -110,11 +110,11 @@ void World::Carry(const BodyMotion& motion) {
   Eigen::Map<Vector3d>(data_->qvel) = motion.v_WB;
   Eigen::Map<Vector3d>(data_->qvel + 3) = motion.w_WB_B;
   mj_forward(model_.get(), data_.get());
-  TakeMujocoWarning();
+  PopMujocoWarning();
   Advance();
 }
 
-/// To the tick that MuJoCo has come to.
+/// Reads the state after a step of MuJoCo.
 void World::Advance() {
   const TrueState before = state_;
   ++state_.tick;
@@ -123,23 +123,23 @@ void World::Advance() {
   state_.alpha_WB_B = (state_.w_WB_B - before.w_WB_B) / time_.period_s();
 }
 
-/// Bisects the height at which the contact of the feet carries the weight.
+/// Finds, by bisection, the height at which the contact forces carry the weight.
 double World::FindRestingHeight() {
-  double falls = vehicle_.gear.height_m;
-  double lifts = falls - vehicle_.gear.foot_radius_m;
+  double upper = vehicle_.gear.height_m;
+  double lower = upper - vehicle_.gear.foot_radius_m;
   constexpr int kBisections = 40;
   for (int i = 0; i < kBisections; ++i) {
-    const double middle = 0.5 * (falls + lifts);
+    const double middle = 0.5 * (upper + lower);
     mj_resetData(model_.get(), data_.get());
     SetFreePose(UprightPose({0.0, 0.0, middle}, 0.0), *data_);
     mj_forward(model_.get(), data_.get());
-    (data_->qacc[2] > 0.0 ? lifts : falls) = middle;
+    (data_->qacc[2] > 0.0 ? lower : upper) = middle;
   }
-  return 0.5 * (falls + lifts);
+  return 0.5 * (upper + lower);
 }
 
 double World::FindContactCeiling() const {
-  double highest_thing = -mjMAXVAL, vehicle_radius = 0.0;
+  double highest_object = -mjMAXVAL, vehicle_radius = 0.0;
   for (int geom = 0; geom < model_->ngeom; ++geom) {
     if (model_->geom_contype[geom] == 0) continue;
     const bool is_plane = model_->geom_type[geom] == mjGEOM_PLANE;
@@ -148,14 +148,14 @@ double World::FindContactCeiling() const {
       vehicle_radius =
           std::max(vehicle_radius, Eigen::Map<const Vector3d>(model_->geom_pos + 3 * geom).norm() + radius);
     } else {
-      highest_thing = std::max(highest_thing, data_->geom_xpos[3 * geom + 2] + radius);
+      highest_object = std::max(highest_object, data_->geom_xpos[3 * geom + 2] + radius);
     }
   }
-  constexpr double kFallOfATick_m = 0.1;
-  return highest_thing + vehicle_radius + kFallOfATick_m;
+  constexpr double kMaxFallPerTick_m = 0.1;
+  return highest_object + vehicle_radius + kMaxFallPerTick_m;
 }
 
-/// In B, over the coming tick: everything but push, gravity and contact.
+/// Wrench in B over the next tick, without push, gravity and contact.
 Wrench World::AppliedWrench(const models::RotorCommand& command) {
   Wrench wrench = rotors_.Step(command);
   wrench.force_n += DragForce(vehicle_, state_.X_WB.linear().transpose() * (state_.v_WB - wind_m_s_));
@@ -164,7 +164,7 @@ Wrench World::AppliedWrench(const models::RotorCommand& command) {
 
 void World::ApplyForces(const Wrench& wrench) {
   const Eigen::Matrix3d R_WB = state_.X_WB.linear() * models::RotationExp(0.5 * time_.period_s() * state_.w_WB_B);
-  // MuJoCo takes a free joint's force in the world and its torque in the body.
+  // MuJoCo expects the force on a free joint in W and the torque in B.
   Eigen::Map<Vector3d> force_W(data_->qfrc_applied), torque_B(data_->qfrc_applied + 3);
   force_W = R_WB * wrench.force_n + push_force_n_;
   torque_B = wrench.torque_n_m + R_WB.transpose() * push_torque_n_m_;
@@ -172,12 +172,12 @@ void World::ApplyForces(const Wrench& wrench) {
 }
 
 void World::StepMujoco() {
-  // Looking for contacts takes three quarters of a step near the floor, and is in vain far above it.
+  // Contact detection takes three quarters of a step near the floor. It is not needed far above it.
   const bool out_of_reach = state_.X_WB.translation().z() > contact_ceiling_m_;
   model_->opt.disableflags = out_of_reach ? mjDSBL_CONTACT : 0;
   const double time_before_s = data_->time;
   mj_step(model_.get(), data_.get());
-  const std::optional<std::string> warning = TakeMujocoWarning();
+  const std::optional<std::string> warning = PopMujocoWarning();
   if (warning) throw SimulationError("MuJoCo: " + *warning);
   if (std::any_of(std::begin(data_->warning), std::end(data_->warning),
                   [](const mjWarningStat& kind) { return kind.number > 0; })) {

@@ -30,7 +30,7 @@ struct WorldConfig {
 
 void Describe(models::ConfigVisitor& v, WorldConfig& config);
 
-/// MuJoCo flies the vehicle over the scene: rotors, drag, wind, gravity, contact. One Step is one tick.
+/// Simulates the vehicle over the scene with MuJoCo: rotors, drag, wind, gravity, contact. One Step is one tick.
 ///
 /// After a SimulationError, call Reset.
 class World {
@@ -46,25 +46,25 @@ class World {
   /// stopped. Also resets wind, push and pad cover.
   void Reset(const Eigen::Isometry3d& X_WB, bool rotors_at_hover);
 
-  /// The pose at rest on its feet on the floor, upright on it, the body's origin above (x, y): where the contact
-  /// carries the weight.
+  /// Pose at rest on the floor: upright on the landing gear, with the body's origin above (x, y), at the height at
+  /// which the contact forces carry the weight.
   Eigen::Isometry3d RestingPose(double x_m, double y_m, double yaw) const;
 
   const TrueState& state() const { return state_; }
 
-  /// One tick under the command. Throws SimulationError when the command, a force or the new state is not finite, or
-  /// MuJoCo warns.
+  /// Advances by one tick under the command. Throws SimulationError when the command, a force or the new state is not
+  /// finite, or MuJoCo warns.
   void Step(const models::RotorCommand& command);
 
-  /// One tick in which a hand moves the vehicle to the given state, motors off. Throws SimulationError when it is not
-  /// finite.
+  /// Advances by one tick in which a hand moves the vehicle to the given state, motors off. Throws SimulationError when
+  /// the pose is not finite.
   void Carry(const BodyMotion& motion);
 
-  /// Mean wind in W, until set again.
+  /// Sets the mean wind in W, m/s, until the next call or Reset.
   void SetWind(const Eigen::Vector3d& wind_m_s) { wind_m_s_ = wind_m_s; }
-  /// External force in W at the body's origin, N, and torque in W, Nm, until set again.
+  /// Sets the external force at the body's origin, N, and torque, Nm, both in W, until the next call or Reset.
   void SetPush(const Eigen::Vector3d& force_n, const Eigen::Vector3d& torque_n_m);
-  /// Shows or hides a plain sheet over the pad, without effect on the physics.
+  /// Shows or hides a plain sheet over the pad. It has no effect on the physics.
   void CoverPad(bool covered);
 
   /// For the renderer.

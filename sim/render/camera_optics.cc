@@ -22,10 +22,10 @@ std::int32_t ToFixed(double value) { return static_cast<std::int32_t>(std::lroun
 }  // namespace
 
 Eigen::Isometry3d PoseAlong(ExposurePath X_WC, double fraction) {
-  const double place = fraction * static_cast<double>(X_WC.size() - 1);
-  const auto before = std::min(static_cast<std::size_t>(place), X_WC.size() - 1);
+  const double index = fraction * static_cast<double>(X_WC.size() - 1);
+  const auto before = std::min(static_cast<std::size_t>(index), X_WC.size() - 1);
   const auto after = std::min(before + 1, X_WC.size() - 1);
-  const double weight = place - static_cast<double>(before);
+  const double weight = index - static_cast<double>(before);
   if (weight == 0.0) return X_WC[before];
   return models::InterpolatePose(X_WC[before], X_WC[after], weight);
 }
@@ -47,7 +47,7 @@ void CameraOptics::MakeLookups(const models::CameraModel& camera) {
   for (int v = 0; v < height_; ++v) {
     for (int u = 0; u < width_; ++u) {
       const auto ideal = camera.Undistort(camera.NormalizedFromPixel({u, v}));
-      if (!ideal) throw InputError("camera: its lens distortion cannot be undone within the image");
+      if (!ideal) throw InputError("camera: the lens distortion is not invertible within the image");
       points.push_back(view_.focal_px * *ideal + center);
       least = least.cwiseMin(points.back());
       most = most.cwiseMax(points.back());
@@ -56,7 +56,7 @@ void CameraOptics::MakeLookups(const models::CameraModel& camera) {
   const Eigen::Vector2d origin = least.array().floor() - kMargin_px;
   const Eigen::Vector2d size = most.array().ceil() + (kMargin_px + 1) - origin.array();
   if (!(size.maxCoeff() <= kMaxView_px)) {
-    throw InputError("camera: its lens needs a rendered view of more than " + std::to_string(kMaxView_px) + " px");
+    throw InputError("camera: the lens needs a rendered view of more than " + std::to_string(kMaxView_px) + " px");
   }
   view_.width_px = static_cast<int>(size.x());
   view_.height_px = static_cast<int>(size.y());
@@ -82,8 +82,8 @@ Eigen::Vector2d CameraOptics::ShiftAt(const Eigen::Vector2d& pixel, const Eigen:
   const Eigen::Vector2d ray = (pixel - center) / view_.focal_px;
   const Eigen::Vector3d ray_W = X_WS.linear() * Eigen::Vector3d(ray.x(), ray.y(), 1.0);
   const double height = X_WS.translation().z();
-  // The floor's point on the ray, divided by its depth so that a ray to the horizon or above it has one too: turned
-  // only.
+  // Point where the ray meets the floor, divided by its depth. A ray to or above the horizon has inverse depth 0: only
+  // the rotation shifts it.
   const double inverse_depth = height > 0.0 ? std::max(0.0, -ray_W.z()) / height : 0.0;
   const Eigen::Vector3d point_M =
       X_WM.linear().transpose() * (ray_W + inverse_depth * (X_WS.translation() - X_WM.translation()));

@@ -13,21 +13,21 @@
 
 namespace touchdown::sim {
 
-/// The camera's poses at equal steps of time from the opening of the shutter to its closing, both included. One pose: a
-/// camera at rest.
+/// Poses of the camera at equal time steps from the opening of the shutter to its closing, both included. A single pose
+/// is a camera at rest.
 using ExposurePath = std::span<const Eigen::Isometry3d>;
 
-/// The pose at `fraction` (0 to 1) of the exposure, interpolated between its neighbors; 0.5 is mid-exposure.
+/// Pose at `fraction` (0 to 1) of the exposure, interpolated between its neighbors; 0.5 is mid-exposure.
 Eigen::Isometry3d PoseAlong(ExposurePath X_WC, double fraction);
 
-/// The lens and the shutter: converts one wide pinhole view at mid-exposure into the image on the sensor, in a single
+/// Model of lens and shutter: converts one wide pinhole view at mid-exposure into the image on the sensor, in a single
 /// pass of bilinear lookups.
 ///
-/// The lens' radial distortion is exact. An exposure during which the camera moves is the mean of up to kMaxTaps views
-/// along its path, each of them the mid-exposure view warped by the homography that the floor (the plane z = 0 of W)
-/// induces between the two poses. This is exact for points on the floor. A point at height h below a camera at height H
-/// is blurred like the floor: under translation its streak has (H - h) / H of the true length; under rotation it is
-/// exact. Changes of occlusion within an exposure are not modeled.
+/// The lens distortion is exact. An exposure during which the camera moves is the mean of up to kMaxTaps views
+/// along its path, each of which is the mid-exposure view warped by the homography that the floor (the plane z = 0 of
+/// W) induces between the two poses. This is exact for points on the floor. A point at height h below a camera at
+/// height H is blurred like the floor: under translation its streak has (H - h) / H of the true length; under rotation
+/// the blur is exact. Changes of occlusion within an exposure are not modeled.
 class CameraOptics {
  public:
   static constexpr int kMaxTaps = 32;
@@ -35,15 +35,16 @@ class CameraOptics {
   /// Throws InputError when the camera is not valid or its lens needs a pinhole view of more than 4096 px.
   explicit CameraOptics(const models::CameraModel& camera);
 
-  /// The pinhole view to render: the frame's own pixel grid, extended as far as the lens and a little blur reach.
+  /// Pinhole view to render: the pixel grid of the frame, extended to cover the lens distortion and a small margin for
+  /// blur.
   const PinholeView& pinhole_view() const { return view_; }
 
-  /// The exposed frame. `pinhole` is rendered in pinhole_view() from PoseAlong(X_WC, 0.5). A view that the blur carries
-  /// beyond the rendered one repeats its border. The frame is valid until the next call.
+  /// Exposes a frame. `pinhole` is the image of pinhole_view() rendered from PoseAlong(X_WC, 0.5). Where the blur
+  /// reaches beyond the rendered view, the view's border is repeated. The frame is valid until the next call.
   const FineImage& Expose(const models::Image& pinhole, ExposurePath X_WC);
 
-  /// Number of views that are averaged: 1 when no pixel moves by more than 0.25 px, else as many as keep neighbors at
-  /// most 1 px apart, up to kMaxTaps.
+  /// Number of views that are averaged: 1 if no pixel moves by more than 0.25 px, else the number at which consecutive
+  /// views are at most 1 px apart, from 2 to kMaxTaps.
   int TapsFor(ExposurePath X_WC) const;
 
  private:

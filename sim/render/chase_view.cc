@@ -17,25 +17,25 @@
 namespace touchdown::sim {
 namespace {
 
-/// 53 degrees wide and high.
+/// View of the chase camera, 53 degrees wide and high.
 constexpr PinholeView kView{.width_px = 480, .height_px = 480, .focal_px = 480.0, .cx_px = 239.5, .cy_px = 239.5};
 
-/// With cylinders that have their ends, which the sensors' camera does without.
-MujocoModel CopyForTheEye(const mjModel& original) {
+/// Copies a model and gives its cylinders end caps, which the onboard camera's view does without.
+MujocoModel CopyWithEndCaps(const mjModel& original) {
   MujocoModel model(mj_copyModel(nullptr, &original));
   if (!model) throw std::runtime_error("MuJoCo cannot copy the model");
   model->vis.quality.numstacks = std::max(2, model->vis.quality.numstacks);
   return model;
 }
 
-/// From the vehicle's origin to the tips of its rotors.
+/// Distance from the vehicle's origin to its rotor tips, m.
 double Reach(const models::Vehicle& vehicle) { return vehicle.arm_m + 0.5 * vehicle.rotor.propeller_diameter_m; }
 
 }  // namespace
 
 struct ChaseView::Impl {
   explicit Impl(const mjModel& original)
-      : model(CopyForTheEye(original)),
+      : model(CopyWithEndCaps(original)),
         data(MakeData(*model)),
         scene(*model, kView, GlScene::Pixels::kBgr, MakeOsMesaContext()),
         filter(*model, scene.resources()),
@@ -45,8 +45,8 @@ struct ChaseView::Impl {
     options.geomgroup[kInvisible] = 0;
   }
 
-  /// A wall is hidden from who looks at it from outside the room.
-  void HideWallsBetween(const Eigen::Vector3d& p_WC) {
+  /// Hides the walls that the camera at p_WC sees from outside the room.
+  void HideWallsSeenFromOutside(const Eigen::Vector3d& p_WC) {
     for (int geom = 0; geom < model->ngeom; ++geom) {
       if (model->geom_group[geom] != kSurroundings) continue;
       const Eigen::Map<const Eigen::Vector3d> p_WG(data->geom_xpos + 3 * geom);
@@ -58,27 +58,24 @@ struct ChaseView::Impl {
   MujocoModel model;
   MujocoData data;
   GlScene scene;
-  TextureFilter filter;  ///< Default: a mip level per pixel.
+  TextureFilter filter;  ///< Never adapted to a view: chooses the mip level per pixel.
   VehicleShadow shadow;
   int pad_cover;
   mjvOption options;
 };
 
 ChaseView::ChaseView(const mjModel_& model, const models::Vehicle& vehicle)
-    : vehicle_(vehicle),
-      view_(kView),
-      picture_(kView.height_px, kView.width_px),
-      impl_(std::make_unique<Impl>(model)) {}
+    : vehicle_(vehicle), view_(kView), image_(kView.height_px, kView.width_px), impl_(std::make_unique<Impl>(model)) {}
 
 ChaseView::~ChaseView() = default;
 
 void ChaseView::Follow(const Eigen::Vector3d& p_WB) {
-  constexpr double kLeash_m = 0.15, kHeading = 0.6, kDown = 0.5, kMargin = 1.03;
+  constexpr double kDeadBand_m = 0.15, kHeading = 0.6, kDown = 0.5, kMargin = 1.03;
   if (!followed_) followed_ = p_WB;
   const Eigen::Vector3d ahead = p_WB - *followed_;
-  if (ahead.norm() > kLeash_m) *followed_ = p_WB - kLeash_m * ahead.normalized();
+  if (ahead.norm() > kDeadBand_m) *followed_ = p_WB - kDeadBand_m * ahead.normalized();
 
-  const double radius_m = 0.5 * followed_->norm() + Reach(vehicle_) + kLeash_m;
+  const double radius_m = 0.5 * followed_->norm() + Reach(vehicle_) + kDeadBand_m;
   const double half_angle = std::atan(0.5 * kView.height_px / kView.focal_px);
   const double distance_m = kMargin * radius_m / std::sin(half_angle);
   const Eigen::Vector3d forward(std::cos(kHeading) * std::cos(kDown), std::sin(kHeading) * std::cos(kDown),
@@ -105,17 +102,17 @@ const cv::Mat3b& ChaseView::Render(const Eigen::Isometry3d& X_WB, bool pad_is_co
   impl.scene.MakeCurrent();
   if (impl.pad_cover >= 0) impl.model->geom_rgba[4 * impl.pad_cover + 3] = pad_is_covered ? 1.0F : 0.0F;
   SetFreePose(X_WB, *impl.data);
-  // Kinematics alone: there is no physics here, and so nothing that could warn.
+  // Computes kinematics only, which raise no MuJoCo warnings.
   mj_kinematics(impl.model.get(), impl.data.get());
   mj_comPos(impl.model.get(), impl.data.get());
   mj_camlight(impl.model.get(), impl.data.get());
   Follow(X_WB.translation());
-  impl.HideWallsBetween(X_WC_.translation());
+  impl.HideWallsSeenFromOutside(X_WC_.translation());
   impl.scene.List(*impl.data, impl.options);
   const GroundShade* const shadow = impl.shadow.Cast(*impl.data);
   if (shadow == nullptr) AddDiscsBelow(X_WB);
-  impl.scene.Draw(X_WC_, shadow, picture_.data);
-  return picture_;
+  impl.scene.Draw(X_WC_, shadow, image_.data);
+  return image_;
 }
 
 }  // namespace touchdown::sim

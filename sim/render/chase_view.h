@@ -13,24 +13,24 @@ struct mjModel_;
 
 namespace touchdown::sim {
 
-/// Color view of the room and the vehicle from a camera that follows it, for videos. It is not a sensor: its own model
-/// and GL context keep it from affecting the flight.
+/// Color view of the scene and the vehicle from a camera that follows the vehicle, for videos. It is not a sensor: its
+/// own model and GL context keep it from affecting the flight.
 class ChaseView {
  public:
-  /// `model` is a World's model with painted textures. Images have 480x480 px.
+  /// `model` is the model of a World with painted textures. Images have 480 x 480 px.
   ChaseView(const mjModel_& model, const models::Vehicle& vehicle);
   ~ChaseView();
   ChaseView(const ChaseView&) = delete;
   ChaseView& operator=(const ChaseView&) = delete;
 
-  /// Image of the vehicle at X_WB over the pad, bare or covered, in blue, green, red. Its shadow shows where the
-  /// vehicle is above, or without a sun a dark disc on the floor straight below each rotor. The image is valid until
-  /// the next call.
+  /// Renders the vehicle at X_WB over the bare or covered pad, in blue, green, red. The image shows the vehicle's
+  /// shadow or, without a sun, a dark disc on the floor straight below each rotor. The image is valid until the next
+  /// call.
   const cv::Mat3b& Render(const Eigen::Isometry3d& X_WB, bool pad_is_covered);
 
   /// Pose of the camera (frame C) of the newest image. It looks forward and down, from behind, at the midpoint of pad
-  /// and vehicle, from a distance at which both are in view. It stays still within a dead band around the vehicle's
-  /// position and then follows it, so that the room is at rest in a hover.
+  /// and vehicle, from a distance at which both are in view. It does not move while the vehicle stays within
+  /// a dead band, so that the background is at rest in a hover.
   const Eigen::Isometry3d& X_WC() const { return X_WC_; }
   const PinholeView& view() const { return view_; }
 
@@ -44,7 +44,7 @@ class ChaseView {
   PinholeView view_;
   std::optional<Eigen::Vector3d> followed_;  ///< Position that the camera follows, within the dead band.
   Eigen::Isometry3d X_WC_ = Eigen::Isometry3d::Identity();
-  cv::Mat3b picture_;
+  cv::Mat3b image_;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -30,7 +30,7 @@ class OsMesaContext final : public GlContext {
   }
 
  private:
-  /// Views are rendered into a frame buffer object: OSMesa's own window is a formality.
+  /// Side of OSMesa's window, px. The window is required but not used: views are rendered into a frame buffer object.
   static constexpr int kWindowSide = 16;
 
   struct Destroy {

@@ -9,14 +9,14 @@ class GlContext {
  public:
   virtual ~GlContext() = default;
 
-  /// Makes it the calling thread's current context. Call before any OpenGL or mjr_ function that uses it: the process
-  /// may have made another context current.
+  /// Makes this the calling thread's current context. Call it before any OpenGL or mjr_ function that uses the context,
+  /// since another one may be current.
   virtual void MakeCurrent() = 0;
 };
 
-/// Mesa's software renderer (OSMesa, llvmpipe). It renders in the calling thread unless the environment variable
-/// LP_NUM_THREADS is set; pixels are the same for any number of threads. Throws std::runtime_error when Mesa cannot
-/// make a context.
+/// Makes a context of Mesa's software renderer (OSMesa, llvmpipe). It renders in the calling thread unless the
+/// environment variable LP_NUM_THREADS is set; pixels are the same for any number of threads. Throws std::runtime_error
+/// when Mesa cannot make a context.
 std::unique_ptr<GlContext> MakeOsMesaContext();
 
 }  // namespace touchdown::sim

@@ -16,8 +16,8 @@ constexpr int kMaxGeoms = 400;
 constexpr double kNearPlane_m = 0.02;
 constexpr double kFarPlane_m = 40.0;
 
-/// OpenGL's camera looks along its -Z and has Y up. The frustum is cut so that the principal point falls where the view
-/// wants it, to the fraction of a pixel.
+/// OpenGL camera for a view from X_WC. It looks along its -Z and has Y up. An asymmetric frustum places the principal
+/// point with subpixel accuracy.
 mjvGLCamera CameraFor(const PinholeView& view, const Eigen::Isometry3d& X_WC) {
   mjvGLCamera camera{};
   for (int i = 0; i < 3; ++i) {
@@ -42,15 +42,15 @@ void AttachBuffer(GLenum attachment, GLenum format, const PinholeView& view) {
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
 }
 
-/// Gives the off-screen buffer that is bound now the colors that are read and no more, and depth without a stencil
-/// interleaved, which is slow to clear around.
+/// Replaces the attachments of the bound off-screen buffer: only the color channels that are read, and a depth buffer
+/// without an interleaved stencil, which would slow down clearing.
 void KeepOnlyColorAndDepth(const PinholeView& view, GLenum color_format) {
   constexpr GLuint kNone = 0;
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, kNone);
   AttachBuffer(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, view);
   AttachBuffer(GL_COLOR_ATTACHMENT0, color_format, view);
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw std::runtime_error("OpenGL cannot render into a buffer of color and depth alone");
+    throw std::runtime_error("OpenGL cannot render into a buffer with color and depth only");
   }
 }
 

@@ -15,8 +15,8 @@
 
 namespace touchdown::sim {
 
-/// A model that MuJoCo draws on its own GL context, the basis of every view of a room. Without sky and fog; the only
-/// shadows are those passed to Draw.
+/// Draws a model with MuJoCo's renderer in a GL context of its own; the basis of every view of a scene. It draws
+/// neither sky nor fog, and no shadows other than those passed to Draw.
 class GlScene {
  public:
   enum class Pixels {
@@ -24,20 +24,21 @@ class GlScene {
     kBgr,  ///< Blue, green, red: OpenCV's order.
   };
 
-  /// Copies the model's textures into the GL context; `model` must outlive it. Throws std::runtime_error when there is
-  /// no buffer for a view of that size.
+  /// Copies the model's textures into the GL context; `model` must outlive this object. Throws std::runtime_error when
+  /// there is no buffer for a view of that size.
   GlScene(const mjModel& model, const PinholeView& view, Pixels pixels, std::unique_ptr<GlContext> context);
-  /// Leaves its context current, so that objects created in it can be destroyed.
+  /// Makes its context current, so that objects created in it can be destroyed.
   ~GlScene() { gl_->MakeCurrent(); }
   GlScene(const GlScene&) = delete;
   GlScene& operator=(const GlScene&) = delete;
 
-  /// Call before any other member, and before using OpenGL on its objects.
+  /// Call before any other member, and before any OpenGL function that uses objects of this context.
   void MakeCurrent() { gl_->MakeCurrent(); }
 
+  /// MuJoCo's objects in the GL context.
   const mjrContext& resources() const { return resources_; }
 
-  /// Fills the draw list with the geoms of the model, by `options`. `data` must have its kinematics computed.
+  /// Fills the draw list with the geoms of the model that `options` selects. `data` must have its kinematics computed.
   void List(mjData& data, const mjvOption& options);
   /// Adds a geom that is not in the model to the draw list, at X_WG, with MuJoCo's size for its type.
   void Add(mjtGeom type, const Eigen::Vector3d& size_m, const Eigen::Isometry3d& X_WG, const Eigen::Vector4f& rgba);

@@ -16,7 +16,7 @@ void PackRow(const std::uint8_t* upper, const std::uint8_t* lower, std::int32_t 
   }
 }
 
-/// The columns of a word are weighted two bytes at a time, each byte in its half of a 32-bit word.
+/// Weights two bytes of a packed word at once, each in its own half of a 32-bit word.
 TOUCHDOWN_CLONE_FOR_CPUS
 void Add(const std::uint32_t* __restrict words, std::int32_t stride, std::int32_t x_limit, std::int32_t y_limit,
          const std::int32_t* __restrict xs, const std::int32_t* __restrict ys, std::int32_t count, std::int32_t shift_x,

@@ -9,7 +9,7 @@
 
 namespace touchdown::sim {
 
-/// A frame before its noise: gray levels in units of 1/256, row by row.
+/// A frame before noise is added: gray levels in units of 1/256, row by row.
 struct FineImage {
   int width = 0;
   int height = 0;
@@ -17,7 +17,7 @@ struct FineImage {
 };
 
 /// A gray image laid out for fast bilinear lookups: each word holds a pixel and its three neighbors to the right and
-/// below. All arithmetic is on integers, so that sums do not depend on the instructions a CPU has.
+/// below. All arithmetic uses integers, so that sums do not depend on the CPU's instruction set.
 class PackedImage {
  public:
   static constexpr int kFractionBits = 16;  ///< Fixed-point positions have a resolution of 1/65536 px.
@@ -48,7 +48,7 @@ class PackedImage {
   std::vector<std::uint32_t> words_;
 };
 
-/// Divides sums of `taps` lookups each (up to 32) by their number: levels[i] is their mean in 1/256 gray level.
+/// Divides each sum of `taps` lookups (at most 32) by `taps`: levels[i] is their mean in 1/256 gray level.
 void WriteMeans(std::span<const std::uint32_t> sums, int taps, std::uint16_t* levels);
 
 }  // namespace touchdown::sim

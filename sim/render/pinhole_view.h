@@ -2,7 +2,7 @@
 
 namespace touchdown::sim {
 
-/// An undistorted view with square pixels, centered on integer coordinates.
+/// An undistorted view with square pixels. Pixel centers lie on integer coordinates.
 struct PinholeView {
   int width_px = 640;
   int height_px = 480;

@@ -15,8 +15,8 @@
 namespace touchdown::sim {
 namespace {
 
-/// Whether all that the view shows lies above or on the floor's center.
-bool LiesOnTheFloorsCenter(const FloorFootprint& footprint) {
+/// Whether the view shows no part of the floor outside its center.
+bool IsWithinFloorCenter(const FloorFootprint& footprint) {
   constexpr double kMargin_m = 0.02;
   return footprint.reach_m < 0.5 * kFloorCenterSize_m - kMargin_m;
 }
@@ -47,8 +47,8 @@ const models::Image& Renderer::Render(mjData_& data, const Eigen::Isometry3d& X_
   Impl& impl = *impl_;
   impl.scene.MakeCurrent();
   const std::optional<FloorFootprint> footprint = FootprintOf(view_, X_WC);
-  impl.options.geomgroup[kSurroundings] = footprint && LiesOnTheFloorsCenter(*footprint) ? 0 : 1;
-  impl.filter.SuitTo(footprint, view_.focal_px);
+  impl.options.geomgroup[kSurroundings] = footprint && IsWithinFloorCenter(*footprint) ? 0 : 1;
+  impl.filter.AdaptTo(footprint, view_.focal_px);
   impl.scene.List(data, impl.options);
   impl.scene.Draw(X_WC, impl.shadow.Cast(data), image_.Row(0));
   return image_;

@@ -11,11 +11,11 @@
 namespace touchdown::sim {
 namespace {
 
-/// One level serves depths that differ by no more than two neighboring levels do.
-constexpr double kMostDepthRatio = 2.0;
+/// Largest ratio of the depths that share one mip level, the ratio of two neighboring levels.
+constexpr double kMaxDepthRatio = 2.0;
 constexpr int kAllLevels = 1000;
-/// The pad's level from less than 0.2 m.
-constexpr int kPadFillsTheView = 1;
+/// Mip level of the pad from less than 0.2 m, where the pad fills the view.
+constexpr int kLevelOfFullView = 1;
 
 GLint FilterByPixel(bool is_pad) { return is_pad ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_NEAREST; }
 
@@ -50,13 +50,13 @@ TextureFilter::TextureFilter(const mjModel& model, const mjrContext& context) {
   }
 }
 
-void TextureFilter::SuitTo(const std::optional<FloorFootprint>& footprint, double focal_px) {
-  const bool one_depth = footprint && footprint->farthest_m <= kMostDepthRatio * footprint->nearest_m;
+void TextureFilter::AdaptTo(const std::optional<FloorFootprint>& footprint, double focal_px) {
+  const bool one_depth = footprint && footprint->farthest_m <= kMaxDepthRatio * footprint->nearest_m;
   const double depth_m = one_depth ? std::sqrt(footprint->nearest_m * footprint->farthest_m) : 0.0;
   for (Sheet& sheet : sheets_) {
     std::optional<int> level;
     if (one_depth) level = MipLevel(sheet.texels_per_m, depth_m, focal_px);
-    if (sheet.is_pad && level > kPadFillsTheView) level.reset();
+    if (sheet.is_pad && level > kLevelOfFullView) level.reset();
     if (level == sheet.level) continue;
     SetParameters(GL_TEXTURE_2D, sheet.texture,
                   {{GL_TEXTURE_BASE_LEVEL, level.value_or(0)},

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSpeckCell_m = 0.06;
 
-/// 1 within a joint of the given half width, 0 outside, with an edge as soft as a texel is wide.
+/// 1 within a joint of the given half width, 0 outside, with an edge about one texel wide.
 double Joint(double distance_m, double half_width_m) {
   return std::clamp((half_width_m - distance_m) / 0.003 + 0.5, 0.0, 1.0);
 }

@@ -5,8 +5,8 @@
 
 namespace touchdown::sim {
 
-/// A floor as a function of position: concrete, planks, carpet or tiles, with specks, drawn from a seed. Defined
-/// everywhere, so that two textures of different resolution show the same floor.
+/// A floor as a function of position: concrete, planks, carpet or tiles, with specks, drawn from a seed. It is defined
+/// everywhere, so that textures of different resolution show the same floor.
 class FloorPattern {
  public:
   explicit FloorPattern(std::uint64_t seed);

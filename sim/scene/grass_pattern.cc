@@ -16,8 +16,8 @@ constexpr double kPathWobble_m = 0.05;
 constexpr double kPathToSheet_m = 0.06;
 constexpr double kSlabLength_m = 0.42;
 constexpr double kSlabJoint_m = 0.03;
-/// Blades are drawn where a texel is at most this large.
-constexpr double kFinest_m = 0.003;
+/// Largest texel at which individual blades are drawn, m.
+constexpr double kMaxBladeTexel_m = 0.003;
 constexpr double kBladesPerM2 = 22000.0;
 
 Eigen::Vector2d TexelCenter(int column, int row, double side_m, int texels) {
@@ -29,7 +29,7 @@ cv::Vec3b Color(const Eigen::Vector3d& reflectance) {
           cv::saturate_cast<std::uint8_t>(reflectance.z())};
 }
 
-/// Distances to the nearest and the second nearest of the points scattered one to a cell, and the nearest's own value.
+/// Distances to the nearest and the second nearest of random points, one per cell, and the value of the nearest.
 struct Nearest {
   double first = 9.0, second = 9.0, value = 0.0;
 };
@@ -57,7 +57,7 @@ GrassPattern::GrassPattern(std::uint64_t seed, const models::LandingPad& pad) {
   seed_ = static_cast<std::uint32_t>(random.Bits());
   const double dryness = random.Uniform(0.0, 1.0);
   green_ = random.Uniform(0.85, 1.2) * Eigen::Vector3d(52.0 + 40.0 * dryness, 88.0 + 12.0 * dryness, 30.0);
-  path_ = random.Chance(0.5) ? Path::kGravel : Path::kSlabs;
+  path_ = random.Bernoulli(0.5) ? Path::kGravel : Path::kSlabs;
   path_gray_ = random.Uniform(95.0, 150.0);
   const double heading = random.Uniform(-models::kPi, models::kPi);
   path_along_ << std::cos(heading), std::sin(heading);
@@ -68,7 +68,7 @@ GrassPattern::GrassPattern(std::uint64_t seed, const models::LandingPad& pad) {
   stone_m_ = random.Uniform(0.018, 0.03);
 }
 
-/// Along the path, and from its middle to the left.
+/// Coordinates along the path and from its center line to the left, m.
 Eigen::Vector2d GrassPattern::AlongAndAcross(const Eigen::Vector2d& p_W) const {
   return {path_along_.dot(p_W), path_left_.dot(p_W) - path_distance_m_};
 }
@@ -86,7 +86,7 @@ bool GrassPattern::IsPath(const Eigen::Vector2d& p_W) const {
   return std::abs(p.y()) < path_half_width_m_ + ragged_m && to_end_m > 0.5 * kSlabJoint_m + ragged_m;
 }
 
-/// The grass without its blades: clumps, worn places, tufts.
+/// Reflectance of the grass without individual blades: clumps, worn places, tufts.
 Eigen::Vector3d GrassPattern::Turf(const Eigen::Vector2d& p) const {
   const double meadow = FractalNoise(p.x() / 1.1, p.y() / 1.1, 2, seed_);
   const double clump = FractalNoise(p.x() / 0.16, p.y() / 0.16, 3, seed_ + 3);
@@ -97,45 +97,45 @@ Eigen::Vector3d GrassPattern::Turf(const Eigen::Vector2d& p) const {
   return (1.0 + 0.5 * tuft) * (grass + 0.7 * worn * (soil - grass));
 }
 
-cv::Mat3b GrassPattern::Turfs(double side_m, int texels) const {
+cv::Mat3b GrassPattern::PaintTurf(double side_m, int texels) const {
   constexpr double kCoarsest_m = 0.010;
   const int nodes = std::clamp(static_cast<int>(std::ceil(side_m / kCoarsest_m)), texels / 4, texels);
-  cv::Mat3b turf(nodes, nodes), print;
+  cv::Mat3b turf(nodes, nodes), texture;
   for (int row = 0; row < nodes; ++row) {
     for (int column = 0; column < nodes; ++column) {
       turf(row, column) = Color(Turf(TexelCenter(column, row, side_m, nodes)));
     }
   }
-  cv::resize(turf, print, {texels, texels}, 0, 0, cv::INTER_LINEAR);
-  return print;
+  cv::resize(turf, texture, {texels, texels}, 0, 0, cv::INTER_LINEAR);
+  return texture;
 }
 
-/// Direction in which a blade leans, similar to its neighbors.
+/// Direction in which a blade leans, rad. It varies smoothly with position, plus `deviation`.
 double GrassPattern::Lean(const Eigen::Vector2d& p, double deviation) const {
   return 4.0 * SmoothNoise(p.x() / 0.20, p.y() / 0.20, seed_ + 15) + deviation;
 }
 
-/// Blades lighter and darker than what they stand on, which lies in their shade.
-void GrassPattern::GrowBlades(double side_m, cv::Mat3b& print) const {
+/// Draws blades that are lighter or darker than the turf, and darkens the turf as if in their shade.
+void GrassPattern::GrowBlades(double side_m, cv::Mat3b& texture) const {
   constexpr int kFractionBits = 4;
   constexpr double kGround = 0.6;
-  const cv::Mat3b turf = print.clone();
-  print.convertTo(print, CV_8U, kGround);
+  const cv::Mat3b turf = texture.clone();
+  texture.convertTo(texture, CV_8U, kGround);
   models::RandomStream random(seed_, "blades");
-  const double texels_per_m = print.cols / side_m;
+  const double texels_per_m = texture.cols / side_m;
   const int blades = static_cast<int>(kBladesPerM2 * side_m * side_m);
   for (int i = 0; i < blades; ++i) {
-    const Eigen::Vector2d root(random.Uniform(0.0, print.cols), random.Uniform(0.0, print.rows));
+    const Eigen::Vector2d root(random.Uniform(0.0, texture.cols), random.Uniform(0.0, texture.rows));
     const double direction = Lean(root / texels_per_m, random.Uniform(-1.3, 1.3)), length = random.Uniform(0.02, 0.07);
     const Eigen::Vector2d tip =
         root + length * texels_per_m * Eigen::Vector2d(std::cos(direction), std::sin(direction));
     const cv::Vec3b under = turf(static_cast<int>(root.y()), static_cast<int>(root.x()));
-    const double light = random.Uniform(0.65, 1.5), dry = random.Chance(0.05) ? 1.4 : 1.0;
+    const double light = random.Uniform(0.65, 1.5), dry = random.Bernoulli(0.05) ? 1.4 : 1.0;
     const auto fixed = [](const Eigen::Vector2d& p) {
       return cv::Point(static_cast<int>((1 << kFractionBits) * p.x()), static_cast<int>((1 << kFractionBits) * p.y()));
     };
-    cv::line(print, fixed(root), fixed(tip), cv::Scalar(dry * light * under[0], light * under[1], light * under[2]),
-             random.Chance(0.3) ? 2 : 1, cv::LINE_AA, kFractionBits);
+    cv::line(texture, fixed(root), fixed(tip), cv::Scalar(dry * light * under[0], light * under[1], light * under[2]),
+             random.Bernoulli(0.3) ? 2 : 1, cv::LINE_AA, kFractionBits);
   }
 }
 
@@ -153,23 +153,23 @@ double GrassPattern::Slab(const Eigen::Vector2d& p) const {
   return path_gray_ * tone * (1.0 + 0.35 * stain + 0.10 * grain);
 }
 
-void GrassPattern::LayPath(double side_m, cv::Mat3b& print) const {
-  for (int row = 0; row < print.rows; ++row) {
-    for (int column = 0; column < print.cols; ++column) {
-      const Eigen::Vector2d p_W = TexelCenter(column, row, side_m, print.cols);
+void GrassPattern::LayPath(double side_m, cv::Mat3b& texture) const {
+  for (int row = 0; row < texture.rows; ++row) {
+    for (int column = 0; column < texture.cols; ++column) {
+      const Eigen::Vector2d p_W = TexelCenter(column, row, side_m, texture.cols);
       if (!IsPath(p_W)) continue;
       const Eigen::Vector2d p = AlongAndAcross(p_W);
       const double gray = path_ == Path::kGravel ? Gravel(p) : Slab(p);
-      print(row, column) = Color(gray * Eigen::Vector3d(1.0, 0.97, 0.90));
+      texture(row, column) = Color(gray * Eigen::Vector3d(1.0, 0.97, 0.90));
     }
   }
 }
 
-cv::Mat3b GrassPattern::Print(double side_m, int texels) const {
-  cv::Mat3b print = Turfs(side_m, texels);
-  if (side_m / texels <= kFinest_m) GrowBlades(side_m, print);
-  LayPath(side_m, print);
-  return print;
+cv::Mat3b GrassPattern::Paint(double side_m, int texels) const {
+  cv::Mat3b texture = PaintTurf(side_m, texels);
+  if (side_m / texels <= kMaxBladeTexel_m) GrowBlades(side_m, texture);
+  LayPath(side_m, texture);
+  return texture;
 }
 
 }  // namespace touchdown::sim

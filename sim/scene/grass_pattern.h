@@ -8,14 +8,15 @@
 
 namespace touchdown::sim {
 
-/// A meadow, drawn from a seed: grass in patches of several scales, blade by blade where the texels are fine enough,
-/// and a path of gravel or of stone slabs that runs past the pad's sheet.
+/// A meadow, drawn from a seed: grass in patches of several scales, with individual blades where the texels are fine
+/// enough, and a path of gravel or stone slabs that runs past the pad's sheet.
 class GrassPattern {
  public:
   GrassPattern(std::uint64_t seed, const models::LandingPad& pad);
 
-  /// Reflectance, 0 to 255, red, green, blue, of the square of that side around W's origin. Row 0 lies at its +Y edge.
-  cv::Mat3b Print(double side_m, int texels) const;
+  /// Reflectance, 0 to 255, in red, green, blue, of a square of side `side_m` around W's origin. Row 0 is at its +Y
+  /// edge.
+  cv::Mat3b Paint(double side_m, int texels) const;
 
   /// Whether a point of the ground is on the path.
   bool IsPath(const Eigen::Vector2d& p_W) const;
@@ -25,10 +26,10 @@ class GrassPattern {
 
   Eigen::Vector2d AlongAndAcross(const Eigen::Vector2d& p_W) const;
   Eigen::Vector3d Turf(const Eigen::Vector2d& p_W) const;
-  cv::Mat3b Turfs(double side_m, int texels) const;
+  cv::Mat3b PaintTurf(double side_m, int texels) const;
   double Lean(const Eigen::Vector2d& p, double deviation) const;
-  void GrowBlades(double side_m, cv::Mat3b& print) const;
-  void LayPath(double side_m, cv::Mat3b& print) const;
+  void GrowBlades(double side_m, cv::Mat3b& texture) const;
+  void LayPath(double side_m, cv::Mat3b& texture) const;
   double Gravel(const Eigen::Vector2d& p) const;
   double Slab(const Eigen::Vector2d& p) const;
 
@@ -37,7 +38,7 @@ class GrassPattern {
   Path path_;
   double path_gray_;
   Eigen::Vector2d path_along_, path_left_;
-  double path_distance_m_;  ///< Distance of its middle from the pad's center.
+  double path_distance_m_;  ///< Distance of the path's center line from the pad's center.
   double path_half_width_m_;
   double stone_m_;  ///< Size of the gravel's stones.
 };

@@ -5,10 +5,10 @@
 namespace touchdown::sim {
 namespace {
 
-/// Over the highest sheet that lies on the ground.
+/// Height of the shade, m, above all sheets on the ground.
 constexpr double kHeight_m = 0.0010;
 
-/// The picture times the texture, where the depth lets it.
+/// Sets OpenGL to multiply the image by the texture where the depth test passes.
 void MultiplyByTexture() {
   for (const GLenum off :
        {GL_LIGHTING, GL_CULL_FACE, GL_ALPHA_TEST, GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_CUBE_MAP}) {

@@ -8,7 +8,7 @@ namespace {
 constexpr std::uint32_t kColumnFactor = 0x9E3779B1u;
 constexpr std::uint32_t kRowFactor = 0x85EBCA77u;
 
-/// In [0, 1).
+/// Hash of `h`, in [0, 1).
 double Scrambled(std::uint32_t h) {
   h ^= h >> 15;
   h *= 0x2C1B3C6Du;
@@ -18,7 +18,7 @@ double Scrambled(std::uint32_t h) {
   return h * 0x1p-32;
 }
 
-/// The whole number at or below, and what is left. A call of std::floor, without SSE 4.1, costs more than all the rest.
+/// Floor and remainder. Without SSE 4.1, a call of std::floor would take most of the time of SmoothNoise.
 std::pair<std::int32_t, double> WholeAndRest(double x) {
   const std::int32_t towards_zero = static_cast<std::int32_t>(x);
   const std::int32_t whole = towards_zero - (towards_zero > x ? 1 : 0);

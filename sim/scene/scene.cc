@@ -62,7 +62,7 @@ Eigen::Vector3d DrawSize(Kind kind, RandomStream& random) {
 }
 
 Kind DrawSolid(const SceneConfig& config, RandomStream& random) {
-  if (!config.IsOutdoor()) return random.Chance(0.5) ? Kind::kBox : Kind::kCylinder;
+  if (!config.IsOutdoor()) return random.Bernoulli(0.5) ? Kind::kBox : Kind::kCylinder;
   constexpr std::array kSolids{Kind::kStone, Kind::kStone, Kind::kStone, Kind::kBox, Kind::kCylinder, Kind::kBall};
   return kSolids[static_cast<std::size_t>(random.UniformInt(0, int{kSolids.size()} - 1))];
 }
@@ -77,7 +77,7 @@ class Layout {
     SceneItem item{.kind = kind, .size_m = DrawSize(kind, random_), .texture_seed = random_.Bits()};
     const double radius = 0.5 * item.size_m.head<2>().norm();
     const double nearest = item.IsFlat() ? 0.0 : kSolidKeepOut_m + radius;
-    double farthest = item.IsFlat() ? (random_.Chance(kFractionNear) ? kNear_m : kFar_m) : kFarSolid_m;
+    double farthest = item.IsFlat() ? (random_.Bernoulli(kFractionNear) ? kNear_m : kFar_m) : kFarSolid_m;
     const double limit = 0.5 * scene_.config.floor_size_m - radius;
     for (int i = 0; i < kTries; ++i) {
       const double distance = random_.Uniform(nearest, std::min(farthest, limit));
@@ -89,7 +89,7 @@ class Layout {
       }
       farthest *= 1.001;
     }
-    throw InputError("the scene's floor has no room for all of its posters, circles, letters and objects");
+    throw InputError("the scene's floor_size_m is too small for its posters, lone_circles, lone_letters and objects");
   }
 
  private:
@@ -109,25 +109,24 @@ class Layout {
 void Describe(models::ConfigVisitor& v, SceneConfig& c) {
   using namespace models;
   constexpr Range kCount = Between(0, 40);
-  v.Choice(
-      {"setting",
-       "Surroundings: indoor is a floor between four walls, outdoor a meadow with a path past the pad, in the sun."},
-      c.setting, SceneConfig::kSettingNames);
+  v.Choice({"setting",
+            "Surroundings: indoor is a floor between four walls, outdoor is a sunlit meadow with a path past the pad."},
+           c.setting, SceneConfig::kSettingNames);
   v.Number({"floor_size_m", "Side of the square floor. The room is a cube of this size."}, c.floor_size_m, kMeter,
            Between(4.0, 30.0));
-  v.Integer({"posters", "Number of flat sheets rich in texture."}, c.posters, kCount);
+  v.Integer({"posters", "Number of flat sheets with rich texture."}, c.posters, kCount);
   v.Integer({"lone_circles", "Number of rings without an H."}, c.lone_circles, kCount);
   v.Integer({"lone_letters", "Number of letters without a ring: an H, or a rectangle where the pad has one."},
             c.lone_letters, kCount);
   v.Integer({"objects", "Number of solid objects: boxes and cylinders, outdoors also stones and balls."}, c.objects,
             kCount);
-  v.Number({"illumination", "Gain of the light; 1 is nominal. White paper saturates the image above about 1.13."},
+  v.Number({"illumination", "Gain of the light; 1 is nominal. Above about 1.13, white paper saturates the image."},
            c.illumination, kNoUnit, PositiveUpTo(4.0));
   v.Boolean({"pad", "Whether the landing pad is in the scene."}, c.pad);
   v.Keys({"sun", "The sun and its shadows (outdoor only)."}, c.sun);
   v.Check("", [&c] {
     if (c.posters + c.lone_circles + c.lone_letters + c.objects > 80) {
-      throw InputError("scene: posters, lone_circles, lone_letters and objects must be at most 80 together");
+      throw InputError("scene: posters, lone_circles, lone_letters and objects must add up to at most 80");
     }
   });
 }

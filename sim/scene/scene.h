@@ -18,8 +18,8 @@ namespace touchdown::sim {
 /// Surroundings of the pad. The layout is drawn from the seed of the flight (stream "scene").
 struct SceneConfig {
   enum class Setting {
-    kIndoor,   ///< A floor between four walls, under a light that is nearly even.
-    kOutdoor,  ///< Grass, a path past the pad, the sun.
+    kIndoor,   ///< A floor between four walls, with nearly even light.
+    kOutdoor,  ///< Grass and a path past the pad, in the sun.
   };
   static constexpr std::array<std::string_view, 2> kSettingNames = {"indoor", "outdoor"};
 
@@ -36,7 +36,7 @@ struct SceneConfig {
   bool IsOutdoor() const { return setting == Setting::kOutdoor; }
 
   /// Throws InputError, without a file name, for a value out of its range (see Describe), or for more than 80 items in
-  /// all.
+  /// total.
   void Validate() const;
 };
 
@@ -56,8 +56,8 @@ struct SceneItem {
   std::array<Eigen::Vector2d, 4> Corners() const;
 };
 
-/// Whether two rectangles on the floor come closer than `gap_m` to each other (by the separating axis theorem; at
-/// corners the gap is measured along the rectangles' own axes).
+/// Whether two rectangles on the floor are closer than `gap_m` to each other (separating axis theorem; at corners the
+/// gap is measured along the axes of the rectangles).
 bool Overlap(const SceneItem& a, const SceneItem& b, double gap_m);
 
 struct Scene {
@@ -67,26 +67,26 @@ struct Scene {
   std::uint64_t floor_seed = 0;
 };
 
-/// Smallest distance of any part of a solid item from the pad's center, which keeps the flight path clear.
+/// Smallest allowed distance between the pad's center and any part of a solid item, m. It keeps the flight path clear.
 inline constexpr double kSolidKeepOut_m = 0.60;
 
-/// Draws a layout. No item overlaps the pad's sheet or another item, solid items keep the flight path clear, and most
-/// flat items are within 1.5 m of the pad, where the camera looks. Throws InputError when the floor is too small for
-/// the items.
+/// Draws a random layout. No item overlaps the pad's sheet or another item, solid items keep the flight path clear, and
+/// most flat items are within 1.5 m of the pad, in view of the camera. Throws InputError when the floor is too small
+/// for the items.
 Scene MakeScene(const SceneConfig& config, const models::LandingPad& pad, std::uint64_t seed);
 
 inline constexpr char kPadCoverName[] = "pad_cover";
-/// The light of an outdoor scene. Its ambient part is the sky's.
+/// Name of the light of an outdoor scene. Its ambient part is the light of the sky.
 inline constexpr char kSunName[] = "sun";
 
-/// The whole MJCF: options, assets, floor, pad, items, lights, and `vehicle_body` (a `<body>` element) among them.
+/// Complete MJCF document: options, assets, floor, pad, items, lights and `vehicle_body` (a `<body>` element).
 ///
-/// The pad's sheet lies at z = 0, other prints and the visible floor a fraction of a millimeter below it; the solid
-/// floor "floor" is an invisible plane at z = 0. GeomGroup defines the visibility. The sheet kPadCoverName above the
-/// pad is transparent until its alpha is set to 1.
+/// The pad's sheet is at z = 0, the other sheets are 0.5 mm and the visible floor up to 1 mm below it; the solid floor
+/// "floor" is an invisible plane at z = 0. GeomGroup defines the visibility. The sheet kPadCoverName above the pad is
+/// transparent until its alpha is set to 1.
 std::string SceneMjcf(const Scene& scene, const std::string& vehicle_body, double timestep_s);
 
-/// Fills the pixels of the textures that SceneMjcf declares, before a GL context is made of the model.
+/// Fills the textures that SceneMjcf declares. Call it before a GL context is made for the model.
 void PaintTextures(const Scene& scene, mjModel_& model);
 
 }  // namespace touchdown::sim

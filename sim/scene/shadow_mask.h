@@ -8,8 +8,8 @@
 
 namespace touchdown::sim {
 
-/// Fills a convex outline. `pixel_of` maps a point on the ground to the mask, whose pixel
-/// centers lie on integers.
+/// Fills a convex outline in `mask` with `value`. `pixel_of` maps a point on the ground to the mask, whose pixel
+/// centers lie on integer coordinates.
 void FillOutline(std::span<const Eigen::Vector2d> outline,
                  const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& pixel_of, std::uint8_t value,
                  cv::Mat1b& mask);

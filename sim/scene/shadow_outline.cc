@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 constexpr int kCorners = 24;
 
-/// Points around `center`, on the ellipse with these half axes.
+/// Adds points on the ellipse with these half axes around `center`.
 void AddEllipse(const Vector3d& center, const Vector3d& a, const Vector3d& b, std::vector<Vector3d>& points) {
   for (int i = 0; i < kCorners; ++i) {
     const double angle = 2.0 * models::kPi * i / kCorners;
@@ -21,7 +21,7 @@ void AddEllipse(const Vector3d& center, const Vector3d& a, const Vector3d& b, st
   }
 }
 
-/// Terminator of an ellipsoid in the light from `to_light`: the image of a great circle of the unit sphere.
+/// Adds the terminator of an ellipsoid in the light from `to_light`: the image of a great circle of the unit sphere.
 void AddTerminator(const Vector3d& center, const Vector3d& half_axes, const Vector3d& to_light,
                    std::vector<Vector3d>& points) {
   const Vector3d pole = to_light.cwiseQuotient(half_axes).normalized();
@@ -29,7 +29,7 @@ void AddTerminator(const Vector3d& center, const Vector3d& half_axes, const Vect
   AddEllipse(center, half_axes.cwiseProduct(across), half_axes.cwiseProduct(pole.cross(across)), points);
 }
 
-/// Points in G whose shadows' hull is the solid's shadow.
+/// Points in G. The convex hull of their shadows is the solid's shadow.
 std::vector<Vector3d> Silhouette(mjtGeom type, const Vector3d& size_m, const Vector3d& to_light_G) {
   std::vector<Vector3d> points;
   switch (type) {
@@ -55,7 +55,7 @@ std::vector<Vector3d> Silhouette(mjtGeom type, const Vector3d& size_m, const Vec
       AddTerminator(Vector3d::Zero(), size_m, to_light_G, points);
       break;
     default:
-      throw std::logic_error("no shadow is known of this type of solid");
+      throw std::logic_error("the shadow of this geom type is not implemented");
   }
   return points;
 }

@@ -7,9 +7,9 @@
 
 namespace touchdown::sim {
 
-/// The corners, in order, of the shadow on the ground (z = 0 of W) of a solid above it. `to_light` points in W towards
-/// a light infinitely far away, above the ground. Curves are polygons of 24 corners. Throws std::logic_error for
-/// another type of solid.
+/// Outline of the shadow of a solid on the ground (z = 0 of W): the corners in order, in W. `to_light` is a vector in W
+/// towards a light infinitely far away, above the ground. Curves are polygons with 24 corners. Throws std::logic_error
+/// for a type that Solid does not list.
 std::vector<Eigen::Vector2d> ShadowOutline(const Solid& solid, const Eigen::Vector3d& to_light);
 
 }  // namespace touchdown::sim

@@ -24,7 +24,7 @@ Solid SolidOf(const SceneItem& item) {
       solid.size_m = half;
       return solid;
     default:
-      throw std::logic_error("a flat item is no solid");
+      throw std::logic_error("a flat item has no solid");
   }
 }
 

@@ -9,7 +9,7 @@
 
 namespace touchdown::sim {
 
-/// A convex solid of MuJoCo: a box, cylinder, capsule, sphere or ellipsoid, with its size as MuJoCo has it.
+/// A convex solid: a box, cylinder, capsule, sphere or ellipsoid, with its size in MuJoCo's convention.
 struct Solid {
   mjtGeom type = mjGEOM_BOX;
   Eigen::Vector3d size_m = Eigen::Vector3d::Zero();

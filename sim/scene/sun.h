@@ -6,7 +6,7 @@
 
 namespace touchdown::sim {
 
-/// The sun over outdoor ground. Directions are in W, which is tilted with the ground.
+/// The sun above an outdoor scene. Directions are in W, which is tilted with the ground.
 struct Sun {
   double elevation_deg = 45.0;
   double azimuth_deg = 60.0;
@@ -18,7 +18,7 @@ struct Sun {
   /// Unit vector in W towards the sun.
   Eigen::Vector3d Direction() const;
 
-  /// Fraction of the light in the shadow.
+  /// Light in the shadow divided by light in the sun.
   double Shade() const { return 1.0 / (1.0 + to_sky); }
 };
 

@@ -11,9 +11,9 @@
 
 #include "models/angles.h"
 #include "models/random_stream.h"
+#include "sim/scene/artwork.h"
 #include "sim/scene/floor_pattern.h"
 #include "sim/scene/grass_pattern.h"
-#include "sim/scene/prints.h"
 #include "sim/scene/shadow_mask.h"
 #include "sim/scene/shadow_outline.h"
 #include "sim/scene/solid.h"
@@ -27,7 +27,7 @@ constexpr double kLargeSheet_m = 0.2;
 constexpr int kFaceTexels = 64;
 constexpr int kLightCells = 32;
 
-/// Position of a texture on the floor.
+/// Pose and extent of a texture on the floor.
 class Placement {
  public:
   explicit Placement(const Eigen::Vector2d& extent_m) : Placement(Eigen::Vector2d::Zero(), 0.0, extent_m) {}
@@ -41,7 +41,7 @@ class Placement {
     return center_m_ + Eigen::Vector2d(cos_yaw_ * x - sin_yaw_ * y, sin_yaw_ * x + cos_yaw_ * y);
   }
 
-  /// The other way round: column and row, whole at a texel's center.
+  /// Inverse of TexelCenter: column and row, which are integers at a texel's center.
   Eigen::Vector2d TexelAt(const Eigen::Vector2d& p_W, const cv::Size& size) const {
     const Eigen::Vector2d p = p_W - center_m_;
     const double x = cos_yaw_ * p.x() + sin_yaw_ * p.y(), y = cos_yaw_ * p.y() - sin_yaw_ * p.x();
@@ -53,45 +53,45 @@ class Placement {
   double cos_yaw_, sin_yaw_;
 };
 
-/// Green and blue over red.
+/// Ratios of green and blue to red.
 struct Tint {
   double green = 1.0;
   double blue = 1.0;
 };
 
-/// Fills the textures of a model. The camera sees the red channel alone; green and blue are for the eyes of people.
+/// Fills the textures of a model. The camera uses the red channel only; green and blue are for human viewers.
 class Painter {
  public:
   Painter(const Scene& scene, mjModel& model) : scene_(scene), model_(model), room_light_(scene) {
     if (scene.config.IsOutdoor()) CastShadows();
   }
 
-  void PaintFlat(const std::string& name, const Placement& place, const Tint& tint, const cv::Mat1b& print) {
-    Write(name, tint, cv::Mat1f(cv::Mat1f(print).mul(LightOver(place, print.size()))));
+  void PaintFlat(const std::string& name, const Placement& placement, const Tint& tint, const cv::Mat1b& artwork) {
+    Write(name, tint, cv::Mat1f(cv::Mat1f(artwork).mul(LightOver(placement, artwork.size()))));
   }
 
   void PaintSolidItem(const std::string& name, const Tint& tint, const cv::Mat1b& faces) { Write(name, tint, faces); }
 
   void PaintGrass(const std::string& name, const TextureSize& size, double size_m, const GrassPattern& pattern) {
-    const Placement place(Eigen::Vector2d::Constant(size_m));
-    const cv::Mat3b print = pattern.Print(size_m, size.width);
+    const Placement placement(Eigen::Vector2d::Constant(size_m));
+    const cv::Mat3b grass = pattern.Paint(size_m, size.width);
     cv::Mat light, lit;
-    const cv::Mat1f light_over = LightOver(place, print.size());
+    const cv::Mat1f light_over = LightOver(placement, grass.size());
     cv::merge(std::vector<cv::Mat>(3, light_over), light);
-    print.convertTo(lit, CV_32F);
-    cv::Mat(lit.mul(light)).convertTo(Texels(name, print.size()), CV_8U, scene_.config.illumination);
+    grass.convertTo(lit, CV_32F);
+    cv::Mat(lit.mul(light)).convertTo(Texels(name, grass.size()), CV_8U, scene_.config.illumination);
   }
 
   void PaintFloor(const std::string& name, const TextureSize& size, double size_m, const FloorPattern& pattern) {
-    const Placement place(Eigen::Vector2d::Constant(size_m));
-    cv::Mat1b print(size.height, size.width);
-    for (int row = 0; row < print.rows; ++row) {
-      for (int column = 0; column < print.cols; ++column) {
-        const double level = pattern.At(place.TexelCenter(column, row, print.cols, print.rows));
-        print(row, column) = cv::saturate_cast<std::uint8_t>(level);
+    const Placement placement(Eigen::Vector2d::Constant(size_m));
+    cv::Mat1b floor(size.height, size.width);
+    for (int row = 0; row < floor.rows; ++row) {
+      for (int column = 0; column < floor.cols; ++column) {
+        const double level = pattern.At(placement.TexelCenter(column, row, floor.cols, floor.rows));
+        floor(row, column) = cv::saturate_cast<std::uint8_t>(level);
       }
     }
-    PaintFlat(name, place, {pattern.green(), pattern.blue()}, print);
+    PaintFlat(name, placement, {pattern.green(), pattern.blue()}, floor);
   }
 
  private:
@@ -101,12 +101,12 @@ class Painter {
     }
   }
 
-  cv::Mat1f LightOver(const Placement& place, const cv::Size& size) const {
-    return scene_.config.IsOutdoor() ? SunOver(place, size) : RoomLightOver(place, size);
+  cv::Mat1f LightOver(const Placement& placement, const cv::Size& size) const {
+    return scene_.config.IsOutdoor() ? SunOver(placement, size) : RoomLightOver(placement, size);
   }
 
-  cv::Mat1f SunOver(const Placement& place, const cv::Size& size) const {
-    const auto texel_at = [&](const Eigen::Vector2d& p_W) { return place.TexelAt(p_W, size); };
+  cv::Mat1f SunOver(const Placement& placement, const cv::Size& size) const {
+    const auto texel_at = [&](const Eigen::Vector2d& p_W) { return placement.TexelAt(p_W, size); };
     cv::Mat1b shadow(size, 0);
     for (const auto& outline : shadows_) FillOutline(outline, texel_at, 255, shadow);
     cv::Mat1f light;
@@ -114,13 +114,13 @@ class Painter {
     return light;
   }
 
-  /// The room's light is smooth: a coarse grid of it, stretched over the texture.
-  cv::Mat1f RoomLightOver(const Placement& place, const cv::Size& size) const {
+  /// The room's light is smooth, so it is sampled on a coarse grid and interpolated over the texture.
+  cv::Mat1f RoomLightOver(const Placement& placement, const cv::Size& size) const {
     cv::Mat1f coarse(kLightCells, kLightCells), light;
     for (int row = 0; row < kLightCells; ++row) {
       for (int column = 0; column < kLightCells; ++column) {
         coarse(row, column) =
-            static_cast<float>(room_light_.At(place.TexelCenter(column, row, kLightCells, kLightCells)));
+            static_cast<float>(room_light_.At(placement.TexelCenter(column, row, kLightCells, kLightCells)));
       }
     }
     cv::resize(coarse, light, size, 0, 0, cv::INTER_LINEAR);
@@ -136,11 +136,11 @@ class Painter {
     cv::merge(channels.data(), channels.size(), Texels(name, level.size()));
   }
 
-  /// The model's own memory.
+  /// The texture's texels, in the memory of the model.
   cv::Mat Texels(const std::string& name, const cv::Size& size) {
     const int texture = mj_name2id(&model_, mjOBJ_TEXTURE, name.c_str());
     if (texture < 0 || size.width != model_.tex_width[texture] || size.height != model_.tex_height[texture]) {
-      throw std::logic_error("the model has no such texture " + name + ": it is of another scene");
+      throw std::logic_error("the model has no texture " + name + " of this size: it belongs to another scene");
     }
     return {size, CV_8UC3, model_.tex_rgb + model_.tex_adr[texture]};
   }
@@ -178,9 +178,9 @@ TextureSize SizeFor(const SceneItem& item) {
 TextureSize PadTextureSize(const models::LandingPad& pad) {
   constexpr double kLongestTexel_m = 0.0002;
   constexpr int kMultiple = 64;
-  constexpr int kMostTexels = 4096;
+  constexpr int kMaxTexels = 4096;
   const double longer_m = std::max(pad.sheet_length_m, pad.sheet_width_m);
-  const double cells = std::min(std::ceil(longer_m / (kMultiple * kLongestTexel_m)), double{kMostTexels / kMultiple});
+  const double cells = std::min(std::ceil(longer_m / (kMultiple * kLongestTexel_m)), double{kMaxTexels / kMultiple});
   const double texel_m = longer_m / (kMultiple * cells);
   const auto texels = [texel_m](double extent_m) {
     return kMultiple * std::max(1, static_cast<int>(std::lround(extent_m / (kMultiple * texel_m))));
@@ -230,15 +230,15 @@ void PaintTextures(const Scene& scene, mjModel_& model) {
   }
   if (scene.config.pad) {
     const TextureSize size = PadTextureSize(scene.pad);
-    const Placement place({scene.pad.sheet_length_m, scene.pad.sheet_width_m});
-    painter.PaintFlat("pad", place, {}, PrintPad(scene.pad, size.width, size.height));
+    const Placement placement({scene.pad.sheet_length_m, scene.pad.sheet_width_m});
+    painter.PaintFlat("pad", placement, {}, PaintPad(scene.pad, size.width, size.height));
   }
   for (std::size_t i = 0; i < scene.items.size(); ++i) {
     const SceneItem& item = scene.items[i];
     const TextureSize size = SizeFor(item);
     if (item.IsFlat()) {
       painter.PaintFlat(ItemName(i), {item.position_m, item.yaw, item.size_m.head<2>()}, TintFor(item),
-                        PrintSheet(item, size.width, size.height));
+                        PaintSheet(item, size.width, size.height));
     } else {
       painter.PaintSolidItem(ItemName(i), TintFor(item), PaintSolid(item, size.width));
     }

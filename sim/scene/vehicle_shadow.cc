@@ -14,10 +14,10 @@ namespace touchdown::sim {
 namespace {
 
 constexpr int kSide = 256;
-/// Area of a two-bladed propeller's blades over its disc's.
+/// Opacity of a spinning two-bladed propeller, of 255: area of the blades divided by area of the disc.
 constexpr std::uint8_t kBladesOpacity = 31;
 constexpr std::uint8_t kOpaque = 255;
-/// Standard deviation of the penumbra per meter of distance, for the sun's disc of 0.53 degrees.
+/// Standard deviation of the penumbra per meter of distance, for a solar disc of 0.53 degrees.
 constexpr double kBlurPerMeter = 0.0093 / 4.0;
 
 }  // namespace
@@ -46,8 +46,8 @@ VehicleShadow::Outline VehicleShadow::OutlineOf(const mjData& data, int geom) co
   return ShadowOutline(solid, *to_sun_);
 }
 
-/// Chooses the square of the ground that holds them all, with room for the blur.
-void VehicleShadow::Frame(const std::vector<Outline>& outlines, double blur_m) {
+/// Fits the shaded square of the ground to all outlines, with a margin for the blur.
+void VehicleShadow::FitSquare(const std::vector<Outline>& outlines, double blur_m) {
   Eigen::AlignedBox2d box;
   for (const Outline& outline : outlines) {
     for (const Eigen::Vector2d& corner : outline) box.extend(corner);
@@ -63,11 +63,11 @@ const GroundShade* VehicleShadow::Cast(const mjData& data) {
   for (const Part& part : parts_) outlines.push_back(OutlineOf(data, part.geom));
   const double height_m = std::max(0.0, data.geom_xpos[3 * parts_.back().geom + 2]);
   const double blur_m = kBlurPerMeter * height_m / to_sun_->z();
-  Frame(outlines, blur_m);
+  FitSquare(outlines, blur_m);
 
   const auto pixel_of = [this](const Eigen::Vector2d& p_W) {
-    const Eigen::Vector2d share = (p_W - cast_.center_m) / cast_.side_m;
-    return Eigen::Vector2d(kSide * (share.x() + 0.5) - 0.5, kSide * (0.5 - share.y()) - 0.5);
+    const Eigen::Vector2d fraction = (p_W - cast_.center_m) / cast_.side_m;
+    return Eigen::Vector2d(kSide * (fraction.x() + 0.5) - 0.5, kSide * (0.5 - fraction.y()) - 0.5);
   };
   mask_.setTo(0);
   for (std::size_t i = 0; i < parts_.size(); ++i) FillOutline(outlines[i], pixel_of, parts_[i].opacity, mask_);

@@ -11,17 +11,17 @@
 
 namespace touchdown::sim {
 
-/// The shadow of the vehicle on the ground, in the light of a model's sun (kSunName).
+/// Shadow of the vehicle on the ground, in the light of a model's sun (kSunName).
 ///
 /// Overlapping parts, and the painted shadows of solid items, darken the ground once. A spinning rotor blocks the
-/// fraction of the light that its blades cover. The penumbra corresponds to the size of the sun. No shadow falls on
-/// solid items and walls.
+/// fraction of the light that its blades cover. The penumbra corresponds to the size of the sun. Solid items and
+/// walls receive no shadow.
 class VehicleShadow {
  public:
   explicit VehicleShadow(const mjModel& model);
 
-  /// Shade of the vehicle at its pose in `data`, whose kinematics are computed; valid until the next call. nullptr
-  /// without a sun that casts shadows.
+  /// Shade of the vehicle at its pose in `data`, whose kinematics must be computed; valid until the next call. Returns
+  /// nullptr without a sun that casts shadows.
   const GroundShade* Cast(const mjData& data);
 
  private:
@@ -32,7 +32,7 @@ class VehicleShadow {
   using Outline = std::vector<Eigen::Vector2d>;
 
   Outline OutlineOf(const mjData& data, int geom) const;
-  void Frame(const std::vector<Outline>& outlines, double blur_m);
+  void FitSquare(const std::vector<Outline>& outlines, double blur_m);
 
   const mjModel& model_;
   std::optional<Eigen::Vector3d> to_sun_;

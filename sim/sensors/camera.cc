@@ -12,14 +12,14 @@
 namespace touchdown::sim {
 namespace {
 
-constexpr models::Tick kMostNodes = 64;
+constexpr models::Tick kMaxNodes = 64;
 
 void RequireConsistent(const CameraConfig& c) {
   if (c.exposure_s() > 1.0 / c.rate_hz) {
-    throw InputError("camera: the exposure must be within 0 and the time between two frames");
+    throw InputError("camera: exposure_ms must be at most the time between two frames, 1000 / rate_hz");
   }
   if (c.latency_ms < 0.5 * c.exposure_ms) {
-    throw InputError("camera: the latency must be within half the exposure and 1 s");
+    throw InputError("camera: latency_ms must be at least half of exposure_ms");
   }
 }
 
@@ -27,18 +27,18 @@ void RequireConsistent(const CameraConfig& c) {
 
 void Describe(models::ConfigVisitor& v, CameraConfig& c) {
   using namespace models;
-  v.Keys({"model", "Image size, lens and distortion: in place, or the name of a ROS camera_info file."}, c.model,
+  v.Keys({"model", "Image size, lens and distortion, as keys or as the name of a ROS camera_info file."}, c.model,
          kCameraModelFile);
   v.Integer({"rate_hz", "Frames per second. Must divide time.ticks_per_s."}, c.rate_hz, kRate_hz);
-  v.Number({"noise_sigma", "Standard deviation of each pixel's noise, in gray levels of 255."}, c.noise_sigma, kNoUnit,
-           Between(0.0, ImageNoise::kMaxSigma));
-  v.Number({"exposure_ms", "Exposure time, at most the time between two frames. Longer blurs motion more."},
+  v.Number({"noise_sigma", "Standard deviation of each pixel's noise, in gray levels of 0 to 255."}, c.noise_sigma,
+           kNoUnit, Between(0.0, ImageNoise::kMaxSigma));
+  v.Number({"exposure_ms", "Exposure time, at most the time between two frames. A larger value blurs motion more."},
            c.exposure_ms, kMillisecond, Between(0.0, 1000.0));
   v.Number({"latency_ms", "Time from mid-exposure to the delivery of a frame, at least half the exposure time."},
            c.latency_ms, kMillisecond, Between(0.0, 1000.0));
   v.Number({"vibration_rad_s2_m",
             "Compliance of the camera's mount: its tilt per acceleration of the rotors' vibration across the optical "
-            "axis. 0 is rigid; larger blurs the frames more."},
+            "axis. 0 is rigid; a larger value blurs the frames more."},
            c.vibration_rad_s2_m, {"rad s^2/m"}, Between(0.0, 0.05));
   v.Check("", [&c] { RequireConsistent(c); });
 }
@@ -69,7 +69,7 @@ Eigen::Isometry3d Camera::X_WC(const TrueState& truth) const {
 }
 
 std::optional<models::CameraFrame> Camera::Sample(const TrueState& truth) {
-  Remember(truth);
+  StorePose(truth);
   const models::Tick mid_exposure = truth.tick - reach_;
   if (mid_exposure >= 0 && mid_exposure % period_ == 0) {
     pending_.push_back({mid_exposure + latency_, Expose(mid_exposure)});
@@ -80,7 +80,7 @@ std::optional<models::CameraFrame> Camera::Sample(const TrueState& truth) {
   return frame;
 }
 
-void Camera::Remember(const TrueState& truth) {
+void Camera::StorePose(const TrueState& truth) {
   if (newest_ && truth.tick != *newest_ + 1) throw std::logic_error("the camera was not sampled at every tick");
   newest_ = truth.tick;
   poses_.push_back(X_WC(truth));
@@ -88,15 +88,15 @@ void Camera::Remember(const TrueState& truth) {
 }
 
 Eigen::Isometry3d Camera::PoseAt(double ticks_ago) const {
-  const double place = std::max(0.0, static_cast<double>(poses_.size() - 1) - ticks_ago);
-  const auto before = static_cast<std::size_t>(place);
+  const double index = std::max(0.0, static_cast<double>(poses_.size() - 1) - ticks_ago);
+  const auto before = static_cast<std::size_t>(index);
   if (before + 1 >= poses_.size()) return poses_.back();
   const std::array<Eigen::Isometry3d, 2> neighbors{poses_[before], poses_[before + 1]};
-  return PoseAlong(neighbors, place - static_cast<double>(before));
+  return PoseAlong(neighbors, index - static_cast<double>(before));
 }
 
 std::vector<Eigen::Isometry3d> Camera::ExposedPath() const {
-  const models::Tick steps = std::min(4 * reach_, kMostNodes);
+  const models::Tick steps = std::min(4 * reach_, kMaxNodes);
   if (steps == 0) return {poses_.back()};
   std::vector<Eigen::Isometry3d> path;
   for (models::Tick i = 0; i <= steps; ++i) {
@@ -108,7 +108,7 @@ std::vector<Eigen::Isometry3d> Camera::ExposedPath() const {
 
 models::CameraFrame Camera::Expose(models::Tick mid_exposure) {
   const auto begin = std::chrono::steady_clock::now();
-  models::CameraFrame frame{.mid_exposure = mid_exposure, .image = imager_.Take(world_.data(), ExposedPath())};
+  models::CameraFrame frame{.mid_exposure = mid_exposure, .image = imager_.Capture(world_.data(), ExposedPath())};
   render_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   return frame;
 }

@@ -23,7 +23,7 @@ struct CameraConfig {
   double noise_sigma = 3.0;
   double exposure_ms = 4.0;
   double latency_ms = 20.0;
-  double vibration_rad_s2_m = 0.002;  // In a hover, some tenths of a pixel within an exposure (Sec. VI-B.2).
+  double vibration_rad_s2_m = 0.002;  // In a hover, a blur of a few tenths of a pixel (Sec. VI-B.2).
 
   double exposure_s() const { return exposure_ms / 1000.0; }
   double latency_s() const { return latency_ms / 1000.0; }
@@ -35,20 +35,20 @@ struct CameraConfig {
 
 void Describe(models::ConfigVisitor& v, CameraConfig& config);
 
-/// The downward camera: renders at mid-exposure, blurs over the exposure, distorts, adds noise, delivers late.
+/// The downward camera: renders at mid-exposure, blurs over the exposure, distorts, adds noise, delivers with latency.
 class Camera {
  public:
   /// Throws InputError when the config is not valid. `world` must outlive the camera.
   Camera(const CameraConfig& config, const Eigen::Isometry3d& X_BC, World& world, const models::TimeBase& time,
          std::uint64_t seed);
 
-  /// Call at every tick from 0 on, with the state of that tick. Returns the frame that is delivered at this tick, if
-  /// any. Exposures are centered on the ticks that the frame period divides; before tick 0 the camera is assumed to be
-  /// at rest. Throws std::logic_error for a skipped tick.
+  /// Call at every tick from 0, with the state of that tick. Returns the frame that is delivered at this tick, or
+  /// nullopt. Exposures are centered on the ticks that the frame period divides; before tick 0 the camera is assumed to
+  /// be at rest. Throws std::logic_error for a skipped tick.
   std::optional<models::CameraFrame> Sample(const TrueState& truth);
 
-  /// Pose of the camera in W at a true state. The vibration of the rotors tilts its compliant mount: the lens lags
-  /// behind the acceleration, rotating about the optical center.
+  /// Pose of the camera in W at a true state. The vibration of the rotors tilts the compliant mount: the lens lags
+  /// behind the acceleration and rotates about the optical center.
   Eigen::Isometry3d X_WC(const TrueState& truth) const;
 
   /// Wall-clock cost of the newest frame's rendering and image effects, ms. For timing.json only.
@@ -60,7 +60,7 @@ class Camera {
     models::CameraFrame frame;
   };
 
-  void Remember(const TrueState& truth);
+  void StorePose(const TrueState& truth);
   Eigen::Isometry3d PoseAt(double ticks_ago) const;
   std::vector<Eigen::Isometry3d> ExposedPath() const;
   models::CameraFrame Expose(models::Tick mid_exposure);
@@ -70,11 +70,11 @@ class Camera {
   World& world_;
   models::Tick period_;
   models::Tick latency_;
-  double half_exposure_;  ///< Ticks, and fractions of one.
+  double half_exposure_;  ///< In ticks, with a fractional part.
   models::Tick reach_;    ///< Ticks from mid-exposure to the first one at which the shutter has closed.
   Imager imager_;
   std::optional<models::Tick> newest_;
-  std::deque<Eigen::Isometry3d> poses_;  ///< X_WC, the newest tick's last.
+  std::deque<Eigen::Isometry3d> poses_;  ///< X_WC of the latest ticks, the newest last.
   std::deque<Delivery> pending_;
   double render_ms_ = 0.0;
 };

@@ -14,7 +14,7 @@ namespace {
 constexpr int kStrip = 1 << 20;
 constexpr int kWidestRow = 1 << 16;
 
-/// Noise of unit variance to the last digit, so that sigma is exactly what was asked for.
+/// Noise normalized to zero mean and unit variance, so that the strip has exactly the requested sigma.
 std::vector<double> UnitNoise(models::RandomStream& random) {
   std::vector<double> noise(kStrip);
   double sum = 0.0, sum_of_squares = 0.0;
@@ -41,7 +41,8 @@ void AddNoise(const std::uint16_t* __restrict levels, const std::int16_t* __rest
 }  // namespace
 
 ImageNoise::ImageNoise(double sigma, std::uint64_t seed) : random_(seed, "camera.noise") {
-  if (!(sigma >= 0.0 && sigma <= kMaxSigma)) throw InputError("the camera's noise must be within 0 and 24 gray levels");
+  if (!(sigma >= 0.0 && sigma <= kMaxSigma))
+    throw InputError("the camera's noise_sigma must be from 0 to 24 gray levels");
   using Limits = std::numeric_limits<std::int16_t>;
   strip_.reserve(kStrip);
   for (const double value : UnitNoise(random_)) {
@@ -51,7 +52,8 @@ ImageNoise::ImageNoise(double sigma, std::uint64_t seed) : random_(seed, "camera
 }
 
 models::Image ImageNoise::Apply(const FineImage& frame) {
-  if (frame.width > kWidestRow) throw std::logic_error("the frame is wider than the strip of noise allows");
+  if (frame.width > kWidestRow)
+    throw std::logic_error("the frame is wider than 65536 px, the limit of the noise strip");
   models::Image image(frame.width, frame.height);
   const std::uint16_t* levels = frame.pixels.data();
   for (int v = 0; v < frame.height; ++v, levels += frame.width) {

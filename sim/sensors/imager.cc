@@ -13,7 +13,7 @@ int LargestFactor(const PinholeView& view, int oversampling) {
   return std::clamp(kWidestView_px / std::max(view.width_px, view.height_px), 1, oversampling);
 }
 
-/// Same view on a grid with `factor` x `factor` pixels per pixel.
+/// The same view with `factor` x `factor` pixels per pixel.
 PinholeView Finer(const PinholeView& view, int factor) {
   const auto scaled = [factor](double center_px) { return factor * center_px + 0.5 * (factor - 1); };
   return {.width_px = factor * view.width_px,

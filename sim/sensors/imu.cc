@@ -19,9 +19,10 @@ void Describe(models::ConfigVisitor& v, ImuConfig& c) {
   using namespace models;
   v.Integer({"rate_hz", "Samples per second, and the rate of the attitude loop. Must divide time.ticks_per_s."},
             c.rate_hz, kRate_hz);
-  v.Number({"gyro_noise_rad_s_sqrt_hz", "Density of the gyro's white noise."}, c.gyro_noise_rad_s_sqrt_hz,
-           kRadianPerSecondRootHertz, kNotNegative);
-  v.Number({"accelerometer_noise_m_s2_sqrt_hz", "Density of the accelerometer's white noise."},
+  v.Number({"gyro_noise_rad_s_sqrt_hz", "Density of the gyro's white noise. A larger value makes the samples noisier."},
+           c.gyro_noise_rad_s_sqrt_hz, kRadianPerSecondRootHertz, kNotNegative);
+  v.Number({"accelerometer_noise_m_s2_sqrt_hz",
+            "Density of the accelerometer's white noise. A larger value makes the samples noisier."},
            c.accelerometer_noise_m_s2_sqrt_hz, kMeterPerSecond2RootHertz, kNotNegative);
   v.Number({"gyro_bias_sigma_deg_s", "Standard deviation of the gyro's turn-on bias, per axis."},
            c.gyro_bias_sigma_deg_s, kDegreePerSecond, kNotNegative);
@@ -69,7 +70,7 @@ std::optional<models::ImuSample> Imu::Sample(const TrueState& truth) {
                            .w_WU_U = Saturated(rate, models::DegToRad(config_.gyro_range_deg_s))};
 }
 
-/// Adds the last tick's means, with attitude and rate as they were at its middle.
+/// Adds the means over the last tick, using the attitude and rate at its middle.
 void Imu::Accumulate(const TrueState& truth) {
   const Vector3d& alpha = truth.alpha_WB_B;
   const Vector3d w = truth.w_WB_B - 0.5 * tick_s_ * alpha;

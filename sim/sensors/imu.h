@@ -13,7 +13,8 @@
 
 namespace touchdown::sim {
 
-/// Noise of EuRoC to PX4's Gazebo model, turn-on bias of RotorS' ADIS16448, ranges of the paper's pxIMU (Sec. III-A).
+/// Parameters of the IMU. By default, the noise densities are those of EuRoC and of PX4's Gazebo model, the turn-on
+/// bias is that of the ADIS16448 in RotorS, and the ranges are those of the paper's pxIMU (Sec. III-A).
 struct ImuConfig {
   int rate_hz = 200;
   double gyro_noise_rad_s_sqrt_hz = 1.7e-4;
@@ -30,9 +31,9 @@ struct ImuConfig {
 void Describe(models::ConfigVisitor& v, ImuConfig& config);
 
 /// Accelerometer and gyro at U. A sample is the mean of specific force and body rate over the ticks since the last
-/// sample, as from the low-pass filter of a real IMU (rotor vibration is damped, not only aliased, and the sum of
-/// samples is the change of velocity), plus white noise of density x sqrt(rate), plus a bias drawn once, saturated at
-/// the range.
+/// sample, plus white noise with a standard deviation of density x sqrt(rate), plus a bias drawn once, saturated at the
+/// range. The mean acts like the low-pass filter of a real IMU: it damps rotor vibration instead of only aliasing it,
+/// and the sum of the samples is the change of velocity.
 class Imu {
  public:
   /// Draws the bias from the stream "imu.bias"; noise comes from "imu.noise". `X_BU` is the true mounting.

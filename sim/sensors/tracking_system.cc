@@ -24,7 +24,7 @@ void Describe(models::ConfigVisitor& v, TrackingSystemConfig& c) {
   v.Number({"occlusions_per_s", "Mean rate at which occlusions of the markers begin; at most rate_hz."},
            c.occlusions_per_s, kPerSecond, kNotNegative);
   v.Number({"occlusion_duration_s", "Mean duration of an occlusion."}, c.occlusion_duration_s, kSecond, kTime);
-  v.Number({"outlier_probability", "Probability that an occlusion gives outliers. Otherwise it gives a gap."},
+  v.Number({"outlier_probability", "Probability that an occlusion causes outliers. Otherwise it causes a gap."},
            c.outlier_probability, kNoUnit, kFraction);
   v.Number({"outlier_position_m",
             "Standard deviation of an outlier's position offset, per axis. The offset is constant over the occlusion."},
@@ -34,7 +34,7 @@ void Describe(models::ConfigVisitor& v, TrackingSystemConfig& c) {
            c.outlier_rotation_deg, kDegree, kNotNegative);
   v.Check("", [&c] {
     if (c.occlusions_per_s > c.rate_hz) {
-      throw InputError("the tracking system's occlusions must not outnumber its poses");
+      throw InputError("the tracking system's occlusions_per_s must be at most its rate_hz");
     }
   });
 }
@@ -77,7 +77,7 @@ std::optional<TrackingSystem::Occlusion> TrackingSystem::OcclusionAfter(double t
   Occlusion occlusion;
   occlusion.begin_s = time_s + Exponential(occlusion_random_, 1.0 / config_.occlusions_per_s);
   occlusion.end_s = occlusion.begin_s + Exponential(occlusion_random_, config_.occlusion_duration_s);
-  occlusion.gap = !occlusion_random_.Chance(config_.outlier_probability);
+  occlusion.gap = !occlusion_random_.Bernoulli(config_.outlier_probability);
   occlusion.position_offset = config_.outlier_position_m * occlusion_random_.NormalVector3();
   occlusion.rotation_offset = models::DegToRad(config_.outlier_rotation_deg) * occlusion_random_.NormalVector3();
   return occlusion;

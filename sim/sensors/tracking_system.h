@@ -12,8 +12,8 @@
 
 namespace touchdown::sim {
 
-/// The external tracking system (Sec. III-C): a few millimeters, about a degree, and occlusions of its markers that
-/// give outliers or gaps (Sec. VI-B.1).
+/// Parameters of the external tracking system (Sec. III-C): noise of a few millimeters and about a degree, and
+/// occlusions of its markers that cause outliers or gaps (Sec. VI-B.1).
 struct TrackingSystemConfig {
   int rate_hz = 100;
   double position_noise_m = 0.002;
@@ -31,14 +31,14 @@ struct TrackingSystemConfig {
 
 void Describe(models::ConfigVisitor& v, TrackingSystemConfig& config);
 
-/// White noise on position and rotation. Occlusions begin as a Poisson process (while none lasts) and have
-/// exponentially distributed lengths.
+/// Simulated tracking system, with white noise on position and rotation. The time to the next occlusion and the
+/// duration of an occlusion are exponentially distributed.
 class TrackingSystem {
  public:
-  /// Noise comes from the stream "tracking.noise", occlusions from "tracking.occlusion".
+  /// Draws noise from the stream "tracking.noise" and occlusions from "tracking.occlusion".
   TrackingSystem(const TrackingSystemConfig& config, const models::TimeBase& time, std::uint64_t seed);
 
-  /// Call once a tick, in order; returns a pose on the ticks of its rate, unless the markers are occluded.
+  /// Call once per tick, in order; returns a pose on the ticks of its rate, unless the markers are occluded.
   std::optional<models::TrackedPose> Sample(const TrueState& truth);
 
  private:
@@ -57,7 +57,7 @@ class TrackingSystem {
   models::Tick period_;
   models::RandomStream noise_;
   models::RandomStream occlusion_random_;
-  std::optional<Occlusion> next_;  ///< The present or the coming one; nullopt when there are none.
+  std::optional<Occlusion> next_;  ///< Current or next occlusion; nullopt when there are none.
 };
 
 }  // namespace touchdown::sim

@@ -24,8 +24,8 @@ TEST(LandingPad, IsAnA4SheetWithARingOfNinetyMillimeters) {
 /// A disc beside the H, and a bar that lies over the end of one of its strokes.
 LandingPad MarkedPad() {
   LandingPad pad;
-  pad.marks = {{.shape = PadMark::Shape::kDisc, .center_m = {0.02, 0.05}, .diameter_m = 0.01},
-               {.shape = PadMark::Shape::kBar, .center_m = {0.05, 0.02}, .length_m = 0.03, .width_m = 0.004}};
+  pad.marks = {{.shape = PadMarking::Shape::kDisc, .center_m = {0.02, 0.05}, .diameter_m = 0.01},
+               {.shape = PadMarking::Shape::kBar, .center_m = {0.05, 0.02}, .length_m = 0.03, .width_m = 0.004}};
   return pad;
 }
 

@@ -21,9 +21,9 @@ LandingPad PadWithRectangle() {
 /// A disc beside the H, a bar over the end of one of its strokes, a rotated bar.
 LandingPad PadWithMarks() {
   LandingPad pad;
-  pad.marks = {{.shape = PadMark::Shape::kDisc, .center_m = {0.02, 0.05}, .diameter_m = 0.01},
-               {.shape = PadMark::Shape::kBar, .center_m = {0.05, 0.02}, .length_m = 0.03, .width_m = 0.004},
-               {.shape = PadMark::Shape::kBar,
+  pad.marks = {{.shape = PadMarking::Shape::kDisc, .center_m = {0.02, 0.05}, .diameter_m = 0.01},
+               {.shape = PadMarking::Shape::kBar, .center_m = {0.05, 0.02}, .length_m = 0.03, .width_m = 0.004},
+               {.shape = PadMarking::Shape::kBar,
                 .center_m = {-0.02, 0.05},
                 .length_m = 0.02,
                 .width_m = 0.004,

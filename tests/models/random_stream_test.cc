@@ -100,11 +100,11 @@ TEST(RandomStream, DrawsAVectorInTheOrderOfItsAxes) {
 TEST(RandomStream, DrawsWithTheGivenProbability) {
   RandomStream random(5, "test");
   int hits = 0;
-  for (int i = 0; i < 100000; ++i) hits += random.Chance(0.3);
+  for (int i = 0; i < 100000; ++i) hits += random.Bernoulli(0.3);
   EXPECT_NEAR(hits, 30000, 800);
   for (int i = 0; i < 100; ++i) {
-    EXPECT_FALSE(random.Chance(0.0));
-    EXPECT_TRUE(random.Chance(1.0));
+    EXPECT_FALSE(random.Bernoulli(0.0));
+    EXPECT_TRUE(random.Bernoulli(1.0));
   }
 }
 

@@ -37,7 +37,7 @@ class VisionModel {
     slow_yaw_ = keep * slow_yaw_ + renew * random_.Normal();
     const Vector3d white = random_.NormalVector3();
     const double white_yaw = random_.Normal();
-    if (!random_.Chance(config_.detection) || !RingInView(truth)) return std::nullopt;
+    if (!random_.Bernoulli(config_.detection) || !RingInView(truth)) return std::nullopt;
 
     const double xy = config_.xy_noise_per_height * truth.p.z() / std::sqrt(2.0);
     const double z = std::max(0.001, config_.z_noise_per_height * truth.p.z()) / std::sqrt(2.0);

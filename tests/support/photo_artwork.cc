@@ -121,7 +121,8 @@ void PrintCode(const LandingPad& pad, RandomStream& random, Artwork& art) {
   const double step = 2.0 * side / cells;
   for (int i = 0; i < cells; ++i) {
     for (int j = 0; j < cells; ++j) {
-      if (random.Chance(0.5)) art.FillBox(-side + (i + 0.5) * step, -side + (j + 0.5) * step, step * 1.02, step * 1.02);
+      if (random.Bernoulli(0.5))
+        art.FillBox(-side + (i + 0.5) * step, -side + (j + 0.5) * step, step * 1.02, step * 1.02);
     }
   }
 }
@@ -246,8 +247,8 @@ void Artwork::Text(const std::string& text, double x_m, double y_m, double heigh
 
 LandingPad DrawAnyPad(RandomStream& random) {
   LandingPad pad;
-  if (random.Chance(0.25)) return pad;
-  const bool thin = random.Chance(0.3), small = random.Chance(0.3);
+  if (random.Bernoulli(0.25)) return pad;
+  const bool thin = random.Bernoulli(0.3), small = random.Bernoulli(0.3);
   pad.ring_width_m = pad.outer_radius_m * (thin ? random.Uniform(0.05, 0.10) : random.Uniform(0.10, 0.28));
   const double room = 2.0 * pad.inner_radius_m() * (small ? random.Uniform(0.38, 0.55) : random.Uniform(0.55, 0.85));
   const double aspect = random.Uniform(0.45, 0.85);
@@ -282,14 +283,14 @@ void PrintMarks(const LandingPad& pad, const std::string& kind, RandomStream& ra
     const double angle = random.Uniform(0.5, 0.9), reach = std::hypot(0.5 * pad.h_height_m, half_width);
     const double place = std::min(std::max(middle, 0.5 * (reach + inner)), inner - 1.6 * radius);
     for (const double a : {angle, kPi - angle, kPi + angle, -angle}) {
-      if (random.Chance(0.75))
+      if (random.Bernoulli(0.75))
         art.FillRing(place * std::cos(a), place * std::sin(a), std::min(radius, 0.3 * (inner - reach)), 0.0);
     }
     art.FillRing(0.0, middle, radius, 0.0);
   } else if (kind == "text") {
     static const std::vector<std::string> kTexts = {"A1", "07", "PAD", "LAND", "12", "N", "B"};
     const auto text = kTexts[static_cast<std::size_t>(random.UniformInt(0, 6))];
-    art.Text(text, random.Uniform(-0.2, 0.2) * pad.h_height_m, random.Chance(0.5) ? middle : -middle,
+    art.Text(text, random.Uniform(-0.2, 0.2) * pad.h_height_m, random.Bernoulli(0.5) ? middle : -middle,
              random.Uniform(0.5, 0.9) * room / static_cast<double>(text.size()), 0.16);
   } else if (kind == "arrow") {
     const double s = 0.3 * end_room;
@@ -304,7 +305,7 @@ void PrintMarks(const LandingPad& pad, const std::string& kind, RandomStream& ra
         star.emplace_back(r * std::cos(a), y + r * std::sin(a));
       }
       art.FillPolygon(star);
-      if (random.Chance(0.4)) break;
+      if (random.Bernoulli(0.4)) break;
     }
   } else if (kind == "ticks") {
     const double length = 0.25 * std::min(room, end_room), width = 0.35 * length;

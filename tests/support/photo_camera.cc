@@ -59,8 +59,8 @@ models::CameraModel DrawCamera(RandomStream& random) {
   camera.fx_px = camera.fy_px = long_side * random.Uniform(0.6, 1.15);
   camera.cx_px = 0.5 * (camera.width_px - 1) + 0.01 * long_side * random.Normal();
   camera.cy_px = 0.5 * (camera.height_px - 1) + 0.01 * long_side * random.Normal();
-  camera.k1 = random.Chance(0.3) ? 0.0 : random.Uniform(-0.15, 0.08);
-  camera.k2 = random.Chance(0.3) ? 0.0 : random.Uniform(0.0, 0.02);
+  camera.k1 = random.Bernoulli(0.3) ? 0.0 : random.Uniform(-0.15, 0.08);
+  camera.k2 = random.Bernoulli(0.3) ? 0.0 : random.Uniform(0.0, 0.02);
   return camera;
 }
 

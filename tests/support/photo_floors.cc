@@ -53,7 +53,7 @@ cv::Mat1b Tiles(RandomStream& random) {
   cv::Mat1f floor = random.Uniform(110.0, 220.0) + 4.0 * Noise(40.0, 40.0, random);
   const int step = kSide / random.UniformInt(3, 12), grout = random.UniformInt(3, 14);
   const double gray = random.Uniform(30.0, 150.0);
-  const bool octagons = random.Chance(0.3);
+  const bool octagons = random.Bernoulli(0.3);
   for (int at = step / 2; at < kSide + step; at += step) {
     cv::line(floor, {at, 0}, {at, kSide}, cv::Scalar(gray), grout, cv::LINE_AA);
     cv::line(floor, {0, at}, {kSide, at}, cv::Scalar(gray), grout, cv::LINE_AA);
@@ -106,9 +106,9 @@ void AddPage(cv::Mat1b& floor, const cv::Point& center, double height, double ya
 }
 
 void AddCup(cv::Mat1b& floor, const cv::Point& center, int radius, RandomStream& random) {
-  const bool dark = random.Chance(0.5);
+  const bool dark = random.Bernoulli(0.5);
   const cv::Scalar rim(dark ? 30 : 225), inside(dark ? 200 : 40), saucer(random.UniformInt(150, 240));
-  if (random.Chance(0.5)) {
+  if (random.Bernoulli(0.5)) {
     cv::circle(floor, center, radius * 8 / 5, saucer, cv::FILLED, cv::LINE_AA);
     cv::circle(floor, center, radius * 7 / 5, saucer * 0.8, 2, cv::LINE_AA);
   }
@@ -118,11 +118,11 @@ void AddCup(cv::Mat1b& floor, const cv::Point& center, int radius, RandomStream&
   cv::line(floor, center, handle, rim, std::max(2, radius / 3), cv::LINE_AA);
   cv::circle(floor, center, radius, rim, cv::FILLED, cv::LINE_AA);
   cv::circle(floor, center, radius * random.UniformInt(72, 92) / 100, inside, cv::FILLED, cv::LINE_AA);
-  if (random.Chance(0.4)) cv::circle(floor, center, radius / 3, rim * 0.7, std::max(1, radius / 10), cv::LINE_AA);
+  if (random.Bernoulli(0.4)) cv::circle(floor, center, radius / 3, rim * 0.7, std::max(1, radius / 10), cv::LINE_AA);
 }
 
 void AddKeyboard(cv::Mat1b& floor, const cv::Point& corner, int key, RandomStream& random) {
-  const bool dark = random.Chance(0.6);
+  const bool dark = random.Bernoulli(0.6);
   cv::rectangle(floor, cv::Rect(corner.x - key / 2, corner.y - key / 2, 13 * key, 5 * key), cv::Scalar(dark ? 45 : 200),
                 cv::FILLED);
   static const std::string kKeys = "QWERTZUIOPASDFGHJKLYXCVBNM0HO8";
@@ -169,7 +169,7 @@ cv::Mat1b Page(double free_radius, RandomStream& random) {
 }
 
 cv::Mat1b Cups(double free_radius, RandomStream& random) {
-  cv::Mat1b floor = random.Chance(0.5) ? Wood(random) : Plain(random);
+  cv::Mat1b floor = random.Bernoulli(0.5) ? Wood(random) : Plain(random);
   for (int i = 0; i < 12; ++i) {
     const int radius = random.UniformInt(20, 90);
     AddCup(floor, DrawPlace(free_radius, 1.7 * radius, random), radius, random);
@@ -184,7 +184,7 @@ cv::Mat1b Cups(double free_radius, RandomStream& random) {
 }
 
 cv::Mat1b Desk(double free_radius, RandomStream& random) {
-  cv::Mat1b floor = random.Chance(0.6) ? Wood(random) : Plain(random);
+  cv::Mat1b floor = random.Bernoulli(0.6) ? Wood(random) : Plain(random);
   for (int i = 0; i < 4; ++i) {
     const double height = random.Uniform(150.0, 350.0);
     AddPage(floor, DrawPlace(free_radius, 0.2 * height, random), height, random.Uniform(-kPi, kPi), random);

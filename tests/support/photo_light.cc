@@ -20,7 +20,7 @@ cv::Mat1f DrawShadow(cv::Size size, const cv::Rect2d& ring_box, double least, Ra
                             ring_box.y + random.Uniform(0.1, 0.9) * ring_box.height);
   const double angle = random.Uniform(-kPi, kPi), reach = 3.0 * size.width;
   const cv::Point2d along(std::cos(angle), std::sin(angle)), away(-along.y, along.x);
-  const double breadth = random.Chance(0.5) ? reach : random.Uniform(0.15, 0.8) * ring_box.width;
+  const double breadth = random.Bernoulli(0.5) ? reach : random.Uniform(0.15, 0.8) * ring_box.width;
   cv::Mat1f shade(size, 1.0F);
   std::vector<cv::Point> outline;
   for (const cv::Point2d& p : {through - reach * along, through + reach * along,
@@ -28,7 +28,8 @@ cv::Mat1f DrawShadow(cv::Size size, const cv::Rect2d& ring_box, double least, Ra
     outline.emplace_back(static_cast<int>(p.x), static_cast<int>(p.y));
   }
   cv::fillConvexPoly(shade, outline, cv::Scalar(least), cv::LINE_8);
-  const double soft = ring_box.width * (random.Chance(0.5) ? random.Uniform(0.005, 0.02) : random.Uniform(0.02, 0.2));
+  const double soft =
+      ring_box.width * (random.Bernoulli(0.5) ? random.Uniform(0.005, 0.02) : random.Uniform(0.02, 0.2));
   const int side = 2 * static_cast<int>(soft) + 1;
   cv::blur(shade, shade, {side, side});
   cv::blur(shade, shade, {side, side});
@@ -63,7 +64,7 @@ cv::Mat1f DrawLight(cv::Size size, const cv::Rect2d& ring_box, double shadow, Ra
     }
   }
   cv::resize(coarse, light, size, 0, 0, cv::INTER_LINEAR);
-  if (random.Chance(0.4)) {
+  if (random.Bernoulli(0.4)) {
     const Vector2d at(random.Uniform(0.0, size.width), random.Uniform(0.0, size.height));
     const double radius = random.Uniform(0.25, 0.8) * size.width;
     light += random.Uniform(0.2, 0.9) * Bell(size, at, radius, radius, 0.0);

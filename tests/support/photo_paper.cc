@@ -23,7 +23,7 @@ PhotoPaper::PhotoPaper(double radius_m, double severity, models::RandomStream& r
   const double heading = random.Uniform(-kPi, kPi);
   across_ = Vector2d(std::cos(heading), std::sin(heading));
   kind_ = severity > 0.0 ? random.UniformInt(0, 3) : 4;
-  amount_ = severity * random.Uniform(0.4, 1.0) * (random.Chance(0.5) ? 1.0 : -1.0);
+  amount_ = severity * random.Uniform(0.4, 1.0) * (random.Bernoulli(0.5) ? 1.0 : -1.0);
   phase_ = random.Uniform(-kPi, kPi);
   period_ = random.Uniform(2.0, 4.5);
   begin_ = random.Uniform(0.0, 1.0);

@@ -44,7 +44,7 @@ void SmearAlong(cv::Mat1f& radiance, double length_px, double angle) {
 cv::Mat1b Develop(cv::Mat1f radiance, double exposure, double noise_sigma, int jpeg_quality,
                   models::RandomStream& random) {
   const cv::Size size = radiance.size();
-  const double vignette = random.Uniform(0.0, 0.45), haze = random.Chance(0.3) ? random.Uniform(0.0, 0.05) : 0.0;
+  const double vignette = random.Uniform(0.0, 0.45), haze = random.Bernoulli(0.3) ? random.Uniform(0.0, 0.05) : 0.0;
   const double radius = 0.7 * std::hypot(size.width, size.height);
   radiance = radiance.mul(
       1.0 - vignette * (1.0 - Bell(size, {0.5 * size.width, 0.5 * size.height}, 0.6 * radius, 0.6 * radius, 0.0)));
@@ -56,9 +56,9 @@ cv::Mat1b Develop(cv::Mat1f radiance, double exposure, double noise_sigma, int j
   cv::Mat1f noise(size);
   cv::RNG rng(random.Bits());
   rng.fill(noise, cv::RNG::NORMAL, 0.0, noise_sigma);
-  if (random.Chance(0.5)) cv::blur(noise, noise, {2, 2});  // A camera that has smoothed its noise into blotches.
+  if (random.Bernoulli(0.5)) cv::blur(noise, noise, {2, 2});  // A camera that has smoothed its noise into blotches.
   radiance += noise;
-  if (random.Chance(0.4)) {
+  if (random.Bernoulli(0.4)) {
     cv::Mat1f smooth;
     cv::GaussianBlur(radiance, smooth, {}, random.Uniform(0.8, 2.0));
     radiance += random.Uniform(0.3, 1.2) * (radiance - smooth);

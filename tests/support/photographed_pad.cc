@@ -27,16 +27,16 @@ void DrawConditions(RandomStream& random, PhotoConditions& conditions) {
   const auto one_of = [&](const std::vector<std::string>& names) {
     return names[static_cast<std::size_t>(random.UniformInt(0, static_cast<int>(names.size()) - 1))];
   };
-  conditions.obliquity_deg = random.Chance(0.3) ? random.Uniform(40.0, 60.0) : random.Uniform(0.0, 40.0);
-  conditions.glare = random.Chance(0.25) ? random.Uniform(0.1, 0.9) : 0.0;
-  conditions.shadow = random.Chance(0.3) ? random.Uniform(0.25, 0.8) : 1.0;
-  conditions.exposure = random.Chance(0.15)   ? random.Uniform(0.12, 0.3)
-                        : random.Chance(0.15) ? random.Uniform(1.0, 1.5)
-                                              : random.Uniform(0.4, 0.9);
-  conditions.noise_sigma = random.Chance(0.2) ? random.Uniform(4.0, 10.0) : random.Uniform(0.5, 4.0);
-  conditions.jpeg_quality = random.Chance(0.6) ? random.UniformInt(35, 95) : 100;
+  conditions.obliquity_deg = random.Bernoulli(0.3) ? random.Uniform(40.0, 60.0) : random.Uniform(0.0, 40.0);
+  conditions.glare = random.Bernoulli(0.25) ? random.Uniform(0.1, 0.9) : 0.0;
+  conditions.shadow = random.Bernoulli(0.3) ? random.Uniform(0.25, 0.8) : 1.0;
+  conditions.exposure = random.Bernoulli(0.15)   ? random.Uniform(0.12, 0.3)
+                        : random.Bernoulli(0.15) ? random.Uniform(1.0, 1.5)
+                                                 : random.Uniform(0.4, 0.9);
+  conditions.noise_sigma = random.Bernoulli(0.2) ? random.Uniform(4.0, 10.0) : random.Uniform(0.5, 4.0);
+  conditions.jpeg_quality = random.Bernoulli(0.6) ? random.UniformInt(35, 95) : 100;
   conditions.floor = one_of(FloorKinds());
-  if (random.Chance(0.3)) conditions.marks = one_of(MarkKinds());
+  if (random.Bernoulli(0.3)) conditions.marks = one_of(MarkKinds());
 }
 
 /// Puts the pad into the picture, whole. Its narrowest stroke must be some pixels wide to be seen at all.
@@ -87,8 +87,8 @@ void Blur(Photograph& photo, RandomStream& random, cv::Mat1f& radiance) {
   const double most_px = std::max(0.6, 0.9 * narrowest_px);
   const double scale = std::max(photo.camera.width_px, photo.camera.height_px) / 640.0;
   double defocus = random.Uniform(0.3, 0.7) * scale, motion = 0.0;
-  if (random.Chance(0.25)) defocus = random.Uniform(0.7, 4.0) * scale;
-  if (random.Chance(0.2)) motion = random.Uniform(1.0, 8.0) * scale;
+  if (random.Bernoulli(0.25)) defocus = random.Uniform(0.7, 4.0) * scale;
+  if (random.Bernoulli(0.2)) motion = random.Uniform(1.0, 8.0) * scale;
   defocus = std::min(defocus, 0.5 * most_px);
   motion = std::min(motion, most_px);
   Defocus(radiance, defocus);
@@ -106,7 +106,7 @@ Photograph Take(const std::string& subject, RandomStream& random) {
   DrawConditions(random, conditions);
   if (subject != "pad") conditions.marks = "none";
   if (subject.starts_with("floor ")) conditions.floor = subject.substr(6);
-  const PhotoPaper paper(photo.pad.outer_radius_m, random.Chance(0.3) ? random.Uniform(0.05, 0.25) : 0.0, random);
+  const PhotoPaper paper(photo.pad.outer_radius_m, random.Bernoulli(0.3) ? random.Uniform(0.05, 0.25) : 0.0, random);
   conditions.curl = paper.LargestHeight();
   Aim(paper, random, photo);
   const Artwork art = Print(photo, random);

@@ -236,8 +236,8 @@ TEST_F(PadTemplateMatcherTest, RejectsShapesOtherThanASolidRectangle) {
 
 TEST_F(PadTemplateMatcherTest, RequiresTheDescribedMarkings) {
   // A bar that joins the upper ends of the strokes makes the H an A.
-  pad_.marks = {models::PadMark{
-      .shape = models::PadMark::Shape::kBar, .center_m = {0.042, 0.0}, .length_m = 0.016, .width_m = 0.03}};
+  pad_.marks = {models::PadMarking{
+      .shape = models::PadMarking::Shape::kBar, .center_m = {0.042, 0.0}, .length_m = 0.016, .width_m = 0.03}};
   pad_.Validate();
   EXPECT_TRUE(Find(kDescribed));
   EXPECT_FALSE(Find([](const Artwork& pad, const Vector2d& p) { return pad.outline.IsLetter(p); }));

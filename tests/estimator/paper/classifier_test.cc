@@ -82,7 +82,7 @@ TEST(PatternOf, ConservesTheDarkArea) {
     FillBox(dark, 0, height - 1, width, 1);
     for (int v = 0; v < height; ++v) {
       for (int u = 0; u < width; ++u) {
-        if (random.Chance(0.7)) dark.Row(v)[u] = 255;
+        if (random.Bernoulli(0.7)) dark.Row(v)[u] = 255;
       }
     }
     const ComponentSet set = ExtractComponents(dark.View());

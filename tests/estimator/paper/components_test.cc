@@ -28,7 +28,7 @@ models::Image FromText(const std::vector<std::string>& rows) {
 models::Image RandomImage(int width, int height, double density, std::uint64_t seed) {
   models::RandomStream random(seed, "tests.components");
   models::Image image(width, height);
-  for (auto& pixel : image.pixels) pixel = random.Chance(density) ? 255 : 0;
+  for (auto& pixel : image.pixels) pixel = random.Bernoulli(density) ? 255 : 0;
   return image;
 }
 

@@ -48,7 +48,7 @@ TEST(WrongBranchProbability, EqualsTheFractionOfWrongChoicesInSimulation) {
   double predicted = 0.0, wrong = 0.0;
   constexpr int kTrials = 20000;
   for (int i = 0; i < kTrials; ++i) {
-    const std::size_t truth = random.Chance(0.5) ? 1 : 0;
+    const std::size_t truth = random.Bernoulli(0.5) ? 1 : 0;
     const Vector3d error(0.0, sigma * random.Normal(), sigma * random.Normal());
     const Vector3d z_C = Eigen::AngleAxisd(error.z(), Vector3d::UnitY()) *
                          (Eigen::AngleAxisd(error.y(), Vector3d::UnitX()) * poses[truth].n_C);

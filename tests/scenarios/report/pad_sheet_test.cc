@@ -113,13 +113,14 @@ TEST(PadSheet, PrintsSolidRectangleWithoutSeam) {
 
 TEST(PadSheet, PrintsMarkingsToScale) {
   LandingPad pad;
-  pad.marks = {{.shape = models::PadMark::Shape::kDisc, .center_m = {0.02, 0.05}, .diameter_m = 0.01},
-               {.shape = models::PadMark::Shape::kBar,
-                .center_m = {-0.02, 0.05},
-                .length_m = 0.02,
-                .width_m = 0.004,
-                .angle_deg = 30.0},
-               {.shape = models::PadMark::Shape::kBar, .center_m = {0.05, 0.02}, .length_m = 0.03, .width_m = 0.004}};
+  pad.marks = {
+      {.shape = models::PadMarking::Shape::kDisc, .center_m = {0.02, 0.05}, .diameter_m = 0.01},
+      {.shape = models::PadMarking::Shape::kBar,
+       .center_m = {-0.02, 0.05},
+       .length_m = 0.02,
+       .width_m = 0.004,
+       .angle_deg = 30.0},
+      {.shape = models::PadMarking::Shape::kBar, .center_m = {0.05, 0.02}, .length_m = 0.03, .width_m = 0.004}};
   const Raster raster(pad);
   const auto on_page = [](const Vector2d& p_W) { return Vector2d(105.0 - 1000.0 * p_W.y(), 148.5 - 1000.0 * p_W.x()); };
   const auto direction = [](double degrees) {

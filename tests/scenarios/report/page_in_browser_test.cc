@@ -67,8 +67,8 @@ TEST_F(PageInABrowser, FlightReportSupportsInteractionAndMatchesDocs) {
   cli::FlyIntoFolder(scenario, flight);
 
   runner::Scenario marked = scenario;
-  marked.pad.marks = {{.shape = models::PadMark::Shape::kDisc, .center_m = {0.02, 0.05}, .diameter_m = 0.01},
-                      {.shape = models::PadMark::Shape::kBar,
+  marked.pad.marks = {{.shape = models::PadMarking::Shape::kDisc, .center_m = {0.02, 0.05}, .diameter_m = 0.01},
+                      {.shape = models::PadMarking::Shape::kBar,
                        .center_m = {-0.02, 0.05},
                        .length_m = 0.02,
                        .width_m = 0.004,

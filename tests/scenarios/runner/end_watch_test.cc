@@ -55,7 +55,7 @@ TEST_F(EndWatchTest, EndsWithTheHandInTheAir) {
   scenario.hand = {.carries = true, .duration_s = 10.0};
   watch_ = EndWatch(scenario);
   control_.phase = Phase::kStandby;
-  EXPECT_FALSE(Within(sim::Hand::kStanding_s + 10.0));
+  EXPECT_FALSE(Within(sim::Hand::kTimeAtRest_s + 10.0));
   EXPECT_EQ(OutcomeWithin(0.1), Outcome::kHovered);
 }
 

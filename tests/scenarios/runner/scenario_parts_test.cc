@@ -31,12 +31,13 @@ constexpr const char* kMarks = R"(pad:
 )";
 
 TEST(Scenario, ReadsThePadsMarks) {
-  const models::PadMark disc{.shape = models::PadMark::Shape::kDisc, .center_m = {0.02, 0.05}, .diameter_m = 0.01};
-  const models::PadMark bar{.shape = models::PadMark::Shape::kBar,
-                            .center_m = {-0.02, 0.05},
-                            .length_m = 0.02,
-                            .width_m = 0.004,
-                            .angle_deg = 30.0};
+  const models::PadMarking disc{
+      .shape = models::PadMarking::Shape::kDisc, .center_m = {0.02, 0.05}, .diameter_m = 0.01};
+  const models::PadMarking bar{.shape = models::PadMarking::Shape::kBar,
+                               .center_m = {-0.02, 0.05},
+                               .length_m = 0.02,
+                               .width_m = 0.004,
+                               .angle_deg = 30.0};
   EXPECT_EQ(Parse(With(kMarks)).pad.marks, (std::vector{disc, bar}));
   EXPECT_EQ(Parse(With("")).pad.marks.size(), 0u);
   EXPECT_EQ(Parse(With(kMarks), {"pad.marks.0.x_m=0.03"}).pad.marks[0].center_m.x(), 0.03);
@@ -58,7 +59,7 @@ TEST(Scenario, RefusesAMarkThatIsNoneAndNamesItsLineAndKey) {
       {", width_m: 0.004", "", "f.yaml:7: pad.marks.1.width_m: must be given"},
       {"width_m: 0.004", "width_m: 0.004, diameter_m: 1", "f.yaml:7: pad.marks.1.diameter_m: unknown key"},
       {"angle_deg: 30", "angle_deg: 300", "f.yaml:7: pad.marks.1.angle_deg: must be from -180 to 180, is 300"},
-      {"x_m: -0.02", "x_m: 0.06", "f.yaml:7: pad.marks.1: a pad's mark must lie wholly within its ring"},
+      {"x_m: -0.02", "x_m: 0.06", "f.yaml:7: pad.marks.1: a marking of the pad must be entirely within its ring"},
   };
   for (const auto& [written, instead, error] : cases) {
     std::string text = kMarks;
@@ -227,8 +228,9 @@ TEST(ScenariosCalibration, NamesWhatIsWrong) {
   EXPECT_THAT(ErrorOf(With("calibration: {imu: {yaw: 3}}\n")), HasSubstr("calibration.imu.yaw: unknown key"));
   EXPECT_THAT(ErrorOf(With("calibration: {camera_model: {width_px: 320}}\n")),
               StartsWith("f.yaml:4: calibration.camera_model: is for 320 x 480 px, but the camera's images have"));
-  EXPECT_THAT(ErrorOf(With("calibration: {camera: {position_m: [0, 0, -1]}}\n")),
-              StartsWith("f.yaml:4: calibration.camera: the vehicle's camera must sit above its feet"));
+  EXPECT_THAT(
+      ErrorOf(With("calibration: {camera: {position_m: [0, 0, -1]}}\n")),
+      StartsWith("f.yaml:4: calibration.camera: the vehicle's camera must be above the landing gear contact points"));
 }
 
 TEST_F(ScenarioWithFiles, ReadsACalibrationBesideItAndARosOneWithinIt) {

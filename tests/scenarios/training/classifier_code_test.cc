@@ -88,7 +88,7 @@ TEST(ClassifierCode, CompilesToTheSameNetwork) {
   models::RandomStream random(4, "code test");
   for (int trial = 0; trial < 200; ++trial) {
     std::vector<float> pattern(196);
-    for (float& cell : pattern) cell = random.Chance(0.5) ? 0.0F : static_cast<float>(random.Uniform());
+    for (float& cell : pattern) cell = random.Bernoulli(0.5) ? 0.0F : static_cast<float>(random.Uniform());
     std::array<float, 3> posterior{};
     posteriors(pattern.data(), posterior.data());
     const std::vector<double> expected = network.Posteriors(pattern);

@@ -12,7 +12,7 @@ namespace {
 
 std::vector<float> RandomInput(int size, models::RandomStream& random) {
   std::vector<float> input(static_cast<std::size_t>(size));
-  for (float& value : input) value = random.Chance(0.3) ? 0.0F : static_cast<float>(random.Uniform());
+  for (float& value : input) value = random.Bernoulli(0.3) ? 0.0F : static_cast<float>(random.Uniform());
   return input;
 }
 

@@ -15,8 +15,9 @@ std::vector<GroundShape> ShapesOfPad(const models::LandingPad& pad) {
 
 TEST(ClassifierShapes, OfAPadAreRingAndLetterWithoutMarkings) {
   models::LandingPad marked;
-  marked.marks = {{.shape = models::PadMark::Shape::kDisc, .center_m = {0.0, 0.06}, .diameter_m = 0.02},
-                  {.shape = models::PadMark::Shape::kBar, .center_m = {0.05, 0.0}, .length_m = 0.02, .width_m = 0.05}};
+  marked.marks = {
+      {.shape = models::PadMarking::Shape::kDisc, .center_m = {0.0, 0.06}, .diameter_m = 0.02},
+      {.shape = models::PadMarking::Shape::kBar, .center_m = {0.05, 0.0}, .length_m = 0.02, .width_m = 0.05}};
   const std::vector<GroundShape> shapes = ShapesOfPad(marked), plain = ShapesOfPad({});
   ASSERT_EQ(shapes.size(), 2u);
   EXPECT_EQ(shapes[0].label, estimator::paper::ComponentClass::kCircle);

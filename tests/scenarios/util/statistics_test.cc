@@ -65,7 +65,7 @@ TEST(WilsonInterval, HoldsTheTrueShareOfClustersThatSucceedOrFailTogether) {
   int held = 0, held_as_if_independent = 0;
   for (int i = 0; i < kCases; ++i) {
     int successes = 0;
-    for (int k = 0; k < kClusters; ++k) successes += random.Chance(0.8) ? kEach : 0;
+    for (int k = 0; k < kClusters; ++k) successes += random.Bernoulli(0.8) ? kEach : 0;
     const Interval share = WilsonInterval(successes, kClusters * kEach, kClusters);
     const Interval naive = WilsonInterval(successes, kClusters * kEach);
     held += share.low <= 0.8 && 0.8 <= share.high ? 1 : 0;

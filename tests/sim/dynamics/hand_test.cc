@@ -26,14 +26,14 @@ class HandTest : public testing::TestWithParam<int> {
   models::TimeBase time_;
   HandConfig config_{.carries = true};
   Hand hand_{config_, Standing(), time_, static_cast<std::uint64_t>(GetParam())};
-  const models::Tick end_ = time_.FromSeconds(Hand::kStanding_s + config_.duration_s);
+  const models::Tick end_ = time_.FromSeconds(Hand::kTimeAtRest_s + config_.duration_s);
 };
 
 INSTANTIATE_TEST_SUITE_P(Seeds, HandTest, testing::Range(1, 7));
 
 TEST_P(HandTest, LeavesTheVehicleStandingAtFirst) {
-  EXPECT_TRUE(hand_.Stands(time_.FromSeconds(1.9)));
-  EXPECT_FALSE(hand_.Stands(time_.FromSeconds(2.1)));
+  EXPECT_TRUE(hand_.IsOnGround(time_.FromSeconds(1.9)));
+  EXPECT_FALSE(hand_.IsOnGround(time_.FromSeconds(2.1)));
   EXPECT_TRUE(hand_.At(0).X_WB.isApprox(Standing()));
   EXPECT_TRUE(hand_.At(time_.FromSeconds(1.9)).v_WB.isZero());
 }
@@ -54,7 +54,7 @@ TEST_P(HandTest, ReachesItsHeightAndTiltsAndNeverGoesBeyond) {
 
 TEST_P(HandTest, StaysAboveThePad) {
   double farthest = 0.0;
-  for (models::Tick tick = time_.FromSeconds(Hand::kStanding_s + 2.5); tick < end_; tick += 20) {
+  for (models::Tick tick = time_.FromSeconds(Hand::kTimeAtRest_s + 2.5); tick < end_; tick += 20) {
     const Eigen::Vector3d p_WB = hand_.At(tick).X_WB.translation();
     farthest = std::max(farthest, p_WB.head<2>().cwiseAbs().maxCoeff() / p_WB.z());
   }

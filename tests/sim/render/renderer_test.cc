@@ -9,8 +9,8 @@
 
 #include "models/camera_model.h"
 #include "sim/render/floor_footprint.h"
+#include "sim/scene/artwork.h"
 #include "sim/scene/geom_groups.h"
-#include "sim/scene/prints.h"
 #include "sim/scene/textures.h"
 #include "tests/support/rooms.h"
 

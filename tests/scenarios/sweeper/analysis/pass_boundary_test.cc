@@ -19,7 +19,7 @@ PassBoundary AfterGrid(double level, double width, int each, std::uint64_t seed)
   PassBoundary edge(0.0, 12.0, level);
   for (int value = 0; value <= 12; value += 2) {
     for (int i = 0; i < each; ++i) {
-      const bool passed = random.Chance(PassRate(value, width));
+      const bool passed = random.Bernoulli(PassRate(value, width));
       edge.Take(value, passed ? 1 : 0, passed ? 0 : 1);
     }
   }

@@ -37,7 +37,7 @@ double ShareDecided(double pass_rate, Decision decision, const StopWhen& stop) {
   constexpr int kSequences = 2000;
   for (int i = 0; i < kSequences; ++i) {
     SequentialTest test(stop);
-    while (test.Take(random.Chance(pass_rate)) == Decision::kOpen) {
+    while (test.Take(random.Bernoulli(pass_rate)) == Decision::kOpen) {
     }
     count += test.decision() == decision ? 1 : 0;
   }

@@ -1,4 +1,4 @@
-#include "sim/scene/prints.h"
+#include "sim/scene/artwork.h"
 
 #include <gtest/gtest.h>
 
@@ -20,28 +20,28 @@ double InkedArea(const cv::Mat1b& print, const models::LandingPad& pad) {
   return coverage * pad.sheet_length_m * pad.sheet_width_m;
 }
 
-TEST(PrintPad, InksTheAreaOfTheRingAndTheLetter) {
+TEST(PaintPad, InksTheAreaOfTheRingAndTheLetter) {
   const models::LandingPad pad;
   const double ring =
       models::kPi * (pad.outer_radius_m * pad.outer_radius_m - pad.inner_radius_m() * pad.inner_radius_m());
   const double letter = 2.0 * pad.h_height_m * pad.h_stroke_m + (pad.h_width_m - 2.0 * pad.h_stroke_m) * pad.h_stroke_m;
-  EXPECT_NEAR(InkedArea(PrintPad(pad, 1024, 512), pad), ring + letter, 0.001 * (ring + letter));
+  EXPECT_NEAR(InkedArea(PaintPad(pad, 1024, 512), pad), ring + letter, 0.001 * (ring + letter));
 }
 
-TEST(PrintPad, InksASolidRectangle) {
+TEST(PaintPad, InksASolidRectangle) {
   models::LandingPad pad;
   pad.h_stroke_m = 0.5 * pad.h_width_m;
   const double ring =
       models::kPi * (pad.outer_radius_m * pad.outer_radius_m - pad.inner_radius_m() * pad.inner_radius_m());
   const double area = ring + pad.h_height_m * pad.h_width_m;
-  EXPECT_NEAR(InkedArea(PrintPad(pad, 1024, 512), pad), area, 0.001 * area);
+  EXPECT_NEAR(InkedArea(PaintPad(pad, 1024, 512), pad), area, 0.001 * area);
 }
 
 /// Two marks that touch nothing.
 models::LandingPad MarkedPad() {
   models::LandingPad pad;
-  pad.marks = {{.shape = models::PadMark::Shape::kDisc, .center_m = {0.02, 0.05}, .diameter_m = 0.01},
-               {.shape = models::PadMark::Shape::kBar,
+  pad.marks = {{.shape = models::PadMarking::Shape::kDisc, .center_m = {0.02, 0.05}, .diameter_m = 0.01},
+               {.shape = models::PadMarking::Shape::kBar,
                 .center_m = {-0.02, 0.05},
                 .length_m = 0.02,
                 .width_m = 0.004,
@@ -49,17 +49,17 @@ models::LandingPad MarkedPad() {
   return pad;
 }
 
-TEST(PrintPad, InksTheMarks) {
+TEST(PaintPad, InksTheMarks) {
   const models::LandingPad pad = MarkedPad();
-  const double marks = InkedArea(PrintPad(pad, 2048, 1448), pad) - InkedArea(PrintPad({}, 2048, 1448), {});
+  const double marks = InkedArea(PaintPad(pad, 2048, 1448), pad) - InkedArea(PaintPad({}, 2048, 1448), {});
   const double disc = models::kPi * 0.005 * 0.005, bar = 0.02 * 0.004;
   EXPECT_NEAR(marks, disc + bar, 0.01 * (disc + bar));
 }
 
-TEST(PrintPad, AgreesWithTheModelAwayFromEdges) {
+TEST(PaintPad, AgreesWithTheModelAwayFromEdges) {
   const models::LandingPad pad = MarkedPad();
   const models::PadOutline outline(pad);
-  const cv::Mat1b print = PrintPad(pad, 512, 256);
+  const cv::Mat1b print = PaintPad(pad, 512, 256);
   int gray = 0;
   for (int row = 0; row < print.rows; ++row) {
     for (int column = 0; column < print.cols; ++column) {
@@ -77,10 +77,10 @@ TEST(PrintPad, AgreesWithTheModelAwayFromEdges) {
   EXPECT_LT(gray, 6000);
 }
 
-TEST(PrintSheet, LeavesTheMiddleOfALoneRingEmpty) {
+TEST(PaintSheet, LeavesTheMiddleOfALoneRingEmpty) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     const SceneItem ring{.kind = SceneItem::Kind::kRing, .size_m = {0.2, 0.16, 0.0}, .texture_seed = seed};
-    const cv::Mat1b print = PrintSheet(ring, 256, 256);
+    const cv::Mat1b print = PaintSheet(ring, 256, 256);
     const std::uint8_t middle = print(128, 128);
     EXPECT_GT(middle, 150);
     for (int row = 96; row < 160; ++row) {
@@ -91,10 +91,10 @@ TEST(PrintSheet, LeavesTheMiddleOfALoneRingEmpty) {
   }
 }
 
-TEST(PrintSheet, DrawsALetterOfThreeBarsAndNoRing) {
+TEST(PaintSheet, DrawsALetterOfThreeBarsAndNoRing) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     const SceneItem letter{.kind = SceneItem::Kind::kLetterH, .size_m = {0.2, 0.16, 0.0}, .texture_seed = seed};
-    const cv::Mat1b print = PrintSheet(letter, 256, 256);
+    const cv::Mat1b print = PaintSheet(letter, 256, 256);
     const int paper = print(2, 2);
     EXPECT_LT(print(128, 128), 70);
     EXPECT_EQ(print(128, 50), paper) << "between the strokes, left of the cross-bar";
@@ -106,19 +106,19 @@ TEST(PrintSheet, DrawsALetterOfThreeBarsAndNoRing) {
   }
 }
 
-TEST(PrintSheet, DiffersFromSeedToSeed) {
+TEST(PaintSheet, DiffersFromSeedToSeed) {
   const auto poster = [](std::uint64_t seed) {
-    return PrintSheet({.kind = SceneItem::Kind::kPoster, .size_m = {0.4, 0.3, 0.0}, .texture_seed = seed}, 128, 128);
+    return PaintSheet({.kind = SceneItem::Kind::kPoster, .size_m = {0.4, 0.3, 0.0}, .texture_seed = seed}, 128, 128);
   };
   EXPECT_EQ(cv::norm(poster(1), poster(1), cv::NORM_INF), 0.0);
   EXPECT_GT(cv::norm(poster(1), poster(2), cv::NORM_INF), 20.0);
 }
 
-TEST(PrintSheet, FillsPostersWithTexture) {
+TEST(PaintSheet, FillsPostersWithTexture) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     const SceneItem poster{.kind = SceneItem::Kind::kPoster, .size_m = {0.4, 0.3, 0.0}, .texture_seed = seed};
     cv::Scalar mean, deviation;
-    cv::meanStdDev(PrintSheet(poster, 256, 256), mean, deviation);
+    cv::meanStdDev(PaintSheet(poster, 256, 256), mean, deviation);
     EXPECT_GT(deviation[0], 12.0) << seed;
   }
 }

@@ -8,9 +8,9 @@
 
 namespace touchdown::models {
 
-/// A black mark printed on a landing pad within its ring, beside the H or over it: a disc or a bar. In the pad's frame
-/// W.
-struct PadMark {
+/// A black marking on a landing pad within its ring, next to the H or overlapping it: a disc or a bar. Coordinates are
+/// in the pad's frame W.
+struct PadMarking {
   enum class Shape {
     kDisc,
     kBar,  ///< A rectangle.
@@ -24,13 +24,13 @@ struct PadMark {
   double width_m = 0.0;
   double angle_deg = 0.0;
 
-  /// Throws InputError, without a file name, for a value out of its range (see Describe), or when the mark does not lie
-  /// wholly within the circle of `radius_m` around W's origin.
+  /// Throws InputError, without a file name, for a value out of its range (see Describe), or when the marking is not
+  /// entirely within the circle of `radius_m` around W's origin.
   void Validate(double radius_m) const;
 
-  friend bool operator==(const PadMark&, const PadMark&) = default;
+  friend bool operator==(const PadMarking&, const PadMarking&) = default;
 };
 
-void Describe(ConfigVisitor& v, PadMark& mark);
+void Describe(ConfigVisitor& v, PadMarking& marking);
 
 }  // namespace touchdown::models

@@ -1,4 +1,4 @@
-#include "sim/scene/prints.h"
+#include "sim/scene/artwork.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ cv::Point Fixed(double x, double y) {
   return {static_cast<int>(std::lround(x * (1 << kShift))), static_cast<int>(std::lround(y * (1 << kShift)))};
 }
 
-/// Gray levels of a print: seldom as black and as white as the pad's.
+/// Gray levels of an item's artwork, usually less black and less white than those of the pad.
 struct Tones {
   explicit Tones(RandomStream& random) : paper(random.Uniform(175.0, kPaper)), ink(random.Uniform(15.0, 60.0)) {}
   double paper;
@@ -42,8 +42,8 @@ void FillPolygon(cv::Mat1b& canvas, const std::vector<cv::Point2d>& corners, dou
   cv::fillConvexPoly(canvas, fixed, cv::Scalar(level), cv::LINE_AA, kShift);
 }
 
-/// A ring that fills its sheet but for a margin.
-cv::Mat1b PrintRing(const SceneItem& item, RandomStream& random) {
+/// A ring that fills its sheet up to a margin.
+cv::Mat1b PaintRing(const SceneItem& item, RandomStream& random) {
   const Tones tones(random);
   cv::Mat1b canvas = Blank(item, tones.paper);
   const double margin = random.Uniform(0.06, 0.2);
@@ -56,8 +56,8 @@ cv::Mat1b PrintRing(const SceneItem& item, RandomStream& random) {
   return canvas;
 }
 
-/// A letter H whose long strokes run along the sheet's X, in proportions of its own.
-cv::Mat1b PrintLetter(const SceneItem& item, RandomStream& random) {
+/// A letter H whose long strokes run along the sheet's X, with random proportions.
+cv::Mat1b PaintLetter(const SceneItem& item, RandomStream& random) {
   const Tones tones(random);
   cv::Mat1b canvas = Blank(item, tones.paper);
   const double margin = random.Uniform(0.12, 0.25);
@@ -73,8 +73,8 @@ cv::Mat1b PrintLetter(const SceneItem& item, RandomStream& random) {
   return canvas;
 }
 
-/// A solid rectangle on its sheet, in proportions of its own.
-cv::Mat1b PrintRectangle(const SceneItem& item, RandomStream& random) {
+/// A solid rectangle on its sheet, with random proportions.
+cv::Mat1b PaintRectangle(const SceneItem& item, RandomStream& random) {
   const Tones tones(random);
   cv::Mat1b canvas = Blank(item, tones.paper);
   const double x = canvas.cols * random.Uniform(0.06, 0.15), y = canvas.rows * random.Uniform(0.06, 0.25);
@@ -86,13 +86,13 @@ cv::Mat1b PrintRectangle(const SceneItem& item, RandomStream& random) {
 void WriteLines(cv::Mat1b& canvas, const cv::Rect& area, const Tones& tones, RandomStream& random) {
   static const std::string kGlyphs = "abcdefgijkmnprstuvwxyzABCEFGKLMNPRSTVWXYZ2345679&%$#?!=+";
   const double scale = random.Uniform(0.5, 1.6);
-  const int font = random.Chance(0.5) ? cv::FONT_HERSHEY_SIMPLEX : cv::FONT_HERSHEY_COMPLEX;
+  const int font = random.Bernoulli(0.5) ? cv::FONT_HERSHEY_SIMPLEX : cv::FONT_HERSHEY_COMPLEX;
   const int thickness = random.UniformInt(1, 3);
   for (int y = area.y + static_cast<int>(30 * scale); y < area.br().y; y += static_cast<int>(36 * scale)) {
     std::string line;
     const int length = static_cast<int>(area.width * random.Uniform(0.6, 1.0) / (19 * scale));
     for (int i = 0; i < length; ++i) {
-      const bool space = random.Chance(0.16);
+      const bool space = random.Bernoulli(0.16);
       line += space ? ' ' : kGlyphs[static_cast<std::size_t>(random.UniformInt(0, int(kGlyphs.size()) - 1))];
     }
     cv::putText(canvas(area), line, {0, y - area.y}, font, scale, cv::Scalar(tones.ink), thickness, cv::LINE_AA);
@@ -112,8 +112,8 @@ cv::Mat1b PosterOfBlobs(const SceneItem& item, RandomStream& random) {
   for (int i = 0; i < 90; ++i) {
     const double x = random.Uniform(0.0, canvas.cols), y = random.Uniform(0.0, canvas.rows);
     const double a = canvas.cols * random.Uniform(0.01, 0.10), b = a * random.Uniform(0.3, 1.0);
-    const double turn_deg = random.Uniform(0.0, 180.0), level = random.Uniform(15.0, 235.0);
-    cv::ellipse(canvas, Fixed(x, y), cv::Size(Fixed(a, b)), turn_deg, 0, 360, cv::Scalar(level), cv::FILLED,
+    const double angle_deg = random.Uniform(0.0, 180.0), level = random.Uniform(15.0, 235.0);
+    cv::ellipse(canvas, Fixed(x, y), cv::Size(Fixed(a, b)), angle_deg, 0, 360, cv::Scalar(level), cv::FILLED,
                 cv::LINE_AA, kShift);
   }
   return canvas;
@@ -145,7 +145,7 @@ cv::Mat1b PosterOfChecks(const SceneItem& item, RandomStream& random) {
   return canvas;
 }
 
-/// Noise of a falling spectrum with the histogram stretched: what a photograph looks like to a threshold.
+/// Noise with a falling spectrum and a stretched histogram, which responds to a threshold like a photograph.
 cv::Mat1b PosterOfPhoto(const SceneItem& item, RandomStream& random) {
   cv::Mat1b canvas = Blank(item, 0.0);
   cv::Mat1f sum = cv::Mat1f::zeros(canvas.size());
@@ -162,7 +162,7 @@ cv::Mat1b PosterOfPhoto(const SceneItem& item, RandomStream& random) {
   return cv::Mat1b(cv::max(15, cv::min(235, canvas)));
 }
 
-/// A page of a magazine: a title, pictures, columns of text, a gradient behind them.
+/// A page of a magazine: a title, a photograph and text on a gradient.
 cv::Mat1b PosterOfPage(const SceneItem& item, RandomStream& random) {
   const Tones tones(random);
   cv::Mat1b canvas = Blank(item, tones.paper);
@@ -173,26 +173,26 @@ cv::Mat1b PosterOfPage(const SceneItem& item, RandomStream& random) {
   const int w = canvas.cols, h = canvas.rows;
   cv::rectangle(canvas, cv::Rect(w / 16, h / 16, w * 7 / 8, h / 8), cv::Scalar(random.Uniform(15.0, 120.0)),
                 cv::FILLED);
-  cv::putText(canvas, random.Chance(0.5) ? "SURVEY" : "AVIATE", {w / 12, h / 16 + h / 10}, cv::FONT_HERSHEY_TRIPLEX,
+  cv::putText(canvas, random.Bernoulli(0.5) ? "SURVEY" : "AVIATE", {w / 12, h / 16 + h / 10}, cv::FONT_HERSHEY_TRIPLEX,
               h / 350.0, cv::Scalar(tones.paper), 2, cv::LINE_AA);
-  const bool left = random.Chance(0.5);
-  const cv::Rect picture(left ? w / 16 : w / 2, h / 4, w * 7 / 16, h * 5 / 16);
+  const bool left = random.Bernoulli(0.5);
+  const cv::Rect photo_area(left ? w / 16 : w / 2, h / 4, w * 7 / 16, h * 5 / 16);
   const cv::Rect text(left ? w * 17 / 32 : w / 16, h / 4, w * 13 / 32, h * 5 / 16);
   cv::Mat1b photo;
-  cv::resize(PosterOfPhoto(item, random), photo, picture.size(), 0, 0, cv::INTER_AREA);
-  photo.copyTo(canvas(picture));
+  cv::resize(PosterOfPhoto(item, random), photo, photo_area.size(), 0, 0, cv::INTER_AREA);
+  photo.copyTo(canvas(photo_area));
   WriteLines(canvas, text, tones, random);
   WriteLines(canvas, {w / 16, h * 5 / 8, w * 7 / 8, h * 5 / 16}, tones, random);
   return canvas;
 }
 
-cv::Mat1b PrintPoster(const SceneItem& item, RandomStream& random) {
+cv::Mat1b PaintPoster(const SceneItem& item, RandomStream& random) {
   constexpr std::array kPosters{PosterOfText,  PosterOfBlobs, PosterOfLines, PosterOfChecks,
                                 PosterOfPhoto, PosterOfPage,  PosterOfPage};
   return kPosters[static_cast<std::size_t>(random.UniformInt(0, int(kPosters.size()) - 1))](item, random);
 }
 
-/// Speckled all over.
+/// Surface of a stone, with speckles.
 cv::Mat1b PaintStone(const SceneItem& item, int face_width) {
   RandomStream random(item.texture_seed, "print");
   const double base = random.Uniform(70.0, 190.0);
@@ -204,7 +204,7 @@ cv::Mat1b PaintStone(const SceneItem& item, int face_width) {
 
 }  // namespace
 
-cv::Mat1b PrintPad(const models::LandingPad& pad, int width, int height) {
+cv::Mat1b PaintPad(const models::LandingPad& pad, int width, int height) {
   constexpr int kSide = 5;
   const models::PadOutline outline(pad);
   const auto black = [&](double column, double row) {
@@ -214,7 +214,7 @@ cv::Mat1b PrintPad(const models::LandingPad& pad, int width, int height) {
   for (int j = 0; j <= height; ++j) {
     for (int i = 0; i <= width; ++i) at_corners(j, i) = black(i, j) ? 1 : 0;
   }
-  cv::Mat1b print(height, width);
+  cv::Mat1b artwork(height, width);
   for (int j = 0; j < height; ++j) {
     for (int i = 0; i < width; ++i) {
       const int corners = at_corners(j, i) + at_corners(j, i + 1) + at_corners(j + 1, i) + at_corners(j + 1, i + 1);
@@ -226,41 +226,41 @@ cv::Mat1b PrintPad(const models::LandingPad& pad, int width, int height) {
         }
         coverage = static_cast<double>(hits) / (kSide * kSide);
       }
-      print(j, i) = cv::saturate_cast<std::uint8_t>(kPaper + coverage * (kInk - kPaper));
+      artwork(j, i) = cv::saturate_cast<std::uint8_t>(kPaper + coverage * (kInk - kPaper));
     }
   }
-  return print;
+  return artwork;
 }
 
-cv::Mat1b PrintSheet(const SceneItem& item, int width, int height) {
+cv::Mat1b PaintSheet(const SceneItem& item, int width, int height) {
   RandomStream random(item.texture_seed, "print");
   cv::Mat1b canvas;
   switch (item.kind) {
     case Kind::kRing:
-      canvas = PrintRing(item, random);
+      canvas = PaintRing(item, random);
       break;
     case Kind::kLetterH:
-      canvas = PrintLetter(item, random);
+      canvas = PaintLetter(item, random);
       break;
     case Kind::kRectangle:
-      canvas = PrintRectangle(item, random);
+      canvas = PaintRectangle(item, random);
       break;
     case Kind::kPoster:
-      canvas = PrintPoster(item, random);
+      canvas = PaintPoster(item, random);
       break;
     default:
       throw std::logic_error("a solid item has no sheet");
   }
-  cv::Mat1b print;
-  cv::resize(canvas, print, {width, height}, 0, 0, cv::INTER_AREA);
-  return print;
+  cv::Mat1b artwork;
+  cv::resize(canvas, artwork, {width, height}, 0, 0, cv::INTER_AREA);
+  return artwork;
 }
 
 cv::Mat1b PaintSolid(const SceneItem& item, int face_width) {
   if (item.kind == Kind::kStone) return PaintStone(item, face_width);
   RandomStream random(item.texture_seed, "print");
   const double base = random.Uniform(40.0, 200.0);
-  const bool label = random.Chance(0.6);
+  const bool label = random.Bernoulli(0.6);
   cv::Mat1b faces(6 * face_width, face_width);
   for (int face = 0; face < 6; ++face) {
     cv::Mat1b canvas = faces.rowRange(face * face_width, (face + 1) * face_width);
