@@ -1,5 +1,5 @@
-# An image that flies: `docker build -t touchdown .`, then `docker run --rm -v "$PWD/out:/touchdown/out" touchdown`
-# for the first flight, or any command of the program after the image's name.
+# Image with the program. Build: `docker build -t touchdown .`. First flight:
+# `docker run --rm -v "$PWD/out:/touchdown/out" touchdown`. Other commands of the program follow the name of the image.
 FROM debian:12-slim
 RUN apt-get update && apt-get install -y --no-install-recommends make && rm -rf /var/lib/apt/lists/*
 WORKDIR /touchdown

@@ -1,10 +1,11 @@
-# A thin face over the CMake presets: see CMakePresets.json. A target installs the Debian packages that it needs first.
+# Wrapper of the CMake presets (CMakePresets.json). Each target first installs the Debian packages that it needs.
 PRESET ?= $(if $(CI),ci,release)
 BUILD := build/$(if $(filter ci,$(PRESET)),release,$(PRESET))
 JOBS ?= $(shell nproc)
 SUDO := $(if $(filter 0,$(shell id -u)),,sudo)
 
-# $(call install,LISTS): installs the packages of packages/LIST.txt that neither are installed nor come with another.
+# $(call install,LISTS): installs the packages of packages/LIST.txt that are neither installed nor provided by another
+# package.
 install = @there=$$(dpkg-query -W -f '$${db:Status-Status} $${Package} $${Provides}\n' | sed -n 's/^installed //p' | tr ' ,' '\n\n'); \
 	missing=$$(for p in $(shell sed 's/\#.*//' $(1:%=packages/%.txt)); do printf '%s\n' $$there | grep -qx -- $$p || echo $$p; done); \
 	if [ -n "$$missing" ]; then \
@@ -20,28 +21,28 @@ help:  ## Print this list
 fly: build  ## Take off, hover and land; the flight directory is out/takeoff_hover_land
 	$(BUILD)/touchdown fly scenarios/flights/takeoff_hover_land.yaml
 
-build: program-deps  ## Build the program, build/release/touchdown, and no test
+build: program-deps  ## Build the program only, build/release/touchdown
 	cmake --preset $(PRESET) $(if $(wildcard $(BUILD)/CMakeCache.txt),,-D TOUCHDOWN_TESTS=OFF)
 	cmake --build --preset $(PRESET) -j $(JOBS) --target touchdown
 
-test: all  ## Build everything and run every test but the long ones
+test: all  ## Build everything and run all tests but the long ones
 	ctest --preset $(PRESET) -j $(JOBS) -LE long
 
-test-long: all  ## Run the tests that take longer: every experiment of the paper, in brief
+test-long: all  ## Run the long tests: all experiments of the paper on few samples
 	ctest --preset $(PRESET) -j $(JOBS) -L long
 
-bench: all  ## Measure the cost of vision beside AprilTag 3, of rendering and of the loop, on the same frames
+bench: all  ## Measure vision, rendering and the loop, and AprilTag 3 on the same frames
 	$(BUILD)/tests/benchmarks
 
-lint: deps  ## Run clang-tidy; a warning is an error
+lint: deps  ## Run clang-tidy on all sources; a warning is an error
 	cmake --preset lint
 	run-clang-tidy -quiet -j $(JOBS) -p build/lint '^$(CURDIR)/(models|sim|estimator|controller|scenarios|tests)/.*\.cc$$'
 
-docs: deps  ## Make the API pages from the headers, build/docs/html; a broken reference is an error
+docs: deps  ## Write API pages to build/docs/html; a broken reference is an error
 	mkdir -p build/docs
 	doxygen docs/Doxyfile
 
-deps:  ## Install every package of packages/
+deps:  ## Install all packages of packages/
 	$(call install,build run test)
 
 program-deps:

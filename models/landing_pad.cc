@@ -13,8 +13,9 @@ namespace {
 constexpr double kNoGap_m = 1e-9;
 
 void RequirePrintable(const LandingPad& pad) {
-  if (pad.ring_width_m >= pad.outer_radius_m)
+  if (pad.ring_width_m >= pad.outer_radius_m) {
     throw InputError("the pad's ring_width_m must be less than its outer_radius_m");
+  }
   if (pad.h_width_m - 2.0 * pad.h_stroke_m < -kNoGap_m || pad.h_stroke_m >= pad.h_height_m) {
     throw InputError("the pad's h_width_m must be at least 2 h_stroke_m, and its h_height_m above h_stroke_m");
   }

@@ -19,8 +19,9 @@ double Reach(const PadMarking& marking) {
 
 void PadMarking::Validate(double radius_m) const {
   ValidateConfig(*this);
-  if (Reach(*this) >= radius_m)
+  if (Reach(*this) >= radius_m) {
     throw InputError("a marking of the pad must be entirely within its ring, with a white gap");
+  }
 }
 
 void Describe(ConfigVisitor& v, PadMarking& m) {

@@ -118,8 +118,9 @@ Polygon Mirrored(const std::vector<Vector2d>& quarter) {
 }
 
 PadShape ShapeOf(const PadMarking& marking) {
-  if (marking.shape == PadMarking::Shape::kDisc)
+  if (marking.shape == PadMarking::Shape::kDisc) {
     return {Color::kBlack, Circle{marking.center_m, 0.5 * marking.diameter_m}};
+  }
   return {Color::kBlack, Rectangle({marking.length_m, marking.width_m}, marking.center_m, DegToRad(marking.angle_deg))};
 }
 

@@ -70,8 +70,7 @@ class PadOutline {
   };
 
   std::vector<PadShape> shapes_;
-  std::vector<Eigen::Vector2d>
-      letter_quarter_;  // The letter's corners in the first quadrant, from the X axis to the Y axis.
+  std::vector<Eigen::Vector2d> letter_quarter_;  // Corners in the first quadrant, from the X axis to the Y axis.
   std::vector<Side> letter_sides_;
   double narrowest_m_;
 };

@@ -15,8 +15,7 @@ Tick TimeBase::FromSeconds(double time_s) const {
 
 namespace {
 
-/// value * factor / divisor, rounded to the nearest, without intermediate overflow. `factor` and `divisor` are
-/// positive.
+/// value * factor / divisor, rounded to nearest, without intermediate overflow. `factor` and `divisor` are positive.
 std::int64_t Scaled(std::int64_t value, std::int64_t factor, std::int64_t divisor) {
   const std::int64_t whole = value / divisor, rest = value % divisor;
   return whole * factor +

@@ -16,7 +16,7 @@ struct TimeBase {
   double period_s() const { return 1.0 / ticks_per_s; }
   double ToSeconds(Tick tick) const { return static_cast<double>(tick) / ticks_per_s; }
 
-  /// Tick nearest to `time_s`, which may be negative. The result is clamped to +-1e15, which stands for never.
+  /// Tick nearest to `time_s`, which may be negative. The result is clamped to +-1e15, which means never.
   Tick FromSeconds(double time_s) const;
 
   /// Converts a tick to whole nanoseconds, the unit of time in recordings, and back, rounding to the nearest. The round

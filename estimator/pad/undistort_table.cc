@@ -13,7 +13,7 @@ UndistortTable::UndistortTable(const models::CameraModel& camera) : width_(camer
     for (int u = 0; u < width_; ++u) {
       const Eigen::Vector2d raw(u, v);
       const auto ideal = camera.Undistort(camera.NormalizedFromPixel(raw));
-      if (!ideal) throw InputError("the camera's distortion folds within the image");
+      if (!ideal) throw InputError("the camera's distortion is not invertible within the image");
       entries_.emplace_back((camera.PixelFromNormalized(*ideal) - raw).cast<float>());
     }
   }

@@ -11,7 +11,7 @@ namespace touchdown::estimator::pad {
 /// at construction.
 class UndistortTable {
  public:
-  /// `camera` must be valid. Throws InputError when the distortion folds within the image.
+  /// `camera` must be valid. Throws InputError when the distortion is not invertible within the image.
   explicit UndistortTable(const models::CameraModel& camera);
 
   /// The undistorted pixel, at the camera's focal lengths and principal point, for a raw pixel of the image. Between

@@ -6,8 +6,8 @@ namespace touchdown::sim {
 
 /// Tilt of the ground and the pad. W remains the frame of the pad, so that gravity is tilted in W.
 ///
-/// Frame L is W without the tilt: R_LW = Ry(pitch) Rx(roll). A positive roll lowers
-/// the ground towards -Y, a positive pitch towards +X.
+/// Frame L is W without the tilt: R_LW = Ry(pitch) Rx(roll). A positive roll lowers the ground towards -Y, a positive
+/// pitch towards +X.
 struct GroundTilt {
   double roll_deg = 0.0;
   double pitch_deg = 0.0;

@@ -21,8 +21,7 @@ void InstallMujocoHandlers();
 /// Throws std::bad_alloc if `message` is one of MuJoCo's out-of-memory errors.
 void ThrowIfOutOfMemory(std::string_view message);
 
-/// Returns and clears the first warning that MuJoCo raised on this thread since the last call; nullopt if there is
-/// none.
+/// Returns and clears the first warning that MuJoCo raised on this thread since the last call, or nullopt.
 std::optional<std::string> PopMujocoWarning();
 
 }  // namespace touchdown::sim

@@ -35,8 +35,7 @@ class CameraOptics {
   /// Throws InputError when the camera is not valid or its lens needs a pinhole view of more than 4096 px.
   explicit CameraOptics(const models::CameraModel& camera);
 
-  /// Pinhole view to render: the pixel grid of the frame, extended to cover the lens distortion and a small margin for
-  /// blur.
+  /// Pinhole view to render: the pixel grid of the frame, extended for the lens distortion and a little blur.
   const PinholeView& pinhole_view() const { return view_; }
 
   /// Exposes a frame. `pinhole` is the image of pinhole_view() rendered from PoseAlong(X_WC, 0.5). Where the blur

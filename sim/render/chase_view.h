@@ -29,8 +29,8 @@ class ChaseView {
   const cv::Mat3b& Render(const Eigen::Isometry3d& X_WB, bool pad_is_covered);
 
   /// Pose of the camera (frame C) of the newest image. It looks forward and down, from behind, at the midpoint of pad
-  /// and vehicle, from a distance at which both are in view. It does not move while the vehicle stays within
-  /// a dead band, so that the background is at rest in a hover.
+  /// and vehicle, from a distance at which both are in view. It does not move while the vehicle stays
+  /// within a dead band, so that the background is at rest in a hover.
   const Eigen::Isometry3d& X_WC() const { return X_WC_; }
   const PinholeView& view() const { return view_; }
 

@@ -14,8 +14,7 @@ class GrassPattern {
  public:
   GrassPattern(std::uint64_t seed, const models::LandingPad& pad);
 
-  /// Reflectance, 0 to 255, in red, green, blue, of a square of side `side_m` around W's origin. Row 0 is at its +Y
-  /// edge.
+  /// RGB reflectance, 0 to 255, of a square of side `side_m` around W's origin. Row 0 is at its +Y edge.
   cv::Mat3b Paint(double side_m, int texels) const;
 
   /// Whether a point of the ground is on the path.

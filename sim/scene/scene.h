@@ -35,8 +35,7 @@ struct SceneConfig {
 
   bool IsOutdoor() const { return setting == Setting::kOutdoor; }
 
-  /// Throws InputError, without a file name, for a value out of its range (see Describe), or for more than 80 items in
-  /// total.
+  /// Throws InputError, without a file name, for a value out of its range (see Describe), or for more than 80 items.
   void Validate() const;
 };
 

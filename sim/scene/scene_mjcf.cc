@@ -18,7 +18,7 @@ using Kind = SceneItem::Kind;
 
 constexpr double kFloorDepth_m = 0.0010;
 constexpr double kCenterDepth_m = 0.0008;
-constexpr double kPrintDepth_m = 0.0005;
+constexpr double kSheetDepth_m = 0.0005;
 constexpr double kCoverHeight_m = 0.0005;
 /// Number of rings in the mesh of a sphere and of a cylinder's wall. MuJoCo draws a cylinder with one ring without end
 /// caps.
@@ -128,7 +128,7 @@ std::string SceneGeoms(const Scene& scene) {
   for (std::size_t i = 0; i < scene.items.size(); ++i) {
     const SceneItem& item = scene.items[i];
     const std::string name = ItemName(i);
-    geoms += item.IsFlat() ? Sheet(name, item.position_m, -kPrintDepth_m, item.yaw, item.size_m.head<2>(),
+    geoms += item.IsFlat() ? Sheet(name, item.position_m, -kSheetDepth_m, item.yaw, item.size_m.head<2>(),
                                    fmt::format("material='{}'", name))
                            : SolidGeom(name, item);
   }

@@ -41,8 +41,9 @@ void AddNoise(const std::uint16_t* __restrict levels, const std::int16_t* __rest
 }  // namespace
 
 ImageNoise::ImageNoise(double sigma, std::uint64_t seed) : random_(seed, "camera.noise") {
-  if (!(sigma >= 0.0 && sigma <= kMaxSigma))
+  if (!(sigma >= 0.0 && sigma <= kMaxSigma)) {
     throw InputError("the camera's noise_sigma must be from 0 to 24 gray levels");
+  }
   using Limits = std::numeric_limits<std::int16_t>;
   strip_.reserve(kStrip);
   for (const double value : UnitNoise(random_)) {
@@ -52,8 +53,9 @@ ImageNoise::ImageNoise(double sigma, std::uint64_t seed) : random_(seed, "camera
 }
 
 models::Image ImageNoise::Apply(const FineImage& frame) {
-  if (frame.width > kWidestRow)
+  if (frame.width > kWidestRow) {
     throw std::logic_error("the frame is wider than 65536 px, the limit of the noise strip");
+  }
   models::Image image(frame.width, frame.height);
   const std::uint16_t* levels = frame.pixels.data();
   for (int v = 0; v < frame.height; ++v, levels += frame.width) {

@@ -15,7 +15,7 @@ namespace touchdown::sim {
 class Imager {
  public:
   /// `model` must outlive the imager. `noise_sigmas`, in gray levels of 0 to 255, are the available noise levels; each
-  /// has a random stream of its own, seeded with `seed`. With `oversampling` above 1 the pinhole view is rendered on a
+  /// has its own generator, seeded with `seed`. With `oversampling` above 1 the pinhole view is rendered on a
   /// grid finer by that factor and averaged over the pixels, which antialiases the edges of solid shapes; the finer
   /// view is at most 8192 px wide. Throws InputError when a noise level is not valid, std::runtime_error when there is
   /// no GL context.

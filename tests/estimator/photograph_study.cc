@@ -36,10 +36,10 @@ std::string Bin(double value, const std::vector<double>& limits) {
 std::map<std::string, std::string> FactorsOf(const Photograph& photo) {
   const auto& c = photo.conditions;
   const auto& pad = photo.pad;
-  return {{"size", Bin(c.size_share, {0.03, 0.1, 0.2, 0.4, 0.6, 0.9})},
+  return {{"size", Bin(c.size_fraction, {0.03, 0.1, 0.2, 0.4, 0.6, 0.9})},
           {"obliquity", Bin(c.obliquity_deg, {0, 20, 40, 50, 60})},
           {"curl", Bin(c.curl, {0, 1e-9, 0.1, 0.3})},
-          {"blur", Bin(c.blur_share, {0, 0.2, 0.4, 0.7, 2.0})},
+          {"blur", Bin(c.blur_fraction, {0, 0.2, 0.4, 0.7, 2.0})},
           {"glare", Bin(c.glare, {0, 1e-9, 0.4, 1.0})},
           {"shadow", Bin(c.shadow, {0.2, 0.5, 0.999, 1.0})},
           {"exposure", Bin(c.exposure, {0.1, 0.3, 1.0, 1.5})},
@@ -140,11 +140,11 @@ int main(int argc, char** argv) {
     for (const std::string& kind : {photo.subject, std::string("~ all")}) {
       Count& count = by_kind[""][kind];
       ++count.all;
-      score.claims_pad
+      score.reports_pad
           ? ++count.failures[std::string(estimator::ReasonOrStatus(score.estimate.status, score.estimate.reason))]
           : ++count.right;
     }
-    if (score.claims_pad && !folder.empty()) Save(folder, first + i, photo, score);
+    if (score.reports_pad && !folder.empty()) Save(folder, first + i, photo, score);
   }
   Print("Pads found", by_factor);
   Print("Distractors rejected", by_kind);

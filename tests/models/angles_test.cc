@@ -34,14 +34,14 @@ TEST(TaitBryan, PositiveYawTurnsLeft) {
   EXPECT_NEAR(nose.y(), std::sin(0.2), 1e-15);
 }
 
-TEST(TaitBryan, TurnsByRollThenPitchThenYawInTheWorld) {
+TEST(TaitBryan, RotatesByRollThenPitchThenYawInTheWorld) {
   const TaitBryan angles{.roll = 0.3, .pitch = -0.4, .yaw = 1.1};
   const Matrix3d expected = RotationFromTaitBryan({.yaw = 1.1}) * RotationFromTaitBryan({.pitch = -0.4}) *
                             RotationFromTaitBryan({.roll = 0.3});
   EXPECT_TRUE(RotationFromTaitBryan(angles).isApprox(expected, 1e-14));
 }
 
-TEST(TaitBryan, SurvivesTheRoundTripOverTheWholeRange) {
+TEST(TaitBryan, RoundTripsOverTheWholeRange) {
   for (double roll = -3.1; roll < 3.15; roll += 0.31) {
     for (double pitch = -1.57; pitch < 1.571; pitch += 0.157) {
       for (double yaw = -3.1; yaw < 3.15; yaw += 0.31) {
@@ -54,7 +54,7 @@ TEST(TaitBryan, SurvivesTheRoundTripOverTheWholeRange) {
   }
 }
 
-TEST(TaitBryan, SetsRollToZeroWhereItCannotBeToldFromYaw) {
+TEST(TaitBryan, SetsRollToZeroInGimbalLock) {
   for (const double pitch : {-kPi / 2.0, kPi / 2.0}) {
     const Matrix3d R = RotationFromTaitBryan({.roll = 0.4, .pitch = pitch, .yaw = 1.0});
     const TaitBryan angles = TaitBryanFromRotation(R);
@@ -64,7 +64,7 @@ TEST(TaitBryan, SetsRollToZeroWhereItCannotBeToldFromYaw) {
   }
 }
 
-TEST(WrapToPi, LandsInItsHalfOpenInterval) {
+TEST(WrapToPi, StaysInItsHalfOpenInterval) {
   EXPECT_EQ(WrapToPi(0.0), 0.0);
   EXPECT_EQ(WrapToPi(kPi), kPi);
   EXPECT_EQ(WrapToPi(-kPi), kPi);
@@ -77,7 +77,7 @@ TEST(WrapToPi, LandsInItsHalfOpenInterval) {
   }
 }
 
-TEST(WrapToHalfPi, KeepsTheDirectionOfALineWithoutAnArrow) {
+TEST(WrapToHalfPi, PreservesTheAngleModuloPi) {
   EXPECT_EQ(WrapToHalfPi(kPi / 2.0), kPi / 2.0);
   EXPECT_EQ(WrapToHalfPi(-kPi / 2.0), kPi / 2.0);
   for (double angle = -40.0; angle < 40.0; angle += 0.0173) {
@@ -89,7 +89,7 @@ TEST(WrapToHalfPi, KeepsTheDirectionOfALineWithoutAnArrow) {
   }
 }
 
-TEST(ShortestRotation, TakesOneVectorOntoTheOtherAndLeavesTheirNormalAlone) {
+TEST(ShortestRotation, RotatesOneVectorOntoTheOtherAboutTheirNormal) {
   RandomStream random(1, "test");
   for (int i = 0; i < 200; ++i) {
     const Vector3d from = UnitVector(random), to = UnitVector(random);
@@ -100,17 +100,17 @@ TEST(ShortestRotation, TakesOneVectorOntoTheOtherAndLeavesTheirNormalAlone) {
   }
 }
 
-TEST(ShortestRotation, IsWellBehavedForEqualAndOppositeVectors) {
+TEST(ShortestRotation, HandlesEqualAndOppositeVectors) {
   const Vector3d up = Vector3d::UnitZ();
   EXPECT_TRUE(ShortestRotation(up, up).isApprox(Matrix3d::Identity(), 1e-15));
-  const Matrix3d over = ShortestRotation(up, -up);
-  EXPECT_TRUE(IsRotation(over));
-  EXPECT_TRUE((over * up).isApprox(-up, 1e-12));
+  const Matrix3d opposite = ShortestRotation(up, -up);
+  EXPECT_TRUE(IsRotation(opposite));
+  EXPECT_TRUE((opposite * up).isApprox(-up, 1e-12));
   const Vector3d nearly = Vector3d(1e-9, 0.0, 1.0).normalized();
   EXPECT_NEAR((ShortestRotation(up, nearly) * up).x(), 1e-9, 1e-12);
 }
 
-TEST(RotationExp, TurnsAboutItsVectorByItsLength) {
+TEST(RotationExp, RotatesAboutItsVectorByItsNorm) {
   EXPECT_EQ(RotationExp(Vector3d::Zero()), Matrix3d::Identity());
   EXPECT_TRUE(RotationExp({0.0, 0.0, 0.3}).isApprox(RotationFromTaitBryan({.yaw = 0.3}), 1e-15));
   EXPECT_NEAR(RotationExp({1e-12, 0.0, 0.0})(2, 1), 1e-12, 1e-20);

@@ -17,7 +17,7 @@ TEST(BilinearGray, IsExactForAPlane) {
   }
 }
 
-TEST(IsBetweenPixels, HoldsFromTheFirstPixelUpToTheLast) {
+TEST(IsBetweenPixels, IsTrueFromTheFirstPixelToTheLast) {
   const Image image(5, 4);
   EXPECT_TRUE(IsBetweenPixels(image.View(), {0.0, 0.0}));
   EXPECT_TRUE(IsBetweenPixels(image.View(), {3.99, 2.99}));

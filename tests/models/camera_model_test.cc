@@ -28,7 +28,7 @@ CameraModel WithDistortion(double k1, double k2) {
   return camera;
 }
 
-TEST(CameraModel, IsNinetyDegreesWideByDefault) {
+TEST(CameraModel, HasAFieldOfViewOf90DegreesByDefault) {
   const CameraModel camera = Pinhole();
   EXPECT_NEAR(camera.Ray({-0.5, 239.5})->x() / camera.Ray({-0.5, 239.5})->z(), -1.0, 1e-12);
   EXPECT_NEAR(camera.Ray({639.5, 239.5})->x() / camera.Ray({639.5, 239.5})->z(), 1.0, 1e-12);
@@ -47,12 +47,12 @@ TEST(CameraModel, DistortsByTheTwoRadialTerms) {
   EXPECT_TRUE(camera.Project({0.6, -0.8, 1.0})->isApprox(Vector2d(319.5 + 320.0 * 0.51, 239.5 - 320.0 * 0.68)));
 }
 
-TEST(CameraModel, DoesNotProjectWhatLiesBehindIt) {
+TEST(CameraModel, DoesNotProjectPointsBehindTheCamera) {
   EXPECT_FALSE(CameraModel{}.Project({0.1, 0.1, -1.0}));
   EXPECT_FALSE(CameraModel{}.Project({0.1, 0.1, 0.0}));
 }
 
-TEST(CameraModel, DoesNotProjectWhereTheDistortionFolds) {
+TEST(CameraModel, DoesNotProjectBeyondTheMonotonicRadius) {
   const CameraModel camera = WithDistortion(-0.1, 0.0);
   const double r = camera.MonotonicRadius();
   EXPECT_NEAR(r, std::sqrt(1.0 / 0.3), 1e-12);
@@ -60,7 +60,7 @@ TEST(CameraModel, DoesNotProjectWhereTheDistortionFolds) {
   EXPECT_FALSE(camera.Project({1.001 * r, 0.0, 1.0}));
 }
 
-TEST(CameraModel, KnowsHowFarItsDistortionGrows) {
+TEST(CameraModel, ComputesTheMonotonicRadius) {
   EXPECT_TRUE(std::isinf(Pinhole().MonotonicRadius()));
   EXPECT_TRUE(std::isinf(WithDistortion(0.1, 0.0).MonotonicRadius()));
   EXPECT_TRUE(std::isinf(WithDistortion(-0.283, 0.074).MonotonicRadius()));
@@ -77,7 +77,7 @@ TEST(CameraModel, KnowsHowFarItsDistortionGrows) {
 
 class DistortionRoundTrip : public ::testing::TestWithParam<std::pair<double, double>> {};
 
-TEST_P(DistortionRoundTrip, HoldsOverTheWholeImage) {
+TEST_P(DistortionRoundTrip, IsExactOverTheWholeImage) {
   const CameraModel camera = WithDistortion(GetParam().first, GetParam().second);
   for (double u = -0.5; u <= 639.5; u += 10.0) {
     for (double v = -0.5; v <= 479.5; v += 10.0) {
@@ -91,7 +91,7 @@ TEST_P(DistortionRoundTrip, HoldsOverTheWholeImage) {
   }
 }
 
-/// The radius whose distortion is `distorted`, by bisection within where it grows.
+/// Radius whose distorted radius is `distorted`, by bisection below the monotonic radius.
 double Bisect(const CameraModel& camera, double distorted) {
   double low = 0.0, high = std::min(camera.MonotonicRadius(), 1e3);
   for (int i = 0; i < 200; ++i) {
@@ -101,7 +101,7 @@ double Bisect(const CameraModel& camera, double distorted) {
   return 0.5 * (low + high);
 }
 
-TEST_P(DistortionRoundTrip, NewtonFindsWhatBisectionFinds) {
+TEST_P(DistortionRoundTrip, NewtonAgreesWithBisection) {
   const CameraModel camera = WithDistortion(GetParam().first, GetParam().second);
   const double corner = camera.NormalizedFromPixel({-0.5, -0.5}).norm();
   for (double distorted = 0.0; distorted <= corner; distorted += corner / 500.0) {
@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(Lenses, DistortionRoundTrip,
                          ::testing::Values(std::pair(0.0, 0.0), std::pair(-0.10, 0.01), std::pair(-0.283, 0.074),
                                            std::pair(0.15, 0.02), std::pair(-0.09, 0.0), std::pair(0.3, -0.03)));
 
-/// Typical calibrations of consumer cameras, tangential and third radial terms and all.
+/// Typical calibrations of consumer cameras, including tangential and third radial terms.
 std::vector<CameraModel> RealLenses() {
   CameraModel phone, wide, action;
   phone.fx_px = phone.fy_px = 520.0;
@@ -125,7 +125,7 @@ std::vector<CameraModel> RealLenses() {
   return {phone, wide, action};
 }
 
-TEST(CameraModel, DistortsByTangentialTermsAndTheThirdRadialOne) {
+TEST(CameraModel, DistortsByTangentialAndThirdRadialTerms) {
   CameraModel camera = WithDistortion(0.1, 0.2);
   camera.p1 = 0.01;
   camera.p2 = -0.02;
@@ -136,7 +136,7 @@ TEST(CameraModel, DistortsByTangentialTermsAndTheThirdRadialOne) {
   EXPECT_TRUE(camera.Distort(ideal).isApprox(1.0421875 * ideal + tangential, 1e-14));
 }
 
-TEST(CameraModel, UndoesTheDistortionOfRealLensesOverTheWholeImage) {
+TEST(CameraModel, UndistortsRealLensesOverTheWholeImage) {
   for (const CameraModel& camera : RealLenses()) {
     ASSERT_NO_THROW(camera.Validate());
     for (double u = -0.5; u <= 639.5; u += 20.0) {
@@ -149,7 +149,7 @@ TEST(CameraModel, UndoesTheDistortionOfRealLensesOverTheWholeImage) {
   }
 }
 
-TEST(CameraModel, KnowsHowFarADistortionWithAThirdTermGrows) {
+TEST(CameraModel, ComputesTheMonotonicRadiusWithAThirdRadialTerm) {
   for (const double k3 : {-0.02, -0.2, -1.0, 0.3}) {
     CameraModel camera = WithDistortion(-0.25, 0.09);
     camera.k3 = k3;
@@ -163,7 +163,7 @@ TEST(CameraModel, KnowsHowFarADistortionWithAThirdTermGrows) {
   }
 }
 
-TEST(CameraModel, HasNoIdealPointBeyondTheFold) {
+TEST(CameraModel, UndistortReturnsNulloptBeyondTheMonotonicRange) {
   const CameraModel camera = WithDistortion(-0.1, 0.0);
   const double edge = camera.Distort({camera.MonotonicRadius(), 0.0}).x();
   EXPECT_TRUE(camera.Undistort({0.999 * edge, 0.0}));
@@ -171,7 +171,7 @@ TEST(CameraModel, HasNoIdealPointBeyondTheFold) {
   EXPECT_EQ(*camera.Undistort({0.0, 0.0}), Vector2d::Zero());
 }
 
-TEST(CameraModel, ContainsWhatLiesOnAPixel) {
+TEST(CameraModel, ContainsPointsOnItsPixels) {
   const CameraModel camera;
   EXPECT_TRUE(camera.Contains({-0.5, -0.5}));
   EXPECT_TRUE(camera.Contains({639.5, 479.5}));
@@ -181,13 +181,13 @@ TEST(CameraModel, ContainsWhatLiesOnAPixel) {
   EXPECT_FALSE(camera.Contains({10.0, 479.51}));
 }
 
-TEST(CameraModelValidate, TakesWhatIsPossible) {
+TEST(CameraModelValidate, AcceptsValidCameras) {
   EXPECT_NO_THROW(CameraModel{}.Validate());
   EXPECT_NO_THROW(WithDistortion(-0.283, 0.074).Validate());
   EXPECT_NO_THROW((CameraModel{.width_px = 1, .height_px = 1, .cx_px = 0.0, .cy_px = 0.0}.Validate()));
 }
 
-TEST(CameraModelValidate, RefusesWhatIsNot) {
+TEST(CameraModelValidate, RejectsInvalidCameras) {
   const std::vector<std::function<void(CameraModel&)>> faults = {
       [](CameraModel& c) { c.width_px = 0; },
       [](CameraModel& c) { c.height_px = -480; },

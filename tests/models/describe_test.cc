@@ -58,7 +58,7 @@ TEST(ValidateConfig, AcceptsValuesWithinTheirRanges) {
   EXPECT_NO_THROW(ValidateConfig(With([](Cart& c) { c.speed_m_s = 0.05; })));
 }
 
-TEST(ValidateConfig, NamesTheKeyTheRangeAndTheValue) {
+TEST(ValidateConfig, ReportsKeyRangeAndValue) {
   const struct {
     std::function<void(Cart&)> change;
     const char* message;
@@ -78,14 +78,14 @@ TEST(ValidateConfig, NamesTheKeyTheRangeAndTheValue) {
   }
 }
 
-TEST(ValidateConfig, RunsTheChecksThatSpanKeys) {
+TEST(ValidateConfig, RunsChecksAcrossKeys) {
   EXPECT_THAT([] { ValidateConfig(With([](Cart& c) { c.payload_kg = 21.0; })); },
               ThrowsMessage<InputError>(StrEq("payload_kg: must not be above mass_kg")));
   EXPECT_THAT([] { ValidateConfig(With([](Cart& c) { c.spares.resize(5); })); },
               ThrowsMessage<InputError>(StrEq("too many wheels")));
 }
 
-TEST(Range, IsASentence) {
+TEST(Range, FormatsItsRequirement) {
   EXPECT_EQ(Between(-0.0001, 36000.0).Sentence(), "must be from -0.0001 to 36000");
   EXPECT_EQ(Between(3, 3).Sentence(), "must be 3");
   EXPECT_EQ(Range{.max = 1e-5}.Sentence(), "must be at most 1e-05");

@@ -13,7 +13,7 @@
 namespace touchdown::models {
 namespace {
 
-TEST(LandingPad, IsAnA4SheetWithARingOfNinetyMillimeters) {
+TEST(LandingPad, HasAnA4SheetAndA90MillimeterRingByDefault) {
   const LandingPad pad;
   EXPECT_NO_THROW(pad.Validate());
   EXPECT_EQ(pad.outer_radius_m, 0.090);
@@ -21,7 +21,7 @@ TEST(LandingPad, IsAnA4SheetWithARingOfNinetyMillimeters) {
   EXPECT_EQ(pad.sheet_width_m, 0.210);
 }
 
-/// A disc beside the H, and a bar that lies over the end of one of its strokes.
+/// Pad with a disc next to the H and a bar over the end of one of its strokes.
 LandingPad MarkedPad() {
   LandingPad pad;
   pad.marks = {{.shape = PadMarking::Shape::kDisc, .center_m = {0.02, 0.05}, .diameter_m = 0.01},
@@ -29,7 +29,7 @@ LandingPad MarkedPad() {
   return pad;
 }
 
-TEST(LandingPad, HasARectangleWhereItsStrokesMeet) {
+TEST(LandingPad, HasARectangleWhenItsStrokesMeet) {
   EXPECT_EQ(LandingPad().letter(), PadLetter::kH);
   LandingPad pad;
   pad.h_stroke_m = 0.028;
@@ -37,7 +37,7 @@ TEST(LandingPad, HasARectangleWhereItsStrokesMeet) {
   EXPECT_EQ(pad.letter(), PadLetter::kRectangle);
 }
 
-TEST(LandingPad, HasARectangleOfAnyWidthWhoseHalfIsRounded) {
+TEST(LandingPad, HasARectangleWhenHalfItsWidthIsRounded) {
   for (int i = 1; i < 2000; ++i) {
     LandingPad pad;
     pad.h_width_m = 1e-5 * i * 3.1;
@@ -47,11 +47,11 @@ TEST(LandingPad, HasARectangleOfAnyWidthWhoseHalfIsRounded) {
       EXPECT_NO_THROW(pad.Validate());
     }
     pad.h_stroke_m = 0.5 * (pad.h_width_m - 1e-6);
-    EXPECT_EQ(pad.letter(), PadLetter::kH) << "a micrometer apart";
+    EXPECT_EQ(pad.letter(), PadLetter::kH) << "strokes 1 micrometer apart";
   }
 }
 
-TEST(LandingPadValidate, RefusesAMarkThatIsNotWithinItsRing) {
+TEST(LandingPadValidate, RejectsAMarkingOutsideItsRing) {
   LandingPad pad = MarkedPad();
   pad.marks[0].center_m = {0.0, 0.069};
   EXPECT_THROW(pad.Validate(), InputError);
@@ -62,7 +62,7 @@ TEST(LandingPadValidate, RefusesAMarkThatIsNotWithinItsRing) {
   EXPECT_NO_THROW(pad.Validate());
 }
 
-TEST(LandingPadValidate, RefusesWhatCannotBePrinted) {
+TEST(LandingPadValidate, RejectsImpossibleDimensions) {
   const std::vector<std::function<void(LandingPad&)>> faults = {
       [](LandingPad& p) { p.outer_radius_m = 0.0; },
       [](LandingPad& p) { p.ring_width_m = -0.01; },
@@ -83,7 +83,7 @@ TEST(LandingPadValidate, RefusesWhatCannotBePrinted) {
   }
 }
 
-TEST(ResolveYawAmbiguity, TurnsThePoseAboutThePadWhenItsYawIsHalfATurnAway) {
+TEST(ResolveYawAmbiguity, RotatesThePoseBy180DegreesWhenThatYawIsNearer) {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   X_WB.translation() << 0.3, -0.2, 1.0;
   X_WB.linear() = RotationFromTaitBryan({0.1, -0.05, DegToRad(80)});

@@ -5,7 +5,7 @@
 namespace touchdown::models {
 namespace {
 
-TEST(OrderStatistic, IsTheValueAtAPlaceOfTheSortedOnes) {
+TEST(OrderStatistic, ReturnsTheValueOfARank) {
   const std::vector<double> values{3.0, 1.0, 2.0, 1.0};
   for (const auto& [rank, value] : {std::pair(0, 1.0), {1, 1.0}, {2, 2.0}, {3, 3.0}}) {
     EXPECT_EQ(OrderStatistic(values, static_cast<std::size_t>(rank)), value) << rank;

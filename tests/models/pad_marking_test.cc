@@ -24,8 +24,8 @@ PadMarking Bar() {
   return {.shape = Shape::kBar, .center_m = {-0.02, 0.05}, .length_m = 0.02, .width_m = 0.004, .angle_deg = 30.0};
 }
 
-TEST(PadMarkingValidate, TakesWhatLiesWithinTheRing) {
-  for (const PadMarking& mark : {Disc(), Bar()}) EXPECT_NO_THROW(mark.Validate(kRing_m));
+TEST(PadMarkingValidate, AcceptsMarkingsWithinTheRing) {
+  for (const PadMarking& marking : {Disc(), Bar()}) EXPECT_NO_THROW(marking.Validate(kRing_m));
   PadMarking disc = Disc();
   disc.center_m = {0.0, -0.0689};
   EXPECT_NO_THROW(disc.Validate(kRing_m));
@@ -35,7 +35,7 @@ TEST(PadMarkingValidate, TakesWhatLiesWithinTheRing) {
   EXPECT_NO_THROW(bar.Validate(kRing_m));
 }
 
-TEST(PadMarkingValidate, RefusesWhatCannotBePrintedWithinTheRing) {
+TEST(PadMarkingValidate, RejectsMarkingsThatDoNotFitInTheRing) {
   const double infinity = std::numeric_limits<double>::infinity();
   const std::vector<std::pair<PadMarking, std::function<void(PadMarking&)>>> faults = {
       {Disc(), [](PadMarking& m) { m.diameter_m = 0.0; }},
@@ -54,13 +54,13 @@ TEST(PadMarkingValidate, RefusesWhatCannotBePrintedWithinTheRing) {
        [](PadMarking& m) {
          m.center_m = {0.1, 0.0};
        }},
-      // Its ends lie within the ring, its corners do not.
+      // The ends of the bar are within the ring, its corners are not.
       {Bar(), [](PadMarking& m) { m = {.shape = Shape::kBar, .length_m = 0.1479, .width_m = 0.01}; }},
   };
   for (std::size_t i = 0; i < faults.size(); ++i) {
-    PadMarking mark = faults[i].first;
-    faults[i].second(mark);
-    EXPECT_THROW(mark.Validate(kRing_m), InputError) << "fault " << i;
+    PadMarking marking = faults[i].first;
+    faults[i].second(marking);
+    EXPECT_THROW(marking.Validate(kRing_m), InputError) << "fault " << i;
   }
 }
 

@@ -18,8 +18,8 @@ LandingPad PadWithRectangle() {
   return pad;
 }
 
-/// A disc beside the H, a bar over the end of one of its strokes, a rotated bar.
-LandingPad PadWithMarks() {
+/// Pad with a disc next to the H, a bar over the end of one of its strokes and a rotated bar.
+LandingPad PadWithMarkings() {
   LandingPad pad;
   pad.marks = {{.shape = PadMarking::Shape::kDisc, .center_m = {0.02, 0.05}, .diameter_m = 0.01},
                {.shape = PadMarking::Shape::kBar, .center_m = {0.05, 0.02}, .length_m = 0.03, .width_m = 0.004},
@@ -41,7 +41,7 @@ double SignedArea(const Polygon& polygon) {
   return 0.5 * twice;
 }
 
-TEST(PadOutline, IsBlackOnTheRingAllTheWayRound) {
+TEST(PadOutline, IsBlackOnTheWholeRing) {
   const LandingPad pad;
   const PadOutline outline(pad);
   for (double angle = 0.0; angle < 2.0 * kPi; angle += 0.1) {
@@ -80,7 +80,7 @@ TEST(PadOutline, IsBlackOnEveryBorder) {
   }
 }
 
-TEST(PadOutline, LooksTheSameFromTheOtherSide) {
+TEST(PadOutline, IsSymmetricUnderHalfATurn) {
   const PadOutline outline({});
   for (double x = -0.1; x <= 0.1; x += 0.0037) {
     for (double y = -0.1; y <= 0.1; y += 0.0037) {
@@ -90,7 +90,7 @@ TEST(PadOutline, LooksTheSameFromTheOtherSide) {
   }
 }
 
-TEST(PadOutline, HasTheInkOfRingAndH) {
+TEST(PadOutline, HasTheBlackAreaOfRingAndH) {
   const PadOutline outline({});
   constexpr double kStep_m = 0.0005;
   double black = 0.0;
@@ -104,8 +104,8 @@ TEST(PadOutline, HasTheInkOfRingAndH) {
   EXPECT_NEAR(black, ring + letter, 0.01 * (ring + letter));
 }
 
-TEST(PadOutline, IsBlackOnTheMarksToo) {
-  const PadOutline marked(PadWithMarks()), plain({});
+TEST(PadOutline, IsBlackOnMarkings) {
+  const PadOutline marked(PadWithMarkings()), plain({});
   const Vector2d along(std::cos(DegToRad(30.0)), 0.5), across(-0.5, std::cos(DegToRad(30.0)));
   for (double x = -0.1; x <= 0.1; x += 0.0007) {
     for (double y = -0.1; y <= 0.1; y += 0.0007) {
@@ -118,8 +118,8 @@ TEST(PadOutline, IsBlackOnTheMarksToo) {
   }
 }
 
-TEST(PadOutline, SeparatesTheLetterFromRingAndMarks) {
-  const PadOutline marked(PadWithMarks()), plain({});
+TEST(PadOutline, SeparatesTheLetterFromRingAndMarkings) {
+  const PadOutline marked(PadWithMarkings()), plain({});
   EXPECT_TRUE(marked.IsLetter({0.0, 0.0}));
   EXPECT_TRUE(marked.IsLetter({0.049, 0.02})) << "under the bar";
   EXPECT_FALSE(marked.IsLetter({0.051, 0.02})) << "on the bar alone";
@@ -130,7 +130,7 @@ TEST(PadOutline, SeparatesTheLetterFromRingAndMarks) {
   }
 }
 
-TEST(PadOutline, HasOneRectangleWhereTheStrokesMeet) {
+TEST(PadOutline, HasOneRectangleWhenTheStrokesMeet) {
   const PadOutline outline(PadWithRectangle());
   for (double x = -0.06; x <= 0.06; x += 0.0005) {
     for (double y = -0.06; y <= 0.06; y += 0.0005) {
@@ -140,7 +140,7 @@ TEST(PadOutline, HasOneRectangleWhereTheStrokesMeet) {
   EXPECT_TRUE(outline.IsLetter({0.049, 0.0})) << "where the strokes meet";
 }
 
-TEST(PadOutline, HasARectangleWhereTheStrokesMeetButForARounding) {
+TEST(PadOutline, HasARectangleWhenTheStrokesMeetUpToRounding) {
   LandingPad pad;
   for (int i = 1; i < 2000; ++i) {
     pad.h_width_m = 1e-5 * i * 3.1;
@@ -151,8 +151,8 @@ TEST(PadOutline, HasARectangleWhereTheStrokesMeetButForARounding) {
   }
 }
 
-TEST(PadOutline, ListsItsShapesInTheOrderOfPrinting) {
-  const LandingPad pad = PadWithMarks();
+TEST(PadOutline, ListsItsShapesInPrintingOrder) {
+  const LandingPad pad = PadWithMarkings();
   const PadOutline outline(pad);
   const auto& shapes = outline.shapes();
   ASSERT_EQ(shapes.size(), 4u + pad.marks.size());
@@ -166,7 +166,7 @@ TEST(PadOutline, ListsItsShapesInTheOrderOfPrinting) {
   for (std::size_t i = 3; i < shapes.size(); ++i) EXPECT_EQ(shapes[i].color, Color::kBlack);
 }
 
-TEST(PadOutline, HasALetterWhoseCornersRunCounterClockwise) {
+TEST(PadOutline, ListsTheLettersCornersCounterClockwise) {
   const LandingPad pad;
   const double area = 2.0 * pad.h_height_m * pad.h_stroke_m + (pad.h_width_m - 2.0 * pad.h_stroke_m) * pad.h_stroke_m;
   EXPECT_EQ(PadOutline(pad).letter().corners_m.size(), 12u);
@@ -176,7 +176,7 @@ TEST(PadOutline, HasALetterWhoseCornersRunCounterClockwise) {
   EXPECT_NEAR(SignedArea(PadOutline(solid).letter()), solid.h_height_m * solid.h_width_m, 1e-12);
 }
 
-TEST(PadOutline, HasPointsBetweenTheHsBlackAndWhite) {
+TEST(PadOutline, PutsPointsOnTheBorderBetweenBlackAndWhite) {
   const PadOutline outline({});
   constexpr double kStep_m = 1e-6;
   const auto points = outline.PointsAlongLetter(0.001);
@@ -190,7 +190,7 @@ TEST(PadOutline, HasPointsBetweenTheHsBlackAndWhite) {
   }
 }
 
-TEST(PadOutline, HasPointsThatMirrorEachOther) {
+TEST(PadOutline, PutsPointsSymmetricallyAboutBothAxes) {
   for (const LandingPad& pad : {LandingPad(), PadWithRectangle()}) {
     const auto points = PadOutline(pad).PointsAlongLetter(0.001);
     for (const Vector2d& p : points) {
@@ -200,7 +200,7 @@ TEST(PadOutline, HasPointsThatMirrorEachOther) {
   }
 }
 
-TEST(PadOutline, HasPointsAllTheWayRoundTheH) {
+TEST(PadOutline, PutsPointsAroundTheWholeH) {
   const LandingPad pad;
   constexpr double kSpacing_m = 0.0005;
   const double length = 4.0 * pad.h_height_m + 2.0 * pad.h_width_m - 2.0 * pad.h_stroke_m;
@@ -208,7 +208,7 @@ TEST(PadOutline, HasPointsAllTheWayRoundTheH) {
   EXPECT_NEAR(count * kSpacing_m, length, 0.02 * length);
 }
 
-TEST(PadOutline, HasPointsOnTheFourSidesOfARectangle) {
+TEST(PadOutline, PutsPointsOnTheFourSidesOfARectangle) {
   const LandingPad pad = PadWithRectangle();
   const PadOutline outline(pad);
   constexpr double kSpacing_m = 0.0005;
@@ -230,7 +230,7 @@ TEST(PadOutline, MeasuresTheDistanceOfAPointFromTheLetter) {
   EXPECT_NEAR(outline.DistanceFromLetter({0.0, 0.0}), pad.h_stroke_m / 2.0, 1e-12) << "in the bar's middle";
   EXPECT_NEAR(outline.DistanceFromLetter({0.03, 0.0}), y - pad.h_stroke_m, 1e-12) << "between the strokes";
   const PadOutline solid(PadWithRectangle());
-  EXPECT_NEAR(solid.DistanceFromLetter({0.0, 0.0}), y, 1e-12) << "in its middle there is no edge";
+  EXPECT_NEAR(solid.DistanceFromLetter({0.0, 0.0}), y, 1e-12) << "center of a rectangle";
   EXPECT_NEAR(solid.DistanceFromLetter({x + 0.003, y + 0.004}), 0.005, 1e-12);
 }
 
@@ -256,7 +256,8 @@ TEST(PadOutline, FindsTheNarrowestStripe) {
               }),
               0.012, 1e-12)
       << "a solid rectangle";
-  EXPECT_NEAR(narrowest([](LandingPad& p) { p.marks = PadWithMarks().marks; }), 0.016, 1e-12) << "marks do not count";
+  EXPECT_NEAR(narrowest([](LandingPad& p) { p.marks = PadWithMarkings().marks; }), 0.016, 1e-12)
+      << "markings are ignored";
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ Eigen::Isometry3d PoseOf(const Eigen::Vector3d& rotation_vector, const Eigen::Ve
   return X;
 }
 
-TEST(InterpolatePose, MovesStraightAndTurnsAboutOneAxisAtAConstantRate) {
+TEST(InterpolatePose, MovesStraightAndRotatesAboutOneAxisAtAConstantRate) {
   const Eigen::Isometry3d from = PoseOf({0.2, -0.1, 0.5}, {1, 2, 3}), to = PoseOf({-0.4, 0.3, 2.0}, {2, 0, 3});
   EXPECT_TRUE(InterpolatePose(from, to, 0.0).isApprox(from));
   EXPECT_TRUE(InterpolatePose(from, to, 1.0).isApprox(to));
@@ -24,7 +24,7 @@ TEST(InterpolatePose, MovesStraightAndTurnsAboutOneAxisAtAConstantRate) {
   EXPECT_TRUE(RotationLog(from.linear().transpose() * between.linear()).isApprox(0.25 * whole));
 }
 
-TEST(InterpolatePose, TurnsTheShorterWay) {
+TEST(InterpolatePose, RotatesByTheSmallerAngle) {
   const Eigen::Isometry3d from = PoseOf({0, 0, 3.0}, {0, 0, 0}), to = PoseOf({0, 0, -3.0}, {0, 0, 0});
   EXPECT_NEAR(std::abs(TaitBryanFromRotation(InterpolatePose(from, to, 0.5).linear()).yaw), kPi, 1e-9);
 }

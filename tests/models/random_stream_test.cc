@@ -10,7 +10,8 @@
 namespace touchdown::models {
 namespace {
 
-/// From an implementation of its own, of SplitMix64 and of the 64-bit Mersenne twister, in another language.
+/// Expected values are from an independent implementation of SplitMix64 and the 64-bit Mersenne twister in another
+/// language.
 TEST(RandomStream, GivesTheSameBitsEverywhere) {
   RandomStream imu(1, "imu.noise"), scene(42, "scene"), nameless(0, "");
   EXPECT_EQ(imu.Bits(), 0x1b7867232b0a31cbULL);
@@ -21,7 +22,7 @@ TEST(RandomStream, GivesTheSameBitsEverywhere) {
   EXPECT_EQ(nameless.Bits(), 0xe472a21d82b9e8c8ULL);
 }
 
-TEST(RandomStream, IsItsOwnForEverySeedAndName) {
+TEST(RandomStream, DiffersForEverySeedAndName) {
   std::set<std::uint64_t> first;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     for (const std::string name : {"imu", "imu.noise", "imu.bias", "scene", "wind", "a", "b", "ab", "ba"}) {
@@ -59,7 +60,7 @@ TEST(RandomStream, IsUniformOverItsInterval) {
   EXPECT_LT(chi2, 45.0) << "19 degrees of freedom";
 }
 
-TEST(RandomStream, DrawsEveryIntegerOfItsRangeAlike) {
+TEST(RandomStream, DrawsEveryIntegerWithEqualProbability) {
   RandomStream random(2, "test");
   std::array<int, 7> counts{};
   for (int i = 0; i < 70000; ++i) {

@@ -7,7 +7,7 @@
 namespace touchdown::models {
 namespace {
 
-TEST(TimeBase, CountsTwelveHundredTicksToTheSecond) {
+TEST(TimeBase, Has1200TicksPerSecondByDefault) {
   const TimeBase time;
   EXPECT_EQ(time.FromSeconds(1.0), 1200);
   EXPECT_EQ(time.ToSeconds(600), 0.5);
@@ -22,20 +22,20 @@ TEST(TimeBase, RoundsToTheNearestTickOnBothSidesOfZero) {
   EXPECT_EQ(time.FromSeconds(-0.6 / 1200.0), -1);
 }
 
-TEST(TimeBase, BringsEveryTickBack) {
+TEST(TimeBase, RoundTripsTicksThroughSeconds) {
   for (const int ticks_per_s : {100, 1000, 1200, 44100}) {
     const TimeBase time{.ticks_per_s = ticks_per_s};
     for (Tick tick = -50000; tick < 5000000; tick += 997) ASSERT_EQ(time.FromSeconds(time.ToSeconds(tick)), tick);
   }
 }
 
-TEST(TimeBase, TakesForeverAsATimeThatNeverComes) {
+TEST(TimeBase, ClampsVeryLargeTimes) {
   const TimeBase time;
   EXPECT_EQ(time.FromSeconds(1e300), 1'000'000'000'000'000);
   EXPECT_EQ(time.FromSeconds(-1e300), -1'000'000'000'000'000);
 }
 
-TEST(TimeBase, GivesThePeriodsOfTheSensors) {
+TEST(TimeBase, ComputesThePeriodsOfTheSensors) {
   const TimeBase time;
   EXPECT_EQ(time.PeriodOf(200), 6);
   EXPECT_EQ(time.PeriodOf(100), 12);
@@ -43,12 +43,12 @@ TEST(TimeBase, GivesThePeriodsOfTheSensors) {
   EXPECT_EQ(time.PeriodOf(1200), 1);
 }
 
-TEST(TimeBase, RefusesARateThatDoesNotDivideTheTicks) {
+TEST(TimeBase, RejectsARateThatDoesNotDivideTheTicks) {
   const TimeBase time;
   for (const int rate_hz : {0, -60, 7, 90, 2400}) EXPECT_THROW(time.PeriodOf(rate_hz), InputError) << rate_hz;
 }
 
-TEST(TimeBase, CountsWholeNanosecondsAndFindsTheTickAgain) {
+TEST(TimeBase, RoundTripsTicksThroughNanoseconds) {
   const TimeBase time;
   EXPECT_EQ(time.ToNanoseconds(1), 833333);
   EXPECT_EQ(time.ToNanoseconds(1200), 1'000'000'000);

@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const double kNan = std::nan("");
 
-TEST(Vehicle, IsThePapersByDefault) {
+TEST(Vehicle, HasThePapersParametersByDefault) {
   const Vehicle vehicle;
   EXPECT_NO_THROW(vehicle.Validate());
   EXPECT_EQ(vehicle.mass_kg, 1.2);
@@ -28,7 +28,7 @@ TEST(Vehicle, IsThePapersByDefault) {
       << "lifts 400 g of payload with a margin";
 }
 
-TEST(Vehicle, HasItsRotorsAtTheEndsOfAnX) {
+TEST(Vehicle, HasRotorsInXConfiguration) {
   const Vehicle vehicle;
   const double d = 0.2 / std::sqrt(2.0);
   EXPECT_TRUE(vehicle.RotorPosition(0).isApprox(Vector3d(d, d, 0.03))) << "front left";
@@ -38,7 +38,7 @@ TEST(Vehicle, HasItsRotorsAtTheEndsOfAnX) {
   EXPECT_LT(vehicle.rotor.propeller_diameter_m, 2.0 * d) << "propellers do not touch";
 }
 
-TEST(Vehicle, SpinsNeighboringRotorsOppositeWays) {
+TEST(Vehicle, SpinsNeighboringRotorsInOppositeDirections) {
   for (int i = 0; i < kRotorCount; ++i) {
     EXPECT_EQ(Vehicle::DragTorqueSign(i), -Vehicle::DragTorqueSign((i + 1) % kRotorCount));
   }
@@ -53,11 +53,11 @@ TEST(Rotor, InvertsItsThrust) {
   EXPECT_EQ(rotor.SpeedFor(-1.0), 0.0);
 }
 
-TEST(Vehicle, HoversOnAQuarterOfItsWeightARotor) {
+TEST(Vehicle, HoversWithAQuarterOfItsWeightPerRotor) {
   EXPECT_NEAR(kRotorCount * Vehicle{}.HoverThrustPerRotor(), 1.2 * 9.81, 1e-12);
 }
 
-TEST(Vehicle, CarriesACameraThatLooksDownWithTheImagesUpForward) {
+TEST(Vehicle, HasACameraThatLooksDownWithTheImagesTopForward) {
   const Eigen::Isometry3d X_BC = Vehicle{}.X_BC();
   EXPECT_TRUE((X_BC.linear() * Vector3d::UnitZ()).isApprox(-Vector3d::UnitZ())) << "looks down";
   EXPECT_TRUE((X_BC.linear() * -Vector3d::UnitY()).isApprox(Vector3d::UnitX())) << "up is forward";
@@ -66,7 +66,7 @@ TEST(Vehicle, CarriesACameraThatLooksDownWithTheImagesUpForward) {
   EXPECT_EQ(X_BC.translation(), Vector3d(0.0, 0.0, -0.05));
 }
 
-TEST(Vehicle, TurnsASensorByItsMisalignmentInTheBody) {
+TEST(Vehicle, RotatesASensorByItsMisalignmentInTheBody) {
   Vehicle vehicle;
   vehicle.camera.misalignment_deg.pitch = RadToDeg(0.1);
   vehicle.imu = {.position_m = {0.01, 0.02, 0.03}, .misalignment_deg = {.roll = RadToDeg(0.2)}};
@@ -82,7 +82,7 @@ struct Fault {
   std::function<void(Vehicle&)> make;
 };
 
-TEST(VehicleValidate, RefusesEveryQuantityThatMustBePositive) {
+TEST(VehicleValidate, RejectsNonpositiveQuantitiesThatMustBePositive) {
   const std::vector<std::function<double&(Vehicle&)>> quantities = {
       [](Vehicle& v) -> double& { return v.mass_kg; },
       [](Vehicle& v) -> double& { return v.inertia_kg_m2.x(); },
@@ -107,7 +107,7 @@ TEST(VehicleValidate, RefusesEveryQuantityThatMustBePositive) {
   }
 }
 
-TEST(VehicleValidate, RefusesNumbersThatAreNotFinite) {
+TEST(VehicleValidate, RejectsNumbersThatAreNotFinite) {
   const std::vector<std::function<double&(Vehicle&)>> quantities = {
       [](Vehicle& v) -> double& { return v.rotor_height_m; },
       [](Vehicle& v) -> double& { return v.rotor.min_speed_rad_s; },
@@ -127,18 +127,18 @@ TEST(VehicleValidate, RefusesNumbersThatAreNotFinite) {
   }
 }
 
-TEST(VehicleValidate, RefusesWhatCannotFly) {
+TEST(VehicleValidate, RejectsVehiclesThatCannotFly) {
   const std::vector<Fault> faults = {
       {"negative linear drag", [](Vehicle& v) { v.linear_drag_n_s_m.x() = -0.1; }},
       {"negative quadratic drag", [](Vehicle& v) { v.quadratic_drag_n_s2_m2.y() = -0.1; }},
-      {"inertia of no body",
+      {"inertia that violates the triangle inequality",
        [](Vehicle& v) {
          v.inertia_kg_m2 = {0.01, 0.01, 0.021};
        }},
       {"negative idle speed", [](Vehicle& v) { v.rotor.min_speed_rad_s = -1.0; }},
       {"idle above the highest speed", [](Vehicle& v) { v.rotor.min_speed_rad_s = 660.0; }},
       {"too heavy", [](Vehicle& v) { v.mass_kg = 2.4; }},
-      {"camera below the feet", [](Vehicle& v) { v.camera.position_m.z() = -0.14; }},
+      {"camera not above the contact points", [](Vehicle& v) { v.camera.position_m.z() = -0.14; }},
   };
   for (const Fault& fault : faults) {
     Vehicle vehicle;
@@ -147,7 +147,7 @@ TEST(VehicleValidate, RefusesWhatCannotFly) {
   }
 }
 
-TEST(Vehicle, TellsTheMountingOfASensorsPose) {
+TEST(Vehicle, ComputesTheMountingFromASensorsPose) {
   Vehicle vehicle;
   vehicle.camera = {.position_m = {0.03, -0.01, -0.04}, .misalignment_deg = {6.0, -12.0, 115.0}};
   vehicle.imu = {.position_m = {0.01, 0.02, 0.03}, .misalignment_deg = {-17.0, 6.0, -57.0}};

@@ -15,7 +15,7 @@
 #include "scenarios/cli/flight_folder.h"
 #include "scenarios/runner/fly.h"
 #include "scenarios/runner/scenario.h"
-#include "tests/support/docs_picture.h"
+#include "tests/support/docs_image.h"
 
 namespace touchdown::runner {
 namespace {
@@ -47,7 +47,7 @@ cv::Mat FilmAt(const fs::path& file, double time_s) {
 }
 
 /// JPEG alone is off by 2; a frame's time that shifts by one by 5 and more. Other CPUs draw the same flight.
-constexpr double kSamePicture = 8.0;
+constexpr double kMaxDifference = 8.0;
 
 /// The README's image is this flight's contact sheet, made smaller, and the tour's one of its video. To remake them:
 ///   TOUCHDOWN_WRITE_DOCS=1 build/release/tests/scenarios/shipped_flights_slow_tests --gtest_filter=*README*
@@ -63,8 +63,8 @@ TEST(Flights, TakeoffHoverLandPassesAndLooksAsInTheREADME) {
   cv::resize(cv::imread((place / "frames.png").string()), sheet, {1280, 720}, 0, 0, cv::INTER_AREA);
   const cv::Mat picture = FilmAt(place / "flight.mp4", 7.0);
   fs::remove_all(place);
-  tests::ExpectPicture("takeoff_hover_land.jpg", sheet, kSamePicture);
-  tests::ExpectPicture("film.jpg", picture, kSamePicture);
+  tests::ExpectDocsImage("takeoff_hover_land.jpg", sheet, kMaxDifference);
+  tests::ExpectDocsImage("video.jpg", picture, kMaxDifference);
 }
 
 TEST(Flights, ACoveredPadEndsInGivingUp) {

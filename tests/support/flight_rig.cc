@@ -16,7 +16,7 @@ using controller::Phase;
 using Eigen::Vector3d;
 using models::Tick;
 
-/// What the vision gives of a true state: position and yaw with slow and white noise, if the whole ring is in view.
+/// Model of vision: position and yaw with slow and white noise, if the whole ring is in view.
 class VisionModel {
  public:
   struct Sighting {
@@ -31,7 +31,7 @@ class VisionModel {
     slow_yaw_ = random_.Normal();
   }
 
-  std::optional<Sighting> Look(Tick tick, Tick latency, double dt, const QuadrotorOde::State& truth) {
+  std::optional<Sighting> Observe(Tick tick, Tick latency, double dt, const QuadrotorOde::State& truth) {
     const double keep = std::exp(-dt / 0.5), renew = std::sqrt(1.0 - keep * keep);
     slow_ = keep * slow_ + renew * random_.NormalVector3();
     slow_yaw_ = keep * slow_yaw_ + renew * random_.Normal();
@@ -73,7 +73,7 @@ class VisionModel {
   double slow_yaw_ = 0.0;
 };
 
-/// Averages between samples, then adds bias, noise and the rotors' shaking.
+/// Model of the IMU: averages between samples, plus bias, noise and rotor vibration.
 class ImuModel {
  public:
   explicit ImuModel(const RigConfig& config) : random_(config.seed, "rig.imu") {
@@ -87,11 +87,11 @@ class ImuModel {
     ++count_;
   }
 
-  models::ImuSample Sample(Tick tick, bool rotors_turn) {
-    const double shake = rotors_turn ? 0.3 : 0.0;
+  models::ImuSample Sample(Tick tick, bool rotors_spin) {
+    const double vibration = rotors_spin ? 0.3 : 0.0;
     models::ImuSample sample{.tick = tick};
-    sample.specific_force_U = force_ / count_ + level_bias_ + (0.09 + shake) * random_.NormalVector3();
-    sample.w_WU_U = rate_ / count_ + gyro_bias_ + (0.012 + 0.05 * shake) * random_.NormalVector3();
+    sample.specific_force_U = force_ / count_ + level_bias_ + (0.09 + vibration) * random_.NormalVector3();
+    sample.w_WU_U = rate_ / count_ + gyro_bias_ + (0.012 + 0.05 * vibration) * random_.NormalVector3();
     force_.setZero();
     rate_.setZero();
     count_ = 0;
@@ -123,7 +123,7 @@ class Rig {
 
   RigResult Fly() {
     const Tick end = time_.FromSeconds(config_.time_limit_s);
-    for (tick_ = 0; tick_ < end && !Over(); ++tick_) Tick_();
+    for (tick_ = 0; tick_ < end && !IsOver(); ++tick_) Tick_();
     result_.last_phase = output_.phase;
     result_.script_done = output_.script_done;
     if (hover_samples_ > 0) result_.hover_rmse_m = std::sqrt(hover_sum_ / hover_samples_);
@@ -145,8 +145,8 @@ class Rig {
     const bool pad_visible = !config_.events || config_.events(time_s, truth_);
     imu_.Accumulate(truth_);
     if (tick_ % time_.PeriodOf(60) == 0) {
-      const auto sighting =
-          vision_.Look(tick_, time_.FromSeconds(config_.latency_s), time_.ToSeconds(time_.PeriodOf(60)), truth_.state);
+      const auto sighting = vision_.Observe(tick_, time_.FromSeconds(config_.latency_s),
+                                            time_.ToSeconds(time_.PeriodOf(60)), truth_.state);
       if (sighting.has_value() && pad_visible) in_flight_.push_back(*sighting);
     }
     if (tick_ % time_.PeriodOf(kRate_hz) == 0) Control();
@@ -227,7 +227,7 @@ class Rig {
     }
   }
 
-  bool Over() const {
+  bool IsOver() const {
     return result_.crashed || output_.phase == Phase::kGaveUp ||
            (output_.phase == Phase::kHover && output_.script_done) ||
            (motors_off_ && tick_ > *motors_off_ + time_.FromSeconds(0.5));

@@ -18,7 +18,7 @@ inline const controller::Maneuver kHover{
     .kind = controller::ManeuverKind::kHover, .position_m = {0.1, 0.2, 1.0}, .duration_s = 2.0};
 inline const controller::Maneuver kLand{.kind = controller::ManeuverKind::kLand};
 
-/// Guidance with a vehicle that does what the test says, period by period.
+/// Guidance with a vehicle whose motion the test sets, one period at a time.
 class GuidedFlight {
  public:
   GuidedFlight(std::vector<controller::Maneuver> script, bool airborne)

@@ -6,7 +6,7 @@
 
 namespace touchdown::tests {
 
-/// The nominal clock, vehicle, its weight in N, the period of its IMU and attitude loop in s, and gravity in m/s^2.
+/// Nominal clock, vehicle, weight in N, period of IMU and attitude loop in s, and gravity in m/s^2.
 inline constexpr models::TimeBase kTime;
 inline const models::Vehicle kVehicle;
 inline const double kWeight_n = kVehicle.mass_kg * models::kGravity_m_s2;

@@ -16,7 +16,7 @@ namespace touchdown::tests {
 
 inline constexpr models::Tick kFrame = 20;
 
-/// An estimator that sees synthetic pictures of the pad, a frame apart.
+/// Estimator that receives consecutive synthetic frames of the pad.
 class PaperEstimatorFixture : public testing::Test {
  protected:
   /// Pose of the body whose camera looks straight down from `p_WC`, tilted as in CameraAbovePad.
@@ -25,15 +25,15 @@ class PaperEstimatorFixture : public testing::Test {
     return CameraAbovePad(p_WC, yaw, tilt, direction) * setup_.X_BC.inverse();
   }
 
-  models::Image Picture(const Eigen::Isometry3d& X_WB, PadPicture picture = {.noise_sigma = 3.0}) {
-    return RenderPad(setup_.camera, setup_.pad, X_WB * setup_.X_BC, picture, &random_);
+  models::Image Render(const Eigen::Isometry3d& X_WB, PadAppearance appearance = {.noise_sigma = 3.0}) {
+    return RenderPad(setup_.camera, setup_.pad, X_WB * setup_.X_BC, appearance, &random_);
   }
 
-  estimator::FrameResult See(const Eigen::Isometry3d& X_WB, PadPicture picture = {.noise_sigma = 3.0}) {
-    return estimator_->Estimate(Picture(X_WB, std::move(picture)).View(), tick_ += kFrame, GravityIn(X_WB));
+  estimator::FrameResult EstimateView(const Eigen::Isometry3d& X_WB, PadAppearance appearance = {.noise_sigma = 3.0}) {
+    return estimator_->Estimate(Render(X_WB, std::move(appearance)).View(), tick_ += kFrame, GravityIn(X_WB));
   }
 
-  estimator::FrameResult SeeImage(const models::Image& image, const Eigen::Isometry3d& X_WB) {
+  estimator::FrameResult EstimateImage(const models::Image& image, const Eigen::Isometry3d& X_WB) {
     return estimator_->Estimate(image.View(), tick_ += kFrame, GravityIn(X_WB));
   }
 

@@ -228,10 +228,11 @@ void Artwork::Line(double x1_m, double y1_m, double x2_m, double y2_m, double wi
   FillBox(0.5 * (x1_m + x2_m), 0.5 * (y1_m + y2_m), length + width_m, width_m, std::atan2(y2_m - y1_m, x2_m - x1_m));
 }
 
-void Artwork::Text(const std::string& text, double x_m, double y_m, double height_m, double stroke_share, double yaw) {
+void Artwork::Text(const std::string& text, double x_m, double y_m, double height_m, double stroke_fraction,
+                   double yaw) {
   constexpr double kFontHeight = 21.0;  // Of a capital at scale 1.
   const double height = height_m * px_per_m, scale = height / kFontHeight;
-  const int thickness = std::max(1, static_cast<int>(std::lround(stroke_share * height)));
+  const int thickness = std::max(1, static_cast<int>(std::lround(stroke_fraction * height)));
   int below = 0;
   const cv::Size size = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, scale, thickness, &below);
   const cv::Point2d center = At(x_m, y_m);
@@ -268,12 +269,12 @@ void PrintPad(const LandingPad& pad, Artwork& art) {
   PrintH(pad, 1.0, 0.0, 0.0, 0.0, art);
 }
 
-const std::vector<std::string>& MarkKinds() {
+const std::vector<std::string>& MarkingKinds() {
   static const std::vector<std::string> kinds = {"dots", "text", "arrow", "logo", "ticks", "cross-hair"};
   return kinds;
 }
 
-void PrintMarks(const LandingPad& pad, const std::string& kind, RandomStream& random, Artwork& art) {
+void PrintMarkings(const LandingPad& pad, const std::string& kind, RandomStream& random, Artwork& art) {
   // The white between the H's sides and the ring.
   const double inner = pad.inner_radius_m(), half_width = 0.5 * pad.h_width_m;
   const double room = inner - half_width, middle = half_width + 0.5 * room;

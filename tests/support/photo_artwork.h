@@ -23,16 +23,16 @@ struct Artwork {
   void FillRing(double x_m, double y_m, double outer_m, double inner_m);  ///< What lies inside stays as it is.
   void Line(double x1_m, double y1_m, double x2_m, double y2_m, double width_m);
   /// Its box's center at (x, y), its height in meters.
-  void Text(const std::string& text, double x_m, double y_m, double height_m, double stroke_share, double yaw = 0.0);
+  void Text(const std::string& text, double x_m, double y_m, double height_m, double stroke_fraction, double yaw = 0.0);
 };
 
 /// Any pad that fits its sheet: the nominal one, thin and thick rings, small and large Hs, slender and square ones.
 models::LandingPad DrawAnyPad(models::RandomStream& random);
 
 void PrintPad(const models::LandingPad& pad, Artwork& art);
-/// `kind` names one of MarkKinds().
-void PrintMarks(const models::LandingPad& pad, const std::string& kind, models::RandomStream& random, Artwork& art);
-const std::vector<std::string>& MarkKinds();
+/// `kind` names one of MarkingKinds().
+void PrintMarkings(const models::LandingPad& pad, const std::string& kind, models::RandomStream& random, Artwork& art);
+const std::vector<std::string>& MarkingKinds();
 
 /// What is not the pad, `kind` being one of DistractorKinds(). The kinds that begin with "floor" print nothing: the
 /// floor is all there is.

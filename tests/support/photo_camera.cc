@@ -15,7 +15,7 @@ using models::kPi;
 using models::RandomStream;
 
 /// A camera that sees W's origin under `obliquity` at the pixel of `ray_C`.
-Eigen::Isometry3d CameraThatSees(const Vector3d& ray_C, double distance, double obliquity, RandomStream& random) {
+Eigen::Isometry3d CameraAimedAt(const Vector3d& ray_C, double distance, double obliquity, RandomStream& random) {
   const double azimuth = random.Uniform(-kPi, kPi), roll = random.Uniform(-kPi, kPi);
   const Vector3d from_W(std::sin(obliquity) * std::cos(azimuth), std::sin(obliquity) * std::sin(azimuth),
                         std::cos(obliquity));
@@ -64,7 +64,7 @@ models::CameraModel DrawCamera(RandomStream& random) {
   return camera;
 }
 
-PhotoView DrawView(const models::CameraModel& camera, const PhotoPaper& paper, double radius_m, double size_share,
+PhotoView DrawView(const models::CameraModel& camera, const PhotoPaper& paper, double radius_m, double size_fraction,
                    double obliquity, RandomStream& random) {
   const double margin = 0.025 * std::min(camera.width_px, camera.height_px);
   for (double reach = 0.42;; reach *= 0.97) {
@@ -75,13 +75,13 @@ PhotoView DrawView(const models::CameraModel& camera, const PhotoPaper& paper, d
     const RandomStream turn(random.Bits(), "photo.turn");
     PhotoView view;
     cv::Rect2d& box = view.ring_box;
-    double distance = camera.fx_px * 2.0 * radius_m / (size_share * camera.height_px);
+    double distance = camera.fx_px * 2.0 * radius_m / (size_fraction * camera.height_px);
     for (int n = 0; n < 4; ++n) {
       RandomStream same = turn;
-      view.X_WC = CameraThatSees(*ray_C, distance, obliquity, same);
+      view.X_WC = CameraAimedAt(*ray_C, distance, obliquity, same);
       box = RingBox(camera, view.X_WC, paper, radius_m);
       if (box.empty()) break;
-      const double grow = box.height / (size_share * camera.height_px);
+      const double grow = box.height / (size_fraction * camera.height_px);
       if (n < 3) distance = std::max(distance * grow, 1.6 * radius_m);
     }
     const bool is_whole = !box.empty() && box.x >= margin && box.y >= margin &&

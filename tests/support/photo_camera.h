@@ -18,8 +18,8 @@ struct PhotoView {
   cv::Rect2d ring_box;
 };
 
-/// A view that has the ring whole, about `size_share` of the picture's height high, under `obliquity`.
-PhotoView DrawView(const models::CameraModel& camera, const PhotoPaper& paper, double radius_m, double size_share,
+/// A view that has the ring whole, about `size_fraction` of the picture's height high, under `obliquity`.
+PhotoView DrawView(const models::CameraModel& camera, const PhotoPaper& paper, double radius_m, double size_fraction,
                    double obliquity, models::RandomStream& random);
 
 }  // namespace touchdown::tests

@@ -99,8 +99,8 @@ cv::Mat1f Shade(const cv::Mat1f& covered) {
 
 }  // namespace
 
-PhotoSurfaces SeenSurfaces(const Photograph& photo, const Artwork& art, const PhotoPaper& paper, int samples,
-                           RandomStream& random) {
+PhotoSurfaces VisibleSurfaces(const Photograph& photo, const Artwork& art, const PhotoPaper& paper, int samples,
+                              RandomStream& random) {
   const Vector3d to_light = Vector3d(random.Uniform(-0.8, 0.8), random.Uniform(-0.8, 0.8), 1.0).normalized();
   const Views views = CastRays(photo, paper, samples, to_light);
   const auto scale = static_cast<float>(art.px_per_m);

@@ -17,7 +17,7 @@ struct PhotoSurfaces {
 };
 
 /// Needs of `photo` its pad, subject, camera, X_WC and floor.
-PhotoSurfaces SeenSurfaces(const Photograph& photo, const Artwork& art, const PhotoPaper& paper, int samples,
-                           models::RandomStream& random);
+PhotoSurfaces VisibleSurfaces(const Photograph& photo, const Artwork& art, const PhotoPaper& paper, int samples,
+                              models::RandomStream& random);
 
 }  // namespace touchdown::tests

@@ -13,11 +13,11 @@ namespace touchdown::tests {
 
 /// What makes a photograph easy or hard.
 struct PhotoConditions {
-  double size_share = 0.0;     ///< Height of the ring's box over the image's.
+  double size_fraction = 0.0;  ///< Height of the ring's box over the image's.
   double obliquity_deg = 0.0;  ///< Between the line of sight to the pad and its normal.
   double curl = 0.0;           ///< Largest height of the paper's surface within the ring, over the ring's radius.
   double blur_px = 0.0;        ///< Defocus and motion together.
-  double blur_share = 0.0;     ///< The same over the narrower of ring and H's stroke, as seen.
+  double blur_fraction = 0.0;  ///< The same over the narrower of ring and H's stroke, as seen.
   double glare = 0.0;          ///< Of the paper's brightness, at the patch's middle; 0 without.
   double shadow = 1.0;         ///< Light left within a shadow; 1 without.
   double exposure = 0.0;       ///< Brightness of the paper, 1 being the sensor's most.

@@ -42,7 +42,7 @@ PhotoScore Score(const Photograph& photo) {
   const Eigen::Isometry3d X_WB = photo.X_WC * setup.X_BC.inverse();
   PhotoScore score;
   score.estimate = estimator.Estimate(photo.image.View(), 0, GravityIn(X_WB));
-  score.claims_pad = score.estimate.pad_px.has_value();
+  score.reports_pad = score.estimate.pad_px.has_value();
   const estimator::Overlay::Ellipse* const ring = score.estimate.overlay.FindEllipse("ring_outer");
   if (!score.estimate.pose || ring == nullptr) return score;
   const cv::Rect2d box = BoxOf(*ring, photo.camera);

@@ -8,7 +8,7 @@ namespace touchdown::tests {
 /// What the estimator `paper` made of a photograph.
 struct PhotoScore {
   estimator::FrameResult estimate;
-  bool claims_pad = false;      ///< The estimator reported a pad.
+  bool reports_pad = false;     ///< The estimator reported a pad.
   bool found = false;           ///< A pose, and center and ring box are those of the pad.
   double distance_error = 0.0;  ///< Of the camera from the pad, over the true distance; where there is a pose.
 };

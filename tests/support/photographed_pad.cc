@@ -36,23 +36,24 @@ void DrawConditions(RandomStream& random, PhotoConditions& conditions) {
   conditions.noise_sigma = random.Bernoulli(0.2) ? random.Uniform(4.0, 10.0) : random.Uniform(0.5, 4.0);
   conditions.jpeg_quality = random.Bernoulli(0.6) ? random.UniformInt(35, 95) : 100;
   conditions.floor = one_of(FloorKinds());
-  if (random.Bernoulli(0.3)) conditions.marks = one_of(MarkKinds());
+  if (random.Bernoulli(0.3)) conditions.marks = one_of(MarkingKinds());
 }
 
 /// Puts the pad into the picture, whole. Its narrowest stroke must be some pixels wide to be seen at all.
 void Aim(const PhotoPaper& paper, RandomStream& random, Photograph& photo) {
   const models::CameraModel& camera = photo.camera;
-  const double stroke_share = std::min(photo.pad.h_stroke_m, photo.pad.ring_width_m) / (2.0 * photo.pad.outer_radius_m);
+  const double stroke_fraction =
+      std::min(photo.pad.h_stroke_m, photo.pad.ring_width_m) / (2.0 * photo.pad.outer_radius_m);
   const double obliquity = models::DegToRad(photo.conditions.obliquity_deg);
   const double least =
-      std::max(0.06, 1.6 / (stroke_share * std::cos(obliquity) * std::min(camera.height_px, camera.width_px)));
+      std::max(0.06, 1.6 / (stroke_fraction * std::cos(obliquity) * std::min(camera.height_px, camera.width_px)));
   const double most = 0.8 * std::min(1.0, 1.05 * camera.width_px / camera.height_px);
-  const double size_share = std::exp(random.Uniform(std::log(std::min(least, 0.5 * most)), std::log(most)));
-  const PhotoView view = DrawView(camera, paper, photo.pad.outer_radius_m, size_share, obliquity, random);
+  const double size_fraction = std::exp(random.Uniform(std::log(std::min(least, 0.5 * most)), std::log(most)));
+  const PhotoView view = DrawView(camera, paper, photo.pad.outer_radius_m, size_fraction, obliquity, random);
   photo.X_WC = view.X_WC;
   photo.ring_box = view.ring_box;
   photo.center_px = camera.Project(photo.X_WC.inverse() * Eigen::Vector3d::Zero()).value();
-  photo.conditions.size_share = photo.ring_box.height / camera.height_px;
+  photo.conditions.size_fraction = photo.ring_box.height / camera.height_px;
 }
 
 Artwork Print(const Photograph& photo, RandomStream& random) {
@@ -61,7 +62,7 @@ Artwork Print(const Photograph& photo, RandomStream& random) {
               (photo.camera.width_px <= 800 ? 2.0 : 1.2) * std::max(px_per_m, 60.0 / photo.pad.outer_radius_m));
   if (photo.subject == "pad") {
     PrintPad(photo.pad, art);
-    if (photo.conditions.marks != "none") PrintMarks(photo.pad, photo.conditions.marks, random, art);
+    if (photo.conditions.marks != "none") PrintMarkings(photo.pad, photo.conditions.marks, random, art);
   } else {
     PrintDistractor(photo.pad, photo.subject, random, art);
   }
@@ -72,7 +73,7 @@ cv::Mat1f Illuminate(const Photograph& photo, const Artwork& art, const PhotoPap
   const models::CameraModel& camera = photo.camera;
   const int samples = camera.width_px * camera.height_px <= 500000 ? 2 : 1;
   const cv::Rect2d ring_box(photo.ring_box.tl() * samples, photo.ring_box.size() * static_cast<double>(samples));
-  const PhotoSurfaces surfaces = SeenSurfaces(photo, art, paper, samples, random);
+  const PhotoSurfaces surfaces = VisibleSurfaces(photo, art, paper, samples, random);
   const cv::Mat1f light = DrawLight(surfaces.reflectance.size(), ring_box, photo.conditions.shadow, random);
   cv::Mat1f radiance = surfaces.reflectance.mul(light).mul(surfaces.lambert);
   AddGlare(photo.conditions.glare, ring_box, surfaces.toner, random, radiance);
@@ -94,7 +95,7 @@ void Blur(Photograph& photo, RandomStream& random, cv::Mat1f& radiance) {
   Defocus(radiance, defocus);
   SmearAlong(radiance, motion, random.Uniform(-kPi, kPi));
   photo.conditions.blur_px = std::hypot(2.0 * defocus, motion);
-  photo.conditions.blur_share = photo.conditions.blur_px / narrowest_px;
+  photo.conditions.blur_fraction = photo.conditions.blur_px / narrowest_px;
 }
 
 Photograph Take(const std::string& subject, RandomStream& random) {

@@ -13,13 +13,13 @@
 
 namespace touchdown::tests {
 
-/// The program as a user meets it, run in a folder of the test's own.
+/// Runs the program in a temporary directory.
 class ProgramFixture : public ::testing::Test {
  protected:
   ProgramRun Run(const std::vector<std::string>& arguments, const Interruption& interruption = {}) const {
     return RunProgram(TOUCHDOWN_PROGRAM, arguments, folder_.path(), interruption);
   }
-  /// Expects that the program refuses the arguments: exit 2, and nothing said but one line; returns the line.
+  /// Expects that the program rejects the arguments: exit status 2 and one line on stderr. Returns the line.
   std::string ErrorOf(const std::vector<std::string>& arguments) const {
     const ProgramRun run = Run(arguments);
     EXPECT_EQ(run.status, 2) << run.err;
@@ -27,7 +27,7 @@ class ProgramFixture : public ::testing::Test {
     EXPECT_EQ(run.out, "");
     return run.err;
   }
-  /// Of what lies in the folder.
+  /// Names of the entries of the directory.
   std::set<std::string> Names() const {
     std::set<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {

@@ -32,18 +32,18 @@ QuadrotorOde::Load QuadrotorOde::Ground() {
   contact_ = false;
   for (const double x : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0}) {
-      const Vector3d foot_B(x * vehicle_.gear.half_spacing_m, y * vehicle_.gear.half_spacing_m,
-                            -vehicle_.gear.height_m);
-      const Vector3d foot = state.p + state.R * foot_B;
-      if (foot.z() >= 0.0) continue;
+      const Vector3d contact_B(x * vehicle_.gear.half_spacing_m, y * vehicle_.gear.half_spacing_m,
+                               -vehicle_.gear.height_m);
+      const Vector3d contact = state.p + state.R * contact_B;
+      if (contact.z() >= 0.0) continue;
       contact_ = true;
-      const Vector3d velocity = state.v + state.R * state.w.cross(foot_B);
-      const double normal = std::max(0.0, -kStiffness * foot.z() - kDamping * velocity.z());
+      const Vector3d velocity = state.v + state.R * state.w.cross(contact_B);
+      const double normal = std::max(0.0, -kStiffness * contact.z() - kDamping * velocity.z());
       const Eigen::Vector2d slide = velocity.head<2>();
       Vector3d force(0.0, 0.0, normal);
       force.head<2>() = -kFriction * normal * slide / std::max(kCreep, slide.norm());
       load.force_W += force;
-      load.torque_B += foot_B.cross(Vector3d(state.R.transpose() * force));
+      load.torque_B += contact_B.cross(Vector3d(state.R.transpose() * force));
     }
   }
   return load;

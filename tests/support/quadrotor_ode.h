@@ -8,15 +8,15 @@
 
 namespace touchdown::tests {
 
-/// A quadrotor as a rigid body with four lagging rotors, drag and springy feet: written for the tests of estimator and
-/// controller, and sharing no code with either of them or with sim/.
+/// Quadrotor as a rigid body with four lagging rotors, drag and elastic landing gear, for tests of estimator and
+/// controller. It shares no code with them or with sim/.
 class QuadrotorOde {
  public:
   struct State {
     Eigen::Vector3d p = Eigen::Vector3d::Zero();
     Eigen::Vector3d v = Eigen::Vector3d::Zero();
     Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-    Eigen::Vector3d w = Eigen::Vector3d::Zero();  ///< In the body.
+    Eigen::Vector3d w = Eigen::Vector3d::Zero();  ///< In the body frame, rad/s.
     std::array<double, models::kRotorCount> rotor_speed{};
   };
 
@@ -29,12 +29,12 @@ class QuadrotorOde {
   void StartRotorsAtHover();
   void Step(const models::RotorCommand& command, double dt);
 
-  /// Of the newest step: (a - g) in the body.
+  /// Specific force (a - g) of the newest step, in the body frame, m/s^2.
   const Eigen::Vector3d& specific_force() const { return specific_force_; }
-  /// Whether a foot touches the ground.
+  /// Whether the landing gear touches the ground.
   bool contact() const { return contact_; }
 
-  /// Force along body Z and torque in the body of rotors at these speeds, rotor by rotor from the hubs' positions.
+  /// Force along body Z and torque in the body frame of rotors at these speeds, summed over the rotors.
   static Eigen::Vector4d RotorWrench(const models::Vehicle& vehicle,
                                      const std::array<double, models::kRotorCount>& speeds);
 

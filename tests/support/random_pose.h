@@ -7,7 +7,7 @@
 
 namespace touchdown::tests {
 
-/// A pose anywhere near the origin, rotated any way.
+/// Random pose near the origin, with any orientation.
 inline Eigen::Isometry3d RandomPose(models::RandomStream& random) {
   Eigen::Isometry3d X(Eigen::Translation3d(random.NormalVector3()));
   X.linear() = models::RotationExp(2.0 * random.NormalVector3());

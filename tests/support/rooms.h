@@ -13,7 +13,7 @@
 
 namespace touchdown::tests {
 
-/// A scene with a vehicle parked out of the way, ready to be rendered.
+/// Scene that is ready to be rendered, with a vehicle parked out of view.
 struct Room {
   explicit Room(const sim::SceneConfig& config = {}, std::uint64_t seed = 1)
       : scene(sim::MakeScene(config, models::LandingPad{}, seed)) {
@@ -28,7 +28,7 @@ struct Room {
   sim::MujocoData data;
 };
 
-/// X_WC of a camera that looks straight down when all angles are 0, the image's up along X_W.
+/// X_WC of a camera. At zero angles it looks straight down, with the top of the image towards X_W.
 inline Eigen::Isometry3d CameraAt(const Eigen::Vector3d& p_WC, const models::TaitBryan& tilt = {}) {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   X_WB.linear() = models::RotationFromTaitBryan(tilt);
@@ -39,7 +39,7 @@ inline Eigen::Isometry3d CameraAt(const Eigen::Vector3d& p_WC, const models::Tai
   return X_WC;
 }
 
-/// Gray value at a place of the image, px, interpolated bilinearly.
+/// Bilinearly interpolated gray value at a position in the image, px.
 inline double GrayAt(const models::Image& image, const Eigen::Vector2d& pixel) {
   const int u = static_cast<int>(std::floor(pixel.x())), v = static_cast<int>(std::floor(pixel.y()));
   const double wu = pixel.x() - u, wv = pixel.y() - v;
@@ -48,7 +48,7 @@ inline double GrayAt(const models::Image& image, const Eigen::Vector2d& pixel) {
          wv * ((1 - wu) * view.At(u, v + 1) + wu * view.At(u + 1, v + 1));
 }
 
-/// X_WC of a camera that looks at a place of the floor, turned by `yaw` from CameraAt's heading.
+/// X_WC of a camera that looks at a point on the floor, rotated by `yaw` with respect to CameraAt.
 inline Eigen::Isometry3d CameraTowards(const Eigen::Vector3d& p_WC, const Eigen::Vector2d& target, double yaw) {
   Eigen::Isometry3d X_WC = CameraAt(p_WC, {.roll = 0.0, .pitch = 0.0, .yaw = yaw});
   const Eigen::Vector3d line_of_sight = Eigen::Vector3d(target.x(), target.y(), 0.0) - p_WC;
@@ -56,9 +56,9 @@ inline Eigen::Isometry3d CameraTowards(const Eigen::Vector3d& p_WC, const Eigen:
   return X_WC;
 }
 
-/// Where along `direction` (a unit vector) the image crosses from one plain side to another, in px from `edge`, which
-/// lies within 1 px of the crossing; both sides must be plain from 1 to 4 px. It is where a sharp edge of the same area
-/// would lie: exact for any symmetric blur, wherever the pixels fall.
+/// Offset of an edge of the image from the point `edge` along the unit vector `direction`, px. `edge` must be within 1
+/// px of the edge, and the image uniform from 1 to 4 px on both sides. The result is the position of a sharp edge with
+/// the same area, which is exact for any symmetric blur and sub-pixel position.
 inline double EdgeOffset(const models::Image& image, const Eigen::Vector2d& edge, const Eigen::Vector2d& direction) {
   constexpr double kReach = 3.0, kStep = 0.01;
   const auto level = [&](double offset) { return GrayAt(image, edge + offset * direction); };

@@ -15,7 +15,7 @@
 namespace touchdown::tests {
 namespace {
 
-std::string TakeFile(const std::filesystem::path& file) {
+std::string ReadAndRemove(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string content{std::istreambuf_iterator<char>(stream), {}};
   std::filesystem::remove(file);
@@ -38,7 +38,7 @@ void InterruptWhenDue(pid_t child, const Interruption& interruption) {
 
 ProgramRun RunProgram(const std::string& program, const std::vector<std::string>& arguments,
                       const std::filesystem::path& folder, const Interruption& interruption) {
-  static int runs = 0;  // One program may be run while another runs.
+  static int runs = 0;  // Several programs may run at the same time.
   const std::filesystem::path base =
       folder.parent_path() / (folder.filename().string() + ".captured_" + std::to_string(runs++));
   const std::string out_file = base.string() + "_out", err_file = base.string() + "_err";
@@ -60,8 +60,8 @@ ProgramRun RunProgram(const std::string& program, const std::vector<std::string>
   waitpid(child, &state, 0);
   ProgramRun run;
   if (WIFEXITED(state)) run.status = WEXITSTATUS(state);
-  run.out = TakeFile(out_file);
-  run.err = TakeFile(err_file);
+  run.out = ReadAndRemove(out_file);
+  run.err = ReadAndRemove(err_file);
   return run;
 }
 

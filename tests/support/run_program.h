@@ -7,20 +7,20 @@
 
 namespace touchdown::tests {
 
-/// What a program did.
+/// Result of a program.
 struct ProgramRun {
-  int status = -1;  ///< Exit status; -1 when a signal ended it.
+  int status = -1;  ///< Exit status; -1 if a signal ended the program.
   std::string out;
   std::string err;
 };
 
-/// A signal for the program, sent once `when` is true.
+/// Signal to send to the program when `when` returns true.
 struct Interruption {
   int signal = 0;
   std::function<bool()> when;
 };
 
-/// Runs a program in `folder` to its end; interrupts it when `interruption` has a signal.
+/// Runs a program in `folder` and waits for its end. Sends the signal of `interruption`, if any.
 ProgramRun RunProgram(const std::string& program, const std::vector<std::string>& arguments,
                       const std::filesystem::path& folder, const Interruption& interruption = {});
 

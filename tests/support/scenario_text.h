@@ -11,20 +11,20 @@
 
 namespace touchdown::tests {
 
-/// A scenario that can be flown, and what is added to it.
+/// Valid scenario plus additional lines.
 inline std::string With(const std::string& lines) {
   return "script:\n  - {do: takeoff, height_m: 1}\n  - {do: land}\n" + lines;
 }
 
-/// As --set gives them.
+/// Overrides from arguments of --set.
 inline std::vector<runner::Override> Overrides(const std::vector<std::string>& set) { return {set.begin(), set.end()}; }
 
-/// Reads it as the file f.yaml at the project's root.
+/// Parses a text as the file f.yaml in the root of the project.
 inline runner::Scenario Parse(const std::string& text, const std::vector<std::string>& set = {}) {
   return runner::ParseScenario(text, "f.yaml", TOUCHDOWN_SOURCE_DIR, Overrides(set));
 }
 
-/// What is said of a text that is wrong.
+/// Error message for an invalid text.
 inline std::string ErrorOf(const std::string& text, const std::vector<std::string>& set = {}) {
   try {
     Parse(text, set);

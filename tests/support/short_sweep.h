@@ -6,8 +6,8 @@
 
 namespace touchdown::tests {
 
-/// Writes sweep.yaml, of flights that take about a second each; `more` is the rest of the file.
-inline void PutShortSweep(const TemporaryFolder& folder, int seeds, const std::string& more = "") {
+/// Writes sweep.yaml, whose flights take about a second each. `more` is appended to the file.
+inline void WriteShortSweep(const TemporaryFolder& folder, int seeds, const std::string& more = "") {
   folder.Put("short.yaml", R"(start: {airborne: true, position_m: [0, 0, 0.4]}
 script: [{do: hover, position_m: [0, 0, 0.4], duration_s: 0.1}]
 camera: {model: {width_px: 320, height_px: 240, fx_px: 160, fy_px: 160, cx_px: 159.5, cy_px: 119.5}}

@@ -10,22 +10,22 @@
 
 namespace touchdown::tests {
 
-/// A file system of its own in a folder, of 64 MiB at most until it is filled.
+/// File system of at most 64 MiB mounted on a directory.
 class SmallMount {
  public:
   explicit SmallMount(std::filesystem::path place) : place_(std::move(place)) {
-    is_there_ = mount("none", place_.c_str(), "tmpfs", 0, "size=64m") == 0;
+    is_mounted_ = mount("none", place_.c_str(), "tmpfs", 0, "size=64m") == 0;
   }
   ~SmallMount() {
-    if (is_there_) umount(place_.c_str());
+    if (is_mounted_) umount(place_.c_str());
   }
   SmallMount(const SmallMount&) = delete;
   SmallMount& operator=(const SmallMount&) = delete;
 
-  bool is_there() const { return is_there_; }
+  bool is_mounted() const { return is_mounted_; }
   void Fill() const { Remount(MS_REMOUNT, "size=" + std::to_string(UsedKilobytes() + 16) + "k"); }
-  /// After either of the others.
-  void MakeRoom() const { Remount(MS_REMOUNT, "size=64m"); }
+  /// Reverts Fill and MakeReadOnly.
+  void FreeSpace() const { Remount(MS_REMOUNT, "size=64m"); }
   void MakeReadOnly() const { Remount(MS_REMOUNT | MS_RDONLY, ""); }
 
  private:
@@ -38,7 +38,7 @@ class SmallMount {
   }
 
   std::filesystem::path place_;
-  bool is_there_ = false;
+  bool is_mounted_ = false;
 };
 
 }  // namespace touchdown::tests

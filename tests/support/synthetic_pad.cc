@@ -18,21 +18,21 @@ bool OnSheet(const models::LandingPad& pad, const Vector2d& p) {
   return std::abs(p.x()) <= pad.sheet_length_m / 2.0 && std::abs(p.y()) <= pad.sheet_width_m / 2.0;
 }
 
-double GrayAt(const models::LandingPad& pad, const models::PadOutline& outline, const PadPicture& picture,
+double GrayAt(const models::LandingPad& pad, const models::PadOutline& outline, const PadAppearance& appearance,
               const Vector2d& p) {
-  if (picture.paint) {
-    if (const auto painted = picture.paint(p)) return *painted;
+  if (appearance.paint) {
+    if (const auto painted = appearance.paint(p)) return *painted;
   }
   if (outline.IsBlack(p)) {
     const bool in_ring = p.norm() >= pad.inner_radius_m();
-    if (in_ring ? picture.ring : picture.letter) return picture.black;
+    if (in_ring ? appearance.ring : appearance.letter) return appearance.black;
   }
-  return picture.sheet && OnSheet(pad, p) ? picture.paper : picture.floor;
+  return appearance.sheet && OnSheet(pad, p) ? appearance.paper : appearance.floor;
 }
 
 using Rays = std::vector<std::optional<Vector3d>>;
 
-/// Rays in C through the corners of the camera's pixels, row by row, kept for the next picture by the same camera.
+/// Rays in C through the corners of the camera's pixels, row by row, kept for the next appearance by the same camera.
 const Rays& CornerRays(const models::CameraModel& camera) {
   thread_local std::optional<models::CameraModel> cached_for;
   thread_local Rays rays;
@@ -46,7 +46,7 @@ const Rays& CornerRays(const models::CameraModel& camera) {
   return rays;
 }
 
-/// The floor's point that a ray meets.
+/// Intersection of a ray with the floor.
 std::optional<Vector2d> OnFloor(const Eigen::Isometry3d& X_WC, const std::optional<Vector3d>& ray_C) {
   if (!ray_C) return std::nullopt;
   const Vector3d ray_W = X_WC.linear() * *ray_C;
@@ -55,20 +55,20 @@ std::optional<Vector2d> OnFloor(const Eigen::Isometry3d& X_WC, const std::option
   return hit.head<2>();
 }
 
-/// The pixel's mean over its square; where its corners and its center are of one gray, that gray. The floor's point is
-/// interpolated between the pixel's corners, which is exact to some 1e-4 px; `corners` are those at (u, v) - 0.5 and so
-/// on, row by row.
-double PixelMean(const models::LandingPad& pad, const models::PadOutline& outline, const PadPicture& picture,
+/// Mean gray value over the square of a pixel, or the common gray value of its corners and its center. Floor points are
+/// interpolated between the corners, with an error of about 1e-4 px. `corners` are the floor points of the corners, in
+/// row-major order.
+double PixelMean(const models::LandingPad& pad, const models::PadOutline& outline, const PadAppearance& appearance,
                  const std::array<std::optional<Vector2d>, 4>& corners) {
   for (const auto& corner : corners) {
-    if (!corner) return picture.floor;
+    if (!corner) return appearance.floor;
   }
-  const auto gray_at = [&](const Vector2d& p) { return GrayAt(pad, outline, picture, p); };
+  const auto gray_at = [&](const Vector2d& p) { return GrayAt(pad, outline, appearance, p); };
   const double center = gray_at(0.25 * (*corners[0] + *corners[1] + *corners[2] + *corners[3]));
   if (std::all_of(corners.begin(), corners.end(), [&](const auto& corner) { return gray_at(*corner) == center; })) {
     return center;
   }
-  const int n = picture.samples_per_side;
+  const int n = appearance.samples_per_side;
   double sum = 0.0;
   for (int j = 0; j < n; ++j) {
     const double y = (j + 0.5) / n;
@@ -142,7 +142,7 @@ Eigen::Isometry3d CameraAbovePad(const Vector3d& p_WC, double yaw, double tilt, 
 }
 
 models::Image RenderPad(const models::CameraModel& camera, const models::LandingPad& pad, const Eigen::Isometry3d& X_WC,
-                        const PadPicture& picture, models::RandomStream* random) {
+                        const PadAppearance& appearance, models::RandomStream* random) {
   const int width = camera.width_px, height = camera.height_px;
   const models::PadOutline outline(pad);
   std::vector<std::optional<Vector2d>> corners;
@@ -151,14 +151,14 @@ models::Image RenderPad(const models::CameraModel& camera, const models::Landing
   for (int v = 0; v < height; ++v) {
     const auto upper = corners.begin() + static_cast<std::ptrdiff_t>(v) * (width + 1), lower = upper + (width + 1);
     for (int u = 0; u < width; ++u) {
-      gray.push_back(PixelMean(pad, outline, picture, {upper[u], upper[u + 1], lower[u], lower[u + 1]}));
+      gray.push_back(PixelMean(pad, outline, appearance, {upper[u], upper[u + 1], lower[u], lower[u + 1]}));
     }
   }
-  if (picture.lens_blur_sigma_px > 0.0) Blur(gray, width, height, picture.lens_blur_sigma_px);
+  if (appearance.lens_blur_sigma_px > 0.0) Blur(gray, width, height, appearance.lens_blur_sigma_px);
 
   models::Image image(width, height);
   for (std::size_t i = 0; i < gray.size(); ++i) {
-    const double noise = picture.noise_sigma > 0.0 ? picture.noise_sigma * random->Normal() : 0.0;
+    const double noise = appearance.noise_sigma > 0.0 ? appearance.noise_sigma * random->Normal() : 0.0;
     image.pixels[i] = static_cast<std::uint8_t>(std::clamp(std::lround(gray[i] + noise), 0L, 255L));
   }
   return image;
@@ -193,19 +193,19 @@ std::function<std::optional<double>(const Vector2d&)> Clutter(const models::Land
       if (q.cwiseAbs().maxCoeff() > 1.3) continue;
       bool is_dark = false;
       switch (item.kind) {
-        case 0:  // A lone circle.
+        case 0:  // Lone circle.
           is_dark = q.norm() < 1.0 && q.norm() > 0.8;
           break;
-        case 1:  // A lone H.
+        case 1:  // Lone H.
           is_dark = std::abs(q.x()) < 1.0 && std::abs(q.y()) < 0.6 && (std::abs(q.y()) > 0.3 || std::abs(q.x()) < 0.16);
           break;
         case 2:  // Bars.
           is_dark = std::abs(q.x()) < 1.0 && std::fmod(q.y() + 10.0, 0.4) < 0.2;
           break;
-        case 3:  // Checks.
+        case 3:  // Checkerboard.
           is_dark = (static_cast<int>(std::floor(q.x() * 3.0)) + static_cast<int>(std::floor(q.y() * 3.0))) % 2 == 0;
           break;
-        default:  // A disc with a hole off its center.
+        default:  // Disc with an off-center hole.
           is_dark = q.norm() < 1.0 && (q - Vector2d(0.3, 0.2)).norm() > 0.4;
       }
       return is_dark ? item.dark : item.light;

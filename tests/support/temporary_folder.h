@@ -9,7 +9,7 @@
 
 namespace touchdown::tests {
 
-/// An empty folder of the running test's own, gone when the test is over.
+/// Empty directory of the running test, removed in the destructor.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -23,7 +23,7 @@ class TemporaryFolder {
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
-  /// Writes a file, and the folders above it; returns its place.
+  /// Writes a file and creates its parent directories. Returns its path.
   std::filesystem::path Put(const std::string& name, const std::string& content) const {
     std::filesystem::create_directories((path_ / name).parent_path());
     std::ofstream(path_ / name, std::ios::binary) << content;
@@ -35,13 +35,13 @@ class TemporaryFolder {
   }
 
  private:
-  static std::filesystem::path Place() {
+  static std::filesystem::path TestPath() {
     const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
     return std::filesystem::path(::testing::TempDir()) /
            (std::string("touchdown_") + test->test_suite_name() + "_" + test->name());
   }
 
-  const std::filesystem::path path_ = Place();
+  const std::filesystem::path path_ = TestPath();
 };
 
 }  // namespace touchdown::tests

@@ -8,8 +8,8 @@
 
 namespace touchdown::tests {
 
-/// Matches a callable without parameters that throws InputError with a message that `message` (a matcher or the whole
-/// text) matches: EXPECT_THAT([&] { Read(file); }, ThrowsInputError(HasSubstr("no such file"))).
+/// Matches a callable without parameters that throws InputError. `message` is a matcher for its message, or the whole
+/// message. Example: EXPECT_THAT([&] { Read(file); }, ThrowsInputError(HasSubstr("no such file"))).
 template <typename Message>
 auto ThrowsInputError(Message message) {
   return testing::ThrowsMessage<InputError>(std::move(message));

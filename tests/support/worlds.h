@@ -13,7 +13,7 @@ inline models::Vehicle VehicleWithoutDrag() {
   return vehicle;
 }
 
-/// Still air, balanced rotors, nothing to look at.
+/// Still air and balanced rotors, without textures.
 inline sim::WorldConfig StillAndBalanced() {
   sim::WorldConfig config;
   config.vibration.imbalance_kg_m = 0.0;
@@ -21,19 +21,19 @@ inline sim::WorldConfig StillAndBalanced() {
   return config;
 }
 
-/// As a flight has it by default, but with nothing to look at.
+/// Default world without textures.
 inline sim::WorldConfig Unpainted() {
   sim::WorldConfig config;
   config.paint_textures = false;
   return config;
 }
 
-/// `vehicle` in an empty room, in still air, with balanced rotors.
+/// Empty room with `vehicle`, still air and balanced rotors.
 inline sim::World QuietWorld(const models::Vehicle& vehicle) {
   return sim::World(StillAndBalanced(), vehicle, EmptyRoom(), models::TimeBase{}, 1);
 }
 
-/// X_WB of a level body that heads along X_W.
+/// X_WB of a level body with its X axis along X_W.
 inline Eigen::Isometry3d LevelPose(double x_m, double y_m, double z_m) {
   return Eigen::Isometry3d(Eigen::Translation3d(x_m, y_m, z_m));
 }

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using kainjow::mustache::data;
 
-constexpr int kMostPictures = 50;
+constexpr int kMaxImages = 50;
 
 data Flag(bool on) { return on ? data::type::bool_true : data::type::bool_false; }
 
@@ -105,15 +105,15 @@ void PutFailures(const SweepOutcome& sweep, const fs::path& folder, data& page) 
   for (const SweepResult& result : sweep.results) {
     if (result.row.passed()) continue;
     data failure = FailureData(sweep.terms, result, folder);
-    failure.set("shown", Flag(count < kMostPictures));
+    failure.set("shown", Flag(count < kMaxImages));
     failures << failure;
     ++count;
   }
   page.set("head", Texts(FailureHead(sweep.terms)));
   page.set("failures", failures);
   page.set("has_failures", Flag(count > 0));
-  page.set("cut", Flag(count > kMostPictures));
-  page.set("most_pictures", std::to_string(kMostPictures));
+  page.set("cut", Flag(count > kMaxImages));
+  page.set("most_pictures", std::to_string(kMaxImages));
 }
 
 void PutSections(const std::vector<report::ReportSection>& sections, data& page) {

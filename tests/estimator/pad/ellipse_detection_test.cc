@@ -17,8 +17,8 @@ class EllipseDetectionTest : public testing::Test {
  protected:
   EllipseDetectionTest() { camera_.k1 = camera_.k2 = 0.0; }
 
-  std::vector<Ellipse> Detect(const tests::PadPicture& picture) const {
-    return DetectEllipses(tests::RenderPad(camera_, pad_, X_WC_, picture).View());
+  std::vector<Ellipse> Detect(const tests::PadAppearance& appearance) const {
+    return DetectEllipses(tests::RenderPad(camera_, pad_, X_WC_, appearance).View());
   }
 
   /// Largest distance from an ellipse to the points of the ring's outer boundary, px.

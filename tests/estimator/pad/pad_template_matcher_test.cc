@@ -43,17 +43,17 @@ class PadTemplateMatcherTest : public testing::Test {
   /// Renders a ring with the artwork `black` and searches the template, given the true pose of the ring.
   std::optional<TemplateWarp> Find(const Black& black, const View& view = {}) {
     SetView(view);
-    tests::PadPicture picture{
+    tests::PadAppearance appearance{
         .noise_sigma = view.noise_sigma, .lens_blur_sigma_px = view.lens_blur_sigma_px, .letter = false};
     const Artwork pad(pad_);
-    picture.paint = [&](const Vector2d& p) -> std::optional<double> {
+    appearance.paint = [&](const Vector2d& p) -> std::optional<double> {
       if (p.norm() > 0.1) return std::nullopt;
       const bool is_black = p.norm() > pad_.inner_radius_m() ? pad.outline.IsBlack(p) : black(pad, p);
-      const double gray = is_black ? picture.black : picture.paper;
+      const double gray = is_black ? appearance.black : appearance.paper;
       return view.light ? view.light(gray, p) : gray;
     };
     models::RandomStream noise(7, "noise");
-    const models::Image image = tests::RenderPad(camera_, pad_, X_WC_, picture, &noise);
+    const models::Image image = tests::RenderPad(camera_, pad_, X_WC_, appearance, &noise);
     const Eigen::Isometry3d X_CW = X_WC_.inverse();
     const CirclePose pose{X_CW.linear().col(2), X_CW.translation()};
     const DownsampledCamera camera{camera_, undistort_, 1};
@@ -253,13 +253,13 @@ TEST_F(PadTemplateMatcherTest, IgnoresAnUndescribedMarkingBesideTheH) {
 TEST_F(PadTemplateMatcherTest, RejectsASquareFrame) {
   SetView({});
   const models::PadOutline outline(pad_);
-  tests::PadPicture picture{.noise_sigma = 0.0};
-  picture.paint = [&](const Vector2d& p) -> std::optional<double> {
+  tests::PadAppearance appearance{.noise_sigma = 0.0};
+  appearance.paint = [&](const Vector2d& p) -> std::optional<double> {
     const double side = p.cwiseAbs().maxCoeff();
     if (side > 0.105 || p.norm() < 0.6 * pad_.inner_radius_m()) return std::nullopt;
     return side > 0.07 && side < 0.086 ? 25.0 : outline.IsLetter(p) ? 25.0 : 215.0;
   };
-  const models::Image image = tests::RenderPad(camera_, pad_, X_WC_, picture);
+  const models::Image image = tests::RenderPad(camera_, pad_, X_WC_, appearance);
   const Eigen::Isometry3d X_CW = X_WC_.inverse();
   const CirclePose pose{X_CW.linear().col(2), X_CW.translation()};
   const DownsampledCamera camera{camera_, undistort_, 1};

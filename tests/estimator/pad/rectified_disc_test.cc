@@ -21,9 +21,9 @@ class RectifiedDiscTest : public testing::Test {
   models::Image GrayRamp() const {
     const PadPlane plane = Plane();
     const Eigen::Vector3d x_W = X_WC_.linear() * (plane.InCamera({1, 0}) - plane.InCamera({0, 0}));
-    tests::PadPicture picture{.samples_per_side = 2};
-    picture.paint = [&](const Vector2d& p) { return std::optional(120.0 + 600.0 * p.dot(x_W.head<2>())); };
-    return tests::RenderPad(camera_, {}, X_WC_, picture);
+    tests::PadAppearance appearance{.samples_per_side = 2};
+    appearance.paint = [&](const Vector2d& p) { return std::optional(120.0 + 600.0 * p.dot(x_W.head<2>())); };
+    return tests::RenderPad(camera_, {}, X_WC_, appearance);
   }
 
   models::CameraModel camera_;
@@ -52,7 +52,7 @@ TEST_F(RectifiedDiscTest, ReturnsNulloptForADiscPartlyOutsideTheImage) {
 }
 
 TEST_F(RectifiedDiscTest, NormalizesUnevenIllumination) {
-  tests::PadPicture picture{.samples_per_side = 2};
+  tests::PadAppearance appearance{.samples_per_side = 2};
   const auto lit = [](double slope) {
     return [slope](const Vector2d& p) {
       const bool dark =
@@ -62,8 +62,8 @@ TEST_F(RectifiedDiscTest, NormalizesUnevenIllumination) {
   };
   std::vector<Cells> normalized;
   for (const double slope : {0.0, 7.0}) {
-    picture.paint = lit(slope);
-    const auto disc = RectifiedDisc::Of(tests::RenderPad(camera_, {}, X_WC_, picture).View(), Plane(), 0.06);
+    appearance.paint = lit(slope);
+    const auto disc = RectifiedDisc::Of(tests::RenderPad(camera_, {}, X_WC_, appearance).View(), Plane(), 0.06);
     ASSERT_TRUE(disc);
     Cells cells = disc->ContrastNormalized(1.0);
     for (int row = 0; row < RectifiedDisc::kCells; ++row) {

@@ -163,13 +163,13 @@ struct Observation {
   }
 };
 
-Observation Observe(const View& view, const tests::PadPicture& picture, const models::LandingPad& pad = {}) {
+Observation Observe(const View& view, const tests::PadAppearance& appearance, const models::LandingPad& pad = {}) {
   Observation observation;
   observation.X_WC =
       tests::CameraAbovePad(Vector3d::Zero(), models::DegToRad(view.yaw_deg), models::DegToRad(view.tilt_deg), 0.8);
   observation.X_WC.translation() = -view.distance_m * observation.X_WC.linear().col(2);
   models::RandomStream random(1, "tests.classifier.noise");
-  const models::Image image = tests::RenderPad(kCamera, pad, observation.X_WC, picture, &random);
+  const models::Image image = tests::RenderPad(kCamera, pad, observation.X_WC, appearance, &random);
   observation.components = ExtractComponents(Binarize(image.View()).View());
   return observation;
 }
@@ -208,9 +208,9 @@ TEST(Classify, RecognizesRingAndRectangleWithTheRectangleNetwork) {
 
 /// Observation of a dark shape around the origin on white ground. The shape is scaled by 90 mm.
 Observation ObserveShape(bool (*is_dark)(const Vector2d& q), const View& view) {
-  tests::PadPicture picture{.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5};
-  picture.paint = [&](const Vector2d& p) -> std::optional<double> { return is_dark(p / 0.09) ? 25.0 : 215.0; };
-  return Observe(view, picture);
+  tests::PadAppearance appearance{.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5};
+  appearance.paint = [&](const Vector2d& p) -> std::optional<double> { return is_dark(p / 0.09) ? 25.0 : 215.0; };
+  return Observe(view, appearance);
 }
 
 std::vector<Label> LabelsOf(const Observation& observation) {

@@ -37,11 +37,11 @@ struct Scene {
   }
 };
 
-Scene SceneFrom(const Eigen::Isometry3d& X_WC, const tests::PadPicture& picture = {},
+Scene SceneFrom(const Eigen::Isometry3d& X_WC, const tests::PadAppearance& appearance = {},
                 const models::LandingPad& pad = {}) {
   Scene scene{.camera = {}, .pad = pad, .X_WC = X_WC, .image = {}, .components = {}, .detected = {}};
   models::RandomStream random(1, "tests.edges");
-  scene.image = tests::RenderPad(scene.camera, scene.pad, X_WC, picture, &random);
+  scene.image = tests::RenderPad(scene.camera, scene.pad, X_WC, appearance, &random);
   scene.components = ExtractComponents(Binarize(scene.image.View()).View());
   const Vector2d center = *scene.camera.Project(X_WC.inverse() * Vector3d::Zero());
   const double radius_px = scene.camera.fx_px * scene.pad.outer_radius_m / X_WC.translation().norm();

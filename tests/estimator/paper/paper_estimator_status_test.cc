@@ -18,20 +18,20 @@ using PaperEstimatorStatus = tests::PaperEstimatorFixture;
 
 TEST_F(PaperEstimatorStatus, ReportsNoComponentForABlankImage) {
   const models::Image blank(640, 480, 128);
-  const FrameResult result = SeeImage(blank, BodyWithCameraAt({0, 0, 1}));
+  const FrameResult result = EstimateImage(blank, BodyWithCameraAt({0, 0, 1}));
   EXPECT_EQ(result.reason, "no_component");
   EXPECT_FALSE(result.pose);
   EXPECT_FALSE(result.pad_px);
 }
 
 TEST_F(PaperEstimatorStatus, ReportsNoCircleForALetterAlone) {
-  const FrameResult result = See(BodyWithCameraAt({0, 0, 0.6}), {.ring = false});
+  const FrameResult result = EstimateView(BodyWithCameraAt({0, 0, 0.6}), {.ring = false});
   EXPECT_EQ(result.reason, "no_circle");
   EXPECT_FALSE(result.overlay.boxes.empty());
 }
 
 TEST_F(PaperEstimatorStatus, ReportsNoHForARingAlone) {
-  EXPECT_EQ(See(BodyWithCameraAt({0, 0, 0.6}), {.letter = false}).reason, "no_h");
+  EXPECT_EQ(EstimateView(BodyWithCameraAt({0, 0, 0.6}), {.letter = false}).reason, "no_h");
 }
 
 TEST_F(PaperEstimatorStatus, ReportsNoPairForAnHBesideTheRing) {
@@ -40,7 +40,7 @@ TEST_F(PaperEstimatorStatus, ReportsNoPairForAnHBesideTheRing) {
     if (q.norm() > 0.10) return std::nullopt;
     return outline.IsLetter(q) ? 25.0 : 215.0;
   };
-  const FrameResult result = See(BodyWithCameraAt({0, 0.15, 0.6}), {.letter = false, .paint = letter_aside});
+  const FrameResult result = EstimateView(BodyWithCameraAt({0, 0.15, 0.6}), {.letter = false, .paint = letter_aside});
   EXPECT_EQ(result.reason, "no_pair");
 }
 
@@ -55,8 +55,8 @@ TEST_F(PaperEstimatorStatus, ReportsNoWrongPoseWhenAHandCoversPartOfTheRing) {
   PaperEstimator footage(unrelated);
   const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.02, 0.01, 0.6});
   for (const double x_m : {-0.03, 0.0, 0.03, 0.055, 0.06, 0.065, 0.07, 0.075, 0.08, 0.085, 0.095}) {
-    const FrameResult in_flight = See(X_WB, {.noise_sigma = 3.0, .paint = HandBeyond(x_m)});
-    const models::Image image = Picture(X_WB, {.noise_sigma = 3.0, .paint = HandBeyond(x_m)});
+    const FrameResult in_flight = EstimateView(X_WB, {.noise_sigma = 3.0, .paint = HandBeyond(x_m)});
+    const models::Image image = Render(X_WB, {.noise_sigma = 3.0, .paint = HandBeyond(x_m)});
     const FrameResult in_footage = footage.Estimate(image.View(), 0, GravityIn(X_WB));
     for (const FrameResult& result : {in_flight, in_footage}) {
       if (x_m < 0.03) {
@@ -69,7 +69,7 @@ TEST_F(PaperEstimatorStatus, ReportsNoWrongPoseWhenAHandCoversPartOfTheRing) {
       EXPECT_TRUE((error.array().abs() < 4.0 * sigma.array()).all()) << x_m << ": " << error.transpose();
     }
   }
-  EXPECT_EQ(See(X_WB, {.noise_sigma = 3.0, .paint = HandBeyond(0.095)}).status, FrameStatus::kOk);
+  EXPECT_EQ(EstimateView(X_WB, {.noise_sigma = 3.0, .paint = HandBeyond(0.095)}).status, FrameStatus::kOk);
 }
 
 TEST_F(PaperEstimatorStatus, ReportsNoEllipseForASquareOutline) {
@@ -86,7 +86,7 @@ TEST_F(PaperEstimatorStatus, ReportsNoEllipseForASquareOutline) {
     return classification;
   });
   const Eigen::Isometry3d X_WB = BodyWithCameraAt({0, 0, 0.6});
-  const models::Image image = Picture(X_WB, {.floor = 215.0, .ring = false, .paint = square});
+  const models::Image image = Render(X_WB, {.floor = 215.0, .ring = false, .paint = square});
   const FrameResult result = estimator.Estimate(image.View(), 0, GravityIn(X_WB));
   EXPECT_EQ(result.reason, "no_ellipse");
   EXPECT_FALSE(result.pose);
@@ -94,12 +94,12 @@ TEST_F(PaperEstimatorStatus, ReportsNoEllipseForASquareOutline) {
 }
 
 TEST_F(PaperEstimatorStatus, RejectsAJumpAndReportsItsPose) {
-  ASSERT_EQ(See(BodyWithCameraAt({0, 0, 0.6})).status, FrameStatus::kOk);
-  const FrameResult jumped = See(BodyWithCameraAt({0.3, 0.2, 1.1}));
+  ASSERT_EQ(EstimateView(BodyWithCameraAt({0, 0, 0.6})).status, FrameStatus::kOk);
+  const FrameResult jumped = EstimateView(BodyWithCameraAt({0.3, 0.2, 1.1}));
   EXPECT_EQ(jumped.status, FrameStatus::kRejected);
   ASSERT_TRUE(jumped.pose);
   EXPECT_NEAR(jumped.pose->X_WB.translation().x(), 0.3, 0.1);
-  EXPECT_EQ(See(BodyWithCameraAt({0, 0, 0.61})).status, FrameStatus::kOk);
+  EXPECT_EQ(EstimateView(BodyWithCameraAt({0, 0, 0.61})).status, FrameStatus::kOk);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace {
 using Eigen::Vector3d;
 using tests::GravityIn;
 using tests::kFrame;
-using tests::PadPicture;
+using tests::PadAppearance;
 
 using PaperEstimatorTest = tests::PaperEstimatorFixture;
 
@@ -31,16 +31,16 @@ TEST_F(PaperEstimatorTest, CallsOnStageForEachStage) {
   setup_.on_stage = [&stages](FrameStage stage) { stages.push_back(stage); };
   estimator_ = std::make_unique<PaperEstimator>(setup_);
   const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.0, 0.0, 0.7});
-  See(X_WB);
+  EstimateView(X_WB);
   EXPECT_EQ(stages, (std::vector{FrameStage::kRecognition, FrameStage::kGeometry}));
   stages.clear();
-  See(X_WB, {.ring = false, .letter = false});
+  EstimateView(X_WB, {.ring = false, .letter = false});
   EXPECT_EQ(stages, std::vector{FrameStage::kRecognition});
 }
 
 TEST_F(PaperEstimatorTest, FindsTheBodyAboveThePad) {
   const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.08, -0.05, 0.7}, 0.2, 0.1, 0.6);
-  const FrameResult result = See(X_WB);
+  const FrameResult result = EstimateView(X_WB);
   ASSERT_EQ(result.status, FrameStatus::kOk);
   ASSERT_TRUE(result.pose);
   EXPECT_LT((result.pose->X_WB.translation() - X_WB.translation()).norm(), 0.030);
@@ -51,7 +51,7 @@ TEST_F(PaperEstimatorTest, FindsTheBodyAboveThePad) {
 
 TEST_F(PaperEstimatorTest, ReturnsAnOverlay) {
   const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.02, 0.01, 0.6});
-  const FrameResult result = See(X_WB);
+  const FrameResult result = EstimateView(X_WB);
   const Overlay::Ellipse* const ring_outer = result.overlay.FindEllipse("ring_outer");
   const Overlay::Ellipse* const ring_inner = result.overlay.FindEllipse("ring_inner");
   ASSERT_TRUE(ring_outer && ring_inner && result.overlay.FindEllipse("letter") && result.pad_px);
@@ -77,7 +77,7 @@ TEST_F(PaperEstimatorTest, SelectsTheBranchByGravity) {
     Eigen::Isometry3d X_WC = tests::CameraAbovePad(Vector3d::Zero(), 0.0, tilt, 0.0);
     X_WC.translation() = -X_WC.linear().col(2) * 0.6;
     const Eigen::Isometry3d X_WB = X_WC * setup_.X_BC.inverse();
-    const models::Image image = Picture(X_WB);
+    const models::Image image = Render(X_WB);
     PaperEstimator estimator(setup_);
     const auto right = estimator.Estimate(image.View(), 0, GravityIn(X_WB));
     ASSERT_TRUE(right.pose);
@@ -100,7 +100,7 @@ TEST_F(PaperEstimatorTest, SelectsTheBranchByTheArtworkWithoutAnImu) {
       Eigen::Isometry3d X_WC = tests::CameraAbovePad(Vector3d::Zero(), 0.3, models::DegToRad(degrees), direction);
       X_WC.translation() = -X_WC.linear().col(2) * 0.6;
       const Eigen::Isometry3d X_WB = X_WC * setup_.X_BC.inverse();
-      const FrameResult result = estimator.Estimate(Picture(X_WB).View(), 0, std::nullopt);
+      const FrameResult result = estimator.Estimate(Render(X_WB).View(), 0, std::nullopt);
       ASSERT_EQ(result.status, FrameStatus::kOk) << degrees;
       // Only the vertical is compared: the yaw is not rectified (Sec. IV-C.3) and has large errors at such tilts.
       const double off = models::AngleBetween(GravityIn(result.pose->X_WB), GravityIn(X_WB));
@@ -115,7 +115,7 @@ TEST_F(PaperEstimatorTest, SelectsTheFrontalPoseWithoutAnImuWhenBothMatchEqually
   setup_.frame_order = FrameOrder::kUnrelated;
   PaperEstimator estimator(setup_);
   const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.0, 0.0, 1.4});
-  const FrameResult result = estimator.Estimate(Picture(X_WB).View(), 0, std::nullopt);
+  const FrameResult result = estimator.Estimate(Render(X_WB).View(), 0, std::nullopt);
   ASSERT_EQ(result.status, FrameStatus::kOk);
   EXPECT_EQ(result.choice->reason, PoseChoice::Reason::kFrontal);
   EXPECT_LE(result.choice->chosen, result.choice->other);
@@ -124,7 +124,7 @@ TEST_F(PaperEstimatorTest, SelectsTheFrontalPoseWithoutAnImuWhenBothMatchEqually
 TEST_F(PaperEstimatorTest, ReportsThePoseChoiceAndTheRingBox) {
   Eigen::Isometry3d X_WC = tests::CameraAbovePad(Vector3d::Zero(), 0.0, 0.3, 0.0);
   X_WC.translation() = -X_WC.linear().col(2) * 0.5;
-  const FrameResult result = See(X_WC * setup_.X_BC.inverse());
+  const FrameResult result = EstimateView(X_WC * setup_.X_BC.inverse());
   ASSERT_TRUE(result.choice && result.ring_box && result.pad_px);
   EXPECT_EQ(result.choice->reason, PoseChoice::Reason::kGravity);
   EXPECT_LT(result.choice->chosen, models::DegToRad(3.0));
@@ -139,7 +139,7 @@ TEST_F(PaperEstimatorTest, AcceptsUnrelatedImages) {
   PaperEstimator estimator(setup_);
   for (const double height : {1.2, 0.4, 1.5, 0.6}) {
     const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.0, 0.1, height});
-    EXPECT_EQ(estimator.Estimate(Picture(X_WB).View(), 0, GravityIn(X_WB)).status, FrameStatus::kOk) << height;
+    EXPECT_EQ(estimator.Estimate(Render(X_WB).View(), 0, GravityIn(X_WB)).status, FrameStatus::kOk) << height;
   }
 }
 
@@ -151,7 +151,7 @@ TEST_F(PaperEstimatorTest, SearchesEdgesInFootageWithoutAPadAmongTheComponents) 
     return on_stroke || on_ring ? std::optional(230.0) : std::nullopt;
   };
   const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.05, -0.03, 0.5}, 0.3, 0.2, 0.6);
-  const models::Image image = Picture(X_WB, {.noise_sigma = 3.0, .paint = glare});
+  const models::Image image = Render(X_WB, {.noise_sigma = 3.0, .paint = glare});
   EXPECT_FALSE(estimator_->Estimate(image.View(), tick_ += kFrame, GravityIn(X_WB)).pose);
   setup_.frame_order = FrameOrder::kUnrelated;
   const FrameResult result = PaperEstimator(setup_).Estimate(image.View(), 0, GravityIn(X_WB));
@@ -172,7 +172,7 @@ TEST_F(PaperEstimatorTest, SearchesEdgesInLargeImages) {
     return (p - Eigen::Vector2d(0.03, 0.02)).norm() < 0.011 ? std::optional(230.0) : std::nullopt;
   };
   const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.05, -0.03, 0.5}, 0.3, 0.2, 0.6);
-  const models::Image image = Picture(X_WB, {.samples_per_side = 2, .paint = glare});
+  const models::Image image = Render(X_WB, {.samples_per_side = 2, .paint = glare});
   const FrameResult result = PaperEstimator(setup_).Estimate(image.View(), 0, GravityIn(X_WB));
   ASSERT_EQ(result.status, FrameStatus::kOk);
   EXPECT_LT((result.pose->X_WB.translation() - X_WB.translation()).norm(), 0.01);
@@ -197,7 +197,7 @@ TEST_F(PaperEstimatorTest, HasAConsistentYawVarianceForASquareH) {
       Eigen::Isometry3d X_WC = tests::CameraAbovePad(Vector3d::Zero(), 0.0, models::DegToRad(30.0), direction);
       X_WC.translation() = -X_WC.linear().col(2) * 0.3;
       const Eigen::Isometry3d X_WB = X_WC * setup_.X_BC.inverse();
-      const auto result = PaperEstimator(setup_).Estimate(Picture(X_WB).View(), 0, GravityIn(X_WB));
+      const auto result = PaperEstimator(setup_).Estimate(Render(X_WB).View(), 0, GravityIn(X_WB));
       if (order == FrameOrder::kFlight && !result.pose) continue;  // The classifier is not trained for a square H.
       ASSERT_TRUE(result.pose) << direction;
       const double error = models::TaitBryanFromRotation(result.pose->X_WB.linear()).yaw -
@@ -213,7 +213,7 @@ TEST_F(PaperEstimatorTest, MeasuresTheYawOfASquareH) {
   PaperEstimator estimator(setup_);
   for (int deg = -85; deg <= 85; deg += 34) {
     const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.02, 0.01, 0.5}, models::DegToRad(deg));
-    const auto result = estimator.Estimate(Picture(X_WB).View(), 0, GravityIn(X_WB));
+    const auto result = estimator.Estimate(Render(X_WB).View(), 0, GravityIn(X_WB));
     ASSERT_TRUE(result.pose) << deg;
     EXPECT_NEAR(models::RadToDeg(models::TaitBryanFromRotation(result.pose->X_WB.linear()).yaw), deg, 1.5);
   }
@@ -222,7 +222,7 @@ TEST_F(PaperEstimatorTest, MeasuresTheYawOfASquareH) {
 TEST_F(PaperEstimatorTest, MeasuresYawWithin90Degrees) {
   for (int deg = -85; deg <= 85; deg += 34) {
     const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.02, 0.01, 0.5}, models::DegToRad(deg));
-    const auto result = See(X_WB);
+    const auto result = EstimateView(X_WB);
     ASSERT_TRUE(result.pose) << deg;
     EXPECT_NEAR(models::RadToDeg(models::TaitBryanFromRotation(result.pose->X_WB.linear()).yaw), deg, 1.5);
     EXPECT_LT((result.pose->X_WB.translation() - X_WB.translation()).norm(), 0.02);
@@ -242,7 +242,7 @@ TEST_F(PaperEstimatorTest, FindsTheBodyAboveAPadWithARectangle) {
     for (const double height : {0.25, 0.6, 1.4}) {
       for (const int deg : {-85, -17, 51}) {
         const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.02, 0.01, height}, models::DegToRad(deg), 0.05, 0.6);
-        const models::Image image = Picture(X_WB, {.noise_sigma = 3.0, .samples_per_side = 3});
+        const models::Image image = Render(X_WB, {.noise_sigma = 3.0, .samples_per_side = 3});
         const auto result = PaperEstimator(setup_).Estimate(image.View(), 0, GravityIn(X_WB));
         ASSERT_TRUE(result.pose) << height << " " << deg << " " << Name(result.status);
         EXPECT_LT((result.pose->X_WB.translation() - X_WB.translation()).norm(), 0.04 * height);
@@ -260,7 +260,7 @@ TEST_F(PaperEstimatorTest, RejectsAPadWithAnotherLetter) {
       for (const double height : {0.4, 1.0}) {
         const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.05, -0.02, height}, 0.4, 0.1, 0.6);
         setup_.pad = printed;
-        const models::Image image = Picture(X_WB, {.noise_sigma = 3.0, .samples_per_side = 3});
+        const models::Image image = Render(X_WB, {.noise_sigma = 3.0, .samples_per_side = 3});
         ASSERT_TRUE(PaperEstimator(setup_).Estimate(image.View(), 0, GravityIn(X_WB)).pose) << height;
         setup_.pad = described;
         EXPECT_FALSE(PaperEstimator(setup_).Estimate(image.View(), 0, GravityIn(X_WB)).pose) << height;
@@ -295,7 +295,7 @@ TEST_F(PaperEstimatorTest, FindsThePadWithoutTheTemplate) {
   config.search.verify = Verify::kNone;
   for (const double height : {0.3, 0.6, 1.0, 1.5}) {
     const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.02, -0.01, height}, 0.4, 0.1, 0.7);
-    const models::Image image = Picture(X_WB);
+    const models::Image image = Render(X_WB);
     const FrameResult published = PaperEstimator(setup_, config).Estimate(image.View(), 0, GravityIn(X_WB));
     const FrameResult verified = PaperEstimator(setup_).Estimate(image.View(), 0, GravityIn(X_WB));
     ASSERT_TRUE(published.pose && verified.pose) << height;
@@ -309,7 +309,7 @@ TEST_F(PaperEstimatorTest, FindsThePadAmongClutter) {
     const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.1, 0.05, 0.9}, 0.1);
     PaperEstimator estimator(setup_);
     FrameResult result;
-    const models::Image image = Picture(X_WB, {.noise_sigma = 3.0, .paint = clutter});
+    const models::Image image = Render(X_WB, {.noise_sigma = 3.0, .paint = clutter});
     for (models::Tick tick = 0; tick < 3 * kFrame; tick += kFrame) {
       result = estimator.Estimate(image.View(), tick, GravityIn(X_WB));
     }
@@ -321,7 +321,7 @@ TEST_F(PaperEstimatorTest, FindsThePadAmongClutter) {
 
 TEST_F(PaperEstimatorTest, IsDeterministic) {
   const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.05, 0.02, 0.8}, 0.1, 0.05);
-  const models::Image image = Picture(X_WB);
+  const models::Image image = Render(X_WB);
   PaperEstimator first(setup_), second(setup_);
   const auto a = first.Estimate(image.View(), 0, GravityIn(X_WB)),
              b = second.Estimate(image.View(), 0, GravityIn(X_WB));
@@ -332,7 +332,7 @@ TEST_F(PaperEstimatorTest, IsDeterministic) {
 
 TEST_F(PaperEstimatorTest, UsesTheStride) {
   const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.05, 0.02, 0.6});
-  const models::Image image = Picture(X_WB);
+  const models::Image image = Render(X_WB);
   std::vector<std::uint8_t> padded(700 * 480, 17);
   for (int v = 0; v < 480; ++v) std::copy_n(image.View().Row(v), 640, padded.begin() + v * 700);
   PaperEstimator first(setup_), second(setup_);
@@ -344,7 +344,7 @@ TEST_F(PaperEstimatorTest, UsesTheStride) {
 
 TEST_F(PaperEstimatorTest, RejectsAnImageOfWrongSizeOrStride) {
   const models::Image image(320, 240, 100);
-  EXPECT_THROW(SeeImage(image, Eigen::Isometry3d::Identity()), std::invalid_argument);
+  EXPECT_THROW(EstimateImage(image, Eigen::Isometry3d::Identity()), std::invalid_argument);
   EXPECT_THROW(estimator_->Estimate({}, 0, -Vector3d::UnitZ()), std::invalid_argument);
   const models::Image whole(640, 480, 200);
   for (const std::ptrdiff_t stride : {0, 639, -640}) {
@@ -355,11 +355,11 @@ TEST_F(PaperEstimatorTest, RejectsAnImageOfWrongSizeOrStride) {
 }
 
 TEST_F(PaperEstimatorTest, ReportsAPositiveDefiniteCovarianceThatGrowsWithHeight) {
-  const auto near = See(BodyWithCameraAt({0.02, 0.0, 0.4}, 0.0, 0.05));
+  const auto near = EstimateView(BodyWithCameraAt({0.02, 0.0, 0.4}, 0.0, 0.05));
   ASSERT_TRUE(near.pose) << Name(near.status);
   PaperEstimator estimator(setup_);
   const Eigen::Isometry3d X_WB = BodyWithCameraAt({0.02, 0.0, 1.6}, 0.0, 0.05);
-  const auto far = estimator.Estimate(Picture(X_WB).View(), 0, GravityIn(X_WB));
+  const auto far = estimator.Estimate(Render(X_WB).View(), 0, GravityIn(X_WB));
   ASSERT_TRUE(far.pose) << Name(far.status);
   for (const auto* frame : {&near, &far}) {
     EXPECT_EQ(frame->pose->covariance.llt().info(), Eigen::Success);

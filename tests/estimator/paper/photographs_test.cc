@@ -26,7 +26,7 @@ TEST_F(Photographs, OfDistractorsAreRejected) {
   constexpr int kDistractors = 100;
   for (std::uint64_t seed = kFresh; seed < kFresh + kDistractors; ++seed) {
     const Photograph photo = PhotographDistractor(seed);
-    EXPECT_FALSE(Score(photo).claims_pad) << photo.subject << ", seed " << seed;
+    EXPECT_FALSE(Score(photo).reports_pad) << photo.subject << ", seed " << seed;
   }
 }
 

@@ -45,7 +45,7 @@ class ScopedVariable {
 
 class ClusterTest : public tests::ProgramFixture {
  protected:
-  void PutSweep(int seeds, const std::string& more = "") { tests::PutShortSweep(folder_, seeds, more); }
+  void PutSweep(int seeds, const std::string& more = "") { tests::WriteShortSweep(folder_, seeds, more); }
   std::string OutOf(const std::vector<std::string>& arguments) {
     const ProgramRun run = Run(arguments);
     EXPECT_EQ(run.status, 0) << run.err;

@@ -86,7 +86,7 @@ TEST_F(EstimateCommand, RejectsUnusableFootageAndWritesNothing) {
 TEST_F(EstimateCommand, KeepsEarlierPosesInAFullOrReadOnlyFolder) {
   fs::create_directories(folder_ / "small");
   const SmallMount small(folder_ / "small");
-  if (!small.is_there()) GTEST_SKIP() << "no permission to mount";
+  if (!small.is_mounted()) GTEST_SKIP() << "no permission to mount";
   folder_.Put("short.yaml", "start: {airborne: true}\nscript: [{do: hover, duration_s: 0.2}]\n");
   ASSERT_EQ(Run({"fly", "short.yaml", "--out", "flight", "--record", "--video", "off"}).status, 0);
   ASSERT_EQ(Run({"estimate", "flight", "--out", "small/poses"}).status, 0);

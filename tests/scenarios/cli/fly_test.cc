@@ -153,7 +153,7 @@ TEST_F(FlyCommand, WritesNothingWhenTheDiskIsFull) {
 TEST_F(FlyCommand, WritesNothingToAFullOrReadOnlyFolder) {
   fs::create_directories(folder_ / "small");
   const SmallMount small(folder_ / "small");
-  if (!small.is_there()) GTEST_SKIP() << "no permission to mount";
+  if (!small.is_mounted()) GTEST_SKIP() << "no permission to mount";
   folder_.Put("short.yaml", kTakeoffAndLanding + "time_limit_s: 0.1\n");
   const auto expect_rejected = [&](const std::vector<std::string>& options, const char* error) {
     std::vector<std::string> arguments = {"fly", "short.yaml", "--out", "small/flight", "--quiet"};

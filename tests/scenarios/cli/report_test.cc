@@ -77,7 +77,7 @@ TEST_F(ReportCommand, KeepsAUsersPage) {
 TEST_F(ReportCommand, KeepsTheEarlierPageInAFullOrReadOnlyFolder) {
   fs::create_directories(folder_ / "small");
   const SmallMount small(folder_ / "small");
-  if (!small.is_there()) GTEST_SKIP() << "no permission to mount";
+  if (!small.is_mounted()) GTEST_SKIP() << "no permission to mount";
   FlyInto("small/flight");
   small.Fill();
   EXPECT_THAT(ErrorOfReport("small/flight"), HasSubstr("report.html: cannot be written"));

@@ -35,7 +35,7 @@ using tests::SmallMount;
 
 class SweepCommand : public tests::ProgramFixture {
  protected:
-  void PutSweep(int seeds, const std::string& more = "") { tests::PutShortSweep(folder_, seeds, more); }
+  void PutSweep(int seeds, const std::string& more = "") { tests::WriteShortSweep(folder_, seeds, more); }
   ProgramRun Sweep(const std::vector<std::string>& more = {}, const tests::Interruption& interruption = {}) {
     std::vector<std::string> arguments{"sweep", "sweep.yaml", "--out", "out"};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -289,7 +289,7 @@ TEST_F(SweepCommand, KeepsItsRowsWhenTheDiskIsFullOrReadOnly) {
   PutSweep(6);
   fs::create_directories(folder_ / "small");
   const SmallMount small(folder_ / "small");
-  if (!small.is_there()) GTEST_SKIP() << "no permission to mount";
+  if (!small.is_mounted()) GTEST_SKIP() << "no permission to mount";
   const std::vector<std::string> sweep{"sweep", "sweep.yaml", "--out", "small/out", "--jobs", "1"};
   // The disk becomes full during the sweep, after some rows are written.
   std::map<std::string, double> before;
@@ -308,7 +308,7 @@ TEST_F(SweepCommand, KeepsItsRowsWhenTheDiskIsFullOrReadOnly) {
   small.MakeReadOnly();
   EXPECT_THAT(ErrorOf(sweep), HasSubstr("small/out"));
   EXPECT_EQ(KeptRows("small/out"), kept);
-  small.MakeRoom();
+  small.FreeSpace();
   EXPECT_EQ(Csv("small/out"), Csv("elsewhere")) << "it resumes once there is space";
   EXPECT_THAT(KeptRows("small/out"), IsSupersetOf(kept)) << "kept rows are not flown again";
 }

@@ -13,7 +13,7 @@
 #include "scenarios/datasets/poses_table.h"
 #include "scenarios/runner/scenario.h"
 #include "scenarios/util/sha256.h"
-#include "tests/support/disk_of_size.h"
+#include "tests/support/file_size_limit.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/throws_input_error.h"
@@ -161,7 +161,7 @@ TEST_F(FlownBag, ReportsAFullDiskAndRemovesTheFile) {
   // The disk is full at the start, in the frames, in the truth, in the index, and when the file is closed.
   for (const rlim_t bytes :
        {rlim_t{0}, rlim_t{5000}, full_size / 2, full_size - 50'000, full_size - 3000, full_size - 1}) {
-    const tests::DiskOfSize disk(bytes);
+    const tests::FileSizeLimit disk(bytes);
     EXPECT_THAT([&] { WriteBag(scenario, file); }, ThrowsInputError(StartsWith("bag flight.bag: cannot be written")))
         << bytes;
     EXPECT_FALSE(fs::exists(file)) << bytes;

@@ -10,7 +10,7 @@
 #include "scenarios/runner/metrics.h"
 #include "scenarios/runner/pad_view.h"
 #include "scenarios/runner/tum_trajectory.h"
-#include "tests/support/made_flight.h"
+#include "tests/support/synthetic_flight.h"
 #include "tests/support/temporary_folder.h"
 
 namespace touchdown::datasets {
@@ -42,7 +42,7 @@ class PoseScoreTest : public ::testing::Test {
 
   tests::TemporaryFolder folder_;
   runner::Scenario scenario_ = Landing();
-  runner::FlightLog log_ = tests::MadeFlight(scenario_, 3.0);
+  runner::FlightLog log_ = tests::SyntheticFlight(scenario_, 3.0);
   runner::Metrics metrics_;
   std::vector<TimedPose> poses_;
 };

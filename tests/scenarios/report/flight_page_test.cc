@@ -10,7 +10,7 @@
 #include <regex>
 
 #include "models/angles.h"
-#include "tests/support/made_flight.h"
+#include "tests/support/synthetic_flight.h"
 #include "tests/support/throws_input_error.h"
 
 namespace touchdown::report {
@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 using tests::FilesOf;
-using tests::MadeFlight;
+using tests::SyntheticFlight;
 using tests::ThrowsInputError;
 using Json = nlohmann::json;
 
@@ -28,7 +28,7 @@ runner::Scenario Parsed(const std::string& more = "") {
   return runner::ParseScenario("script: [{do: takeoff, height_m: 1}, {do: land}]\n" + more, "made.yaml", ".");
 }
 
-FlightFiles MadeFiles(double duration_s = 2.0) { return FilesOf(Parsed(), MadeFlight(Parsed(), duration_s)); }
+FlightFiles MadeFiles(double duration_s = 2.0) { return FilesOf(Parsed(), SyntheticFlight(Parsed(), duration_s)); }
 
 /// Data embedded in the page for its script.
 Json DataOf(const std::string& page) {
@@ -75,9 +75,9 @@ Eigen::Isometry3d PoseWithYaw(double yaw_deg, double x_m) {
 TEST(FlightPage, TitleContainsScenarioSeedAndVerdict) {
   runner::Scenario scenario = Parsed("seed: 7\n");
   scenario.name = "gusts";
-  EXPECT_THAT(FlightPage(FilesOf(scenario, MadeFlight(scenario, 2.0))),
+  EXPECT_THAT(FlightPage(FilesOf(scenario, SyntheticFlight(scenario, 2.0))),
               HasSubstr("<title>gusts, seed 7: Passed</title>"));
-  runner::FlightLog crash = MadeFlight(scenario, 2.0);
+  runner::FlightLog crash = SyntheticFlight(scenario, 2.0);
   crash.outcome = runner::Outcome::kCrashed;
   EXPECT_THAT(FlightPage(FilesOf(scenario, crash)), HasSubstr("<title>gusts, seed 7: Failed</title>"));
   crash.outcome = runner::Outcome::kError;
@@ -106,14 +106,14 @@ TEST(FlightPage, OmitsVideoWhenThereIsNone) {
 TEST(FlightPage, EscapesUserText) {
   runner::Scenario scenario = Parsed();
   scenario.description = "{{scenario}} </script><script>alert(1)</script>";
-  const std::string page = FlightPage(FilesOf(scenario, MadeFlight(scenario, 1.0)));
+  const std::string page = FlightPage(FilesOf(scenario, SyntheticFlight(scenario, 1.0)));
   EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
   EXPECT_THAT(page, HasSubstr("{{scenario}} &lt;/script&gt;"));
 }
 
 TEST(FlightPage, KeepsExtremesOfLongFlight) {
   const runner::Scenario scenario = Parsed();
-  runner::FlightLog log = MadeFlight(scenario, 66.0);
+  runner::FlightLog log = SyntheticFlight(scenario, 66.0);
   log.ticks[6000].truth.X_WB.translation().z() = 1.75;
   log.ticks[9001].truth.X_WB.translation().z() = 0.625;
   log.frames[2000].vision_ms = 40.0;
@@ -128,7 +128,7 @@ TEST(FlightPage, KeepsExtremesOfLongFlight) {
 
 TEST(FlightPage, ResolvesYawAmbiguityTowardsTruth) {
   const runner::Scenario scenario = Parsed();
-  runner::FlightLog log = MadeFlight(scenario, 1.0);
+  runner::FlightLog log = SyntheticFlight(scenario, 1.0);
   for (runner::TickRecord& record : log.ticks) record.truth.X_WB = PoseWithYaw(170.0, 0.3);
   for (runner::FrameRecord& frame : log.frames) frame.X_WB = PoseWithYaw(170.0, 0.3);
   log.frames[30].pose->X_WB = PoseWithYaw(-8.0, -0.29);
@@ -144,7 +144,7 @@ TEST(FlightPage, ResolvesYawAmbiguityTowardsTruth) {
 
 TEST(FlightPage, UnwrapsYaw) {
   const runner::Scenario scenario = Parsed();
-  runner::FlightLog log = MadeFlight(scenario, 1.0);
+  runner::FlightLog log = SyntheticFlight(scenario, 1.0);
   for (std::size_t i = 0; i < log.ticks.size(); ++i) {
     log.ticks[i].truth.X_WB = PoseWithYaw(static_cast<double>(i) * 3.0, 0.0);
   }
@@ -154,7 +154,7 @@ TEST(FlightPage, UnwrapsYaw) {
 
 TEST(FlightPage, LeavesGapsWhereValuesAreMissing) {
   const runner::Scenario scenario = Parsed();
-  runner::FlightLog log = MadeFlight(scenario, 2.0);
+  runner::FlightLog log = SyntheticFlight(scenario, 2.0);
   log.frames.erase(log.frames.begin() + 60, log.frames.begin() + 66);
   const Json data = DataOf(scenario, log);
   EXPECT_TRUE(CurveOf(data, "x", "estimate").values.front().is_null());
@@ -167,7 +167,7 @@ TEST(FlightPage, LeavesGapsWhereValuesAreMissing) {
 
 TEST(FlightPage, ContainsPhasesEventsAndTouchdown) {
   const runner::Scenario scenario = Parsed("events: [{at_s: 0.5, do: push, force_n: [3, 4, 0], duration_s: 0.25}]\n");
-  const Json data = DataOf(scenario, MadeFlight(scenario, 2.0));
+  const Json data = DataOf(scenario, SyntheticFlight(scenario, 2.0));
   ASSERT_EQ(data.at("phases").size(), 5u);
   EXPECT_EQ(data["phases"][2]["name"], "hover");
   EXPECT_NEAR(data["phases"][2]["from_s"].get<double>(), 0.4, 0.006);
@@ -179,7 +179,7 @@ TEST(FlightPage, ContainsPhasesEventsAndTouchdown) {
 
 TEST(FlightPage, ShowsTouchdownFromMetricsOnly) {
   const runner::Scenario scenario = Parsed("");
-  runner::FlightLog log = MadeFlight(scenario, 2.0);
+  runner::FlightLog log = SyntheticFlight(scenario, 2.0);
   log.touchdown->at.tick += 5;
   log.touchdown->at.X_WB.translation().y() = 0.07;
   const Json data = DataOf(scenario, log);
@@ -191,7 +191,7 @@ TEST(FlightPage, ShowsTouchdownFromMetricsOnly) {
 
 TEST(FlightPage, ComparesErrorsWithTableOne) {
   const runner::Scenario scenario = Parsed();
-  runner::FlightLog log = MadeFlight(scenario, 1.0);
+  runner::FlightLog log = SyntheticFlight(scenario, 1.0);
   for (runner::FrameRecord& frame : log.frames) {
     if (frame.pose) frame.pose->X_WB.translation().x() += 0.01685;
   }
@@ -203,13 +203,13 @@ TEST(FlightPage, ComparesErrorsWithTableOne) {
 
 TEST(FlightPage, HandlesFlightsWithoutData) {
   const runner::Scenario scenario = Parsed();
-  runner::FlightLog blind = MadeFlight(scenario, 1.0);
+  runner::FlightLog blind = SyntheticFlight(scenario, 1.0);
   for (runner::FrameRecord& frame : blind.frames) {
     frame.status = estimator::FrameStatus::kNotFound;
     frame.reason = "no_component";
     frame.pose.reset();
   }
-  runner::FlightLog without_frames = MadeFlight(scenario, 1.0);
+  runner::FlightLog without_frames = SyntheticFlight(scenario, 1.0);
   without_frames.frames.clear();
   runner::FlightLog nothing;
   nothing.time = scenario.time;

@@ -170,9 +170,9 @@ TEST(PadSheet, PrintedPadIsFoundByEstimator) {
     const Eigen::Isometry3d X_WC = tests::CameraAbovePad({0.05, -0.04, 0.5}, 0.3, 0.1, 0.7);
     const Eigen::Isometry3d X_WB = X_WC * setup.X_BC.inverse();
     models::RandomStream random(1, "tests.pad_sheet");
-    tests::PadPicture picture{.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5};
-    picture.paint = Printed(raster, pad);
-    const models::Image image = tests::RenderPad(setup.camera, pad, X_WC, picture, &random);
+    tests::PadAppearance appearance{.noise_sigma = 3.0, .lens_blur_sigma_px = 0.5};
+    appearance.paint = Printed(raster, pad);
+    const models::Image image = tests::RenderPad(setup.camera, pad, X_WC, appearance, &random);
     const auto result = estimator::paper::PaperEstimator(setup).Estimate(image.View(), 0, tests::GravityIn(X_WB));
     ASSERT_TRUE(result.pose) << result.reason;
     EXPECT_LT((result.pose->X_WB.translation() - X_WB.translation()).norm(), 0.02);

@@ -14,10 +14,10 @@
 #include "scenarios/runner/scenario.h"
 #include "scenarios/sweeper/analysis/rows_csv.h"
 #include "scenarios/sweeper/page/sweep_report.h"
-#include "tests/support/docs_picture.h"
-#include "tests/support/made_flight.h"
-#include "tests/support/made_sweep.h"
+#include "tests/support/docs_image.h"
 #include "tests/support/run_program.h"
+#include "tests/support/synthetic_flight.h"
+#include "tests/support/synthetic_sweep.h"
 #include "tests/support/temporary_folder.h"
 
 namespace touchdown::report {
@@ -73,17 +73,17 @@ TEST_F(PageInABrowser, FlightReportSupportsInteractionAndMatchesDocs) {
                        .length_m = 0.02,
                        .width_m = 0.004,
                        .angle_deg = 30.0}};
-  runner::FlightLog without_frames = tests::MadeFlight(scenario, 2.0);
+  runner::FlightLog without_frames = tests::SyntheticFlight(scenario, 2.0);
   without_frames.frames.clear();
   runner::FlightLog nothing;
   nothing.time = scenario.time;
   RunScript("page_in_browser.mjs",
-            {(flight / "report.html").string(), PageOf("marked.html", marked, tests::MadeFlight(marked, 2.0)),
+            {(flight / "report.html").string(), PageOf("marked.html", marked, tests::SyntheticFlight(marked, 2.0)),
              PageOf("without_frames.html", scenario, without_frames), PageOf("nothing.html", scenario, nothing)});
 
   const std::string screenshot = (folder_ / "report.png").string();
   RunScript("screenshot_page.mjs", {(flight / "report.html").string(), screenshot, "1600", "1500"});
-  tests::ExpectPicture("report.png", cv::imread(screenshot), kSameLayout);
+  tests::ExpectDocsImage("report.png", cv::imread(screenshot), kSameLayout);
 }
 
 TEST_F(PageInABrowser, PaperReportFitsWideAndNarrowWindows) {
@@ -114,7 +114,8 @@ TEST_F(PageInABrowser, PaperReportFitsWideAndNarrowWindows) {
 
 TEST_F(PageInABrowser, SweepReportFitsWideAndNarrowWindows) {
   const fs::path page = folder_.Put(
-      "report.html", sweeper::SweepPage(tests::MadeSweep(), sweeper::Summarize(tests::MadeSweep()), folder_.path()));
+      "report.html",
+      sweeper::SweepPage(tests::SyntheticSweep(), sweeper::Summarize(tests::SyntheticSweep()), folder_.path()));
   // Pass rates over three parameters and three pairs of parameters, touchdown positions, and a histogram.
   RunScript("section_page_in_browser.mjs", {page.string(), "8"});
 }
@@ -131,7 +132,7 @@ TEST_F(PageInABrowser, WindSweepReportMatchesDocs) {
   const fs::path page = folder_.Put("report.html", sweeper::SweepPage(sweep, sweeper::Summarize(sweep), "out/wind"));
   const std::string screenshot = (folder_ / "sweep.png").string();
   RunScript("screenshot_page.mjs", {page.string(), screenshot, "1200", "1290"});
-  tests::ExpectPicture("sweep.png", cv::imread(screenshot), 1.0);
+  tests::ExpectDocsImage("sweep.png", cv::imread(screenshot), 1.0);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/disk_of_size.h"
+#include "tests/support/file_size_limit.h"
 #include "tests/support/throws_input_error.h"
 
 namespace touchdown::report {
@@ -159,7 +159,7 @@ TEST_F(VideoWriterTest, ThrowsForFullDiskAndRemovesFile) {
   fs::remove(file_);
   // The disk is full at the start, in the middle, and while the index is moved to the front.
   for (const rlim_t bytes : {rlim_t{0}, rlim_t{50'000}, full_size - 100}) {
-    const tests::DiskOfSize disk(bytes);
+    const tests::FileSizeLimit disk(bytes);
     EXPECT_THAT([&] { WriteNoise(file_); }, tests::ThrowsInputError("video video.mp4: File too large")) << bytes;
     EXPECT_FALSE(fs::exists(file_));
   }

@@ -158,7 +158,7 @@ TEST_F(ScenarioWithFiles, RefusesACalibrationThatIsNotOneAndNamesItsLineAndKey) 
       {"rows: 1, cols: 5", "rows: 1, cols: 4",
        "camera.yaml:6: distortion_coefficients.data: must be a list of 4 numbers"},
       {"rows: 1, cols: 5", "rows: 1, cols: 8", "camera.yaml:6: distortion_coefficients.cols: must be from 4 to 5"},
-      {"-0.28340811", "-0.9", "camera.yaml:6: distortion_coefficients.data: the camera's distortion folds"},
+      {"-0.28340811", "-0.9", "camera.yaml:6: distortion_coefficients.data: the camera's distortion is not invertible"},
       {"data: [1, 0, 0,", "data: [1, 0.1, 0,", "camera.yaml:7: rectification_matrix.data: must be [1, 0, 0"},
       {"367, 0, 0, 457", "367, -50, 0, 457", "camera.yaml:8: projection_matrix.data: must be [fx', 0, cx', 0,"},
       {"rows: 3, cols: 4", "rows: 3, cols: 3", "camera.yaml:8: projection_matrix.cols: must be 4, is 3"},
@@ -252,7 +252,8 @@ TEST_F(ScenarioWithFiles, NamesTheFileAndTheKeyThatNamedIt) {
   Put("pad.yaml", "\nradius: 1\n");
   EXPECT_THAT(LoadError("pad: pad.yaml\n"), HasSubstr("pad.yaml:2: pad.radius: unknown key"));
   Put("pad.yaml", "marks:\n  - shape: disc\n    x_m: 0.07\n    y_m: 0\n    diameter_m: 0.01\n");
-  EXPECT_THAT(LoadError("pad: pad.yaml\n"), HasSubstr("pad.yaml:2: pad.marks.0: a pad's mark must lie wholly"));
+  EXPECT_THAT(LoadError("pad: pad.yaml\n"),
+              HasSubstr("pad.yaml:2: pad.marks.0: a marking of the pad must be entirely"));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace touchdown::sim {
 namespace {
 
-TEST(DragForce, VanishesInStillAir) {
+TEST(DragForce, IsZeroInStillAir) {
   EXPECT_EQ(DragForce(models::Vehicle{}, Eigen::Vector3d::Zero()), Eigen::Vector3d::Zero());
 }
 
@@ -21,7 +21,7 @@ TEST(DragForce, AddsALinearAndAQuadraticPartOnEachAxis) {
   EXPECT_TRUE(oblique.isApprox(Eigen::Vector3d(-0.26, 0.26, -0.78), 1e-12));
 }
 
-TEST(DragForce, AlwaysTakesEnergyAway) {
+TEST(DragForce, AlwaysDissipatesEnergy) {
   const models::Vehicle vehicle;
   for (double angle = 0.0; angle < 6.3; angle += 0.3) {
     for (const double speed : {0.01, 1.0, 30.0}) {

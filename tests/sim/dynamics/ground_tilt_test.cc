@@ -19,7 +19,7 @@ using tests::kG;
 
 constexpr GroundTilt kSlope{.roll_deg = 2.9, .pitch_deg = -4.6};
 
-/// Written out, where the code multiplies matrices.
+/// Expected gravity in W, written out where the code multiplies matrices.
 Vector3d GravityOnTheSlope() {
   const double roll = models::DegToRad(kSlope.roll_deg), pitch = models::DegToRad(kSlope.pitch_deg);
   return kG * Vector3d(std::sin(pitch), -std::cos(pitch) * std::sin(roll), -std::cos(pitch) * std::cos(roll));
@@ -31,7 +31,7 @@ World WorldOnTheSlope() {
   return World(config, tests::VehicleWithoutDrag(), tests::EmptyRoom(), models::TimeBase{}, 1);
 }
 
-TEST(GroundTilt, LevelGroundHasGravityStraightDown) { EXPECT_EQ(GroundTilt{}.Gravity(), Vector3d(0.0, 0.0, -kG)); }
+TEST(GroundTilt, GravityPointsStraightDownOnLevelGround) { EXPECT_EQ(GroundTilt{}.Gravity(), Vector3d(0.0, 0.0, -kG)); }
 
 TEST(GroundTilt, PositiveRollLowersTheRightAndPositivePitchTheFront) {
   EXPECT_LT(GroundTilt{.roll_deg = 5.0}.Gravity().y(), 0.0);
@@ -39,14 +39,14 @@ TEST(GroundTilt, PositiveRollLowersTheRightAndPositivePitchTheFront) {
   EXPECT_TRUE(kSlope.Gravity().isApprox(GravityOnTheSlope(), 1e-12));
 }
 
-TEST(GroundTilt, RefusesWhatIsSteeperThan15Degrees) {
+TEST(GroundTilt, RejectsSlopesAbove15Degrees) {
   EXPECT_NO_THROW((GroundTilt{.roll_deg = 10.5, .pitch_deg = 10.5}.Validate()));
   EXPECT_THROW((GroundTilt{.roll_deg = 10.9, .pitch_deg = 10.9}.Validate()), InputError);
   EXPECT_THROW(GroundTilt{.roll_deg = 178.0}.Validate(), InputError);
   EXPECT_THROW(GroundTilt{.pitch_deg = std::nan("")}.Validate(), InputError);
 }
 
-TEST(GroundTilt, ThingsFallAlongTiltedGravity) {
+TEST(GroundTilt, VehiclesFallAlongTiltedGravity) {
   World world = WorldOnTheSlope();
   world.Reset(tests::LevelPose(0.3, -0.2, 10.0), false);
   tests::StepFor(world, {}, 1.0);
@@ -54,7 +54,7 @@ TEST(GroundTilt, ThingsFallAlongTiltedGravity) {
   EXPECT_LT((world.state().X_WB.translation() - Vector3d(0.3, -0.2, 10.0) - 0.5 * GravityOnTheSlope()).norm(), 1e-8);
 }
 
-TEST(GroundTilt, TheImuReadsItAtRestAndNothingInFreeFall) {
+TEST(GroundTilt, ImuMeasuresTiltedGravityAtRestAndZeroInFreeFall) {
   const ImuConfig perfect{.gyro_noise_rad_s_sqrt_hz = 0.0,
                           .accelerometer_noise_m_s2_sqrt_hz = 0.0,
                           .gyro_bias_sigma_deg_s = 0.0,
@@ -69,8 +69,8 @@ TEST(GroundTilt, TheImuReadsItAtRestAndNothingInFreeFall) {
   EXPECT_LT(imu.Sample(truth)->specific_force_U.norm(), 1e-12);
 }
 
-/// MuJoCo's friction is soft, and creeps: by some 0.03 mm/s on this slope.
-TEST(GroundTilt, FrictionHoldsAVehicleThatRests) {
+/// MuJoCo's soft friction creeps by about 0.03 mm/s on this slope.
+TEST(GroundTilt, FrictionHoldsAVehicleAtRest) {
   World world = WorldOnTheSlope();
   const Eigen::Isometry3d rest = world.RestingPose(0.1, 0.2, 0.5);
   world.Reset(rest, false);
@@ -82,7 +82,7 @@ TEST(GroundTilt, FrictionHoldsAVehicleThatRests) {
   }
   EXPECT_LT((world.state().X_WB.translation() - rest.translation()).norm(), 0.0002);
   EXPECT_LT(models::RotationLog(rest.linear().transpose() * world.state().X_WB.linear()).norm(), 1e-3);
-  EXPECT_LT(largest_acceleration, 0.2) << "it hardly has to settle";
+  EXPECT_LT(largest_acceleration, 0.2) << "the resting pose is nearly in equilibrium";
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ using testing::DoubleNear;
 
 class HandTest : public testing::TestWithParam<int> {
  protected:
-  static Eigen::Isometry3d Standing() {
+  static Eigen::Isometry3d RestPose() {
     Eigen::Isometry3d X_WB(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitZ()));
     X_WB.translation() = Eigen::Vector3d(0.02, -0.01, 0.14);
     return X_WB;
@@ -25,20 +25,20 @@ class HandTest : public testing::TestWithParam<int> {
 
   models::TimeBase time_;
   HandConfig config_{.carries = true};
-  Hand hand_{config_, Standing(), time_, static_cast<std::uint64_t>(GetParam())};
+  Hand hand_{config_, RestPose(), time_, static_cast<std::uint64_t>(GetParam())};
   const models::Tick end_ = time_.FromSeconds(Hand::kTimeAtRest_s + config_.duration_s);
 };
 
 INSTANTIATE_TEST_SUITE_P(Seeds, HandTest, testing::Range(1, 7));
 
-TEST_P(HandTest, LeavesTheVehicleStandingAtFirst) {
+TEST_P(HandTest, KeepsTheVehicleOnTheGroundAtFirst) {
   EXPECT_TRUE(hand_.IsOnGround(time_.FromSeconds(1.9)));
   EXPECT_FALSE(hand_.IsOnGround(time_.FromSeconds(2.1)));
-  EXPECT_TRUE(hand_.At(0).X_WB.isApprox(Standing()));
+  EXPECT_TRUE(hand_.At(0).X_WB.isApprox(RestPose()));
   EXPECT_TRUE(hand_.At(time_.FromSeconds(1.9)).v_WB.isZero());
 }
 
-TEST_P(HandTest, ReachesItsHeightAndTiltsAndNeverGoesBeyond) {
+TEST_P(HandTest, ReachesButNeverExceedsItsMaximumHeightAndTilts) {
   double height = 0.0, roll = 0.0, pitch = 0.0;
   for (models::Tick tick = 0; tick < end_; tick += 20) {
     const BodyMotion motion = hand_.At(tick);
@@ -61,7 +61,7 @@ TEST_P(HandTest, StaysAboveThePad) {
   EXPECT_THAT(farthest, DoubleNear(0.25, 0.01));
 }
 
-TEST_P(HandTest, MovesSmoothlyAndAsItsVelocitiesSay) {
+TEST_P(HandTest, MovesSmoothlyAndConsistentlyWithItsVelocities) {
   const double dt_s = time_.period_s();
   BodyMotion before = hand_.At(0);
   for (models::Tick tick = 1; tick < end_; ++tick) {
@@ -70,20 +70,21 @@ TEST_P(HandTest, MovesSmoothlyAndAsItsVelocitiesSay) {
     const Eigen::Vector3d w_B = models::RotationLog(before.X_WB.linear().transpose() * now.X_WB.linear()) / dt_s;
     ASSERT_LT((v_W - 0.5 * (now.v_WB + before.v_WB)).norm(), 1e-4) << tick;
     ASSERT_LT((w_B - 0.5 * (now.w_WB_B + before.w_WB_B)).norm(), 1e-3) << tick;
-    ASSERT_LT((now.v_WB - before.v_WB).norm() / dt_s, 5.0) << tick;  // m/s^2: a hand, not a blow.
+    ASSERT_LT((now.v_WB - before.v_WB).norm() / dt_s, 5.0)
+        << tick;  // m/s^2, the acceleration of a hand, not of an impact.
     before = now;
   }
 }
 
-TEST_P(HandTest, IsAnothersWithAnotherSeed) {
-  const Hand same(config_, Standing(), time_, static_cast<std::uint64_t>(GetParam()));
-  const Hand other(config_, Standing(), time_, 100);
+TEST_P(HandTest, DiffersForAnotherSeed) {
+  const Hand same(config_, RestPose(), time_, static_cast<std::uint64_t>(GetParam()));
+  const Hand other(config_, RestPose(), time_, 100);
   const models::Tick tick = time_.FromSeconds(20.0);
   EXPECT_EQ(hand_.At(tick).X_WB.matrix(), same.At(tick).X_WB.matrix());
   EXPECT_GT((hand_.At(tick).X_WB.translation() - other.At(tick).X_WB.translation()).norm(), 0.01);
 }
 
-TEST(HandConfigTest, RefusesWhatNoHandDoes) {
+TEST(HandConfigTest, RejectsMotionsThatNoHandCanMake) {
   EXPECT_NO_THROW(HandConfig{}.Validate());
   EXPECT_THROW(HandConfig{.duration_s = 1.0}.Validate(), InputError);
   EXPECT_THROW(HandConfig{.max_height_m = 10.0}.Validate(), InputError);

@@ -17,16 +17,16 @@ TEST(LoadModel, CompilesADocumentFromMemory) {
   EXPECT_EQ(mj_name2id(model.get(), mjOBJ_GEOM, "ball"), 0);
 }
 
-TEST(LoadModel, PassesOnWhatMujocoSaysOfABadDocument) {
+TEST(LoadModel, ReportsMujocosMessageForAnInvalidDocument) {
   try {
     LoadModel("<mujoco><worldbody><geom size='0.5' color='red'/></worldbody></mujoco>");
-    FAIL() << "it compiled";
+    FAIL() << "the invalid document compiled";
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("color"));
   }
 }
 
-TEST(MakeData, SaysThatMemoryRanOutAsLoadModelDoes) {
+TEST(MakeData, ThrowsBadAllocWithoutMemoryLikeLoadModel) {
   const std::string mjcf = "<mujoco><worldbody><geom size='0.5'/></worldbody></mujoco>";
   const MujocoModel model = LoadModel(mjcf);
   mju_user_malloc = [](std::size_t) -> void* { return nullptr; };

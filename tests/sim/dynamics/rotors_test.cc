@@ -28,7 +28,7 @@ TEST(Rotors, FollowAStepAsAFirstOrderLag) {
   }
 }
 
-TEST(Rotors, StayWithinTheirSpeeds) {
+TEST(Rotors, StayWithinTheirSpeedLimits) {
   const models::Vehicle vehicle;
   Rotors rotors(vehicle, kBalanced, kTime, 1);
   for (int tick = 0; tick < 1200; ++tick) rotors.Step(SameSpeed(1e6));
@@ -40,7 +40,7 @@ TEST(Rotors, StayWithinTheirSpeeds) {
   }
 }
 
-TEST(Rotors, GiveTheThrustOfTheirSpeedAndNoTorqueWhenEqual) {
+TEST(Rotors, HaveTheThrustOfTheirSpeedAndNoTorqueWhenEqual) {
   const models::Vehicle vehicle;
   Rotors rotors(vehicle, kBalanced, kTime, 1);
   rotors.Reset(480.0);
@@ -49,8 +49,8 @@ TEST(Rotors, GiveTheThrustOfTheirSpeedAndNoTorqueWhenEqual) {
   EXPECT_LT(wrench.torque_n_m.norm(), 1e-12);
 }
 
-/// Signs by hand: more thrust on the left rolls right, on the front pitches the nose up (negative pitch).
-TEST(Rotors, TurnTheBodyByWhereTheyPush) {
+/// Expected signs: more thrust on the left rolls right, more thrust in front pitches the nose up (negative pitch).
+TEST(Rotors, ApplyTorqueAccordingToTheirPosition) {
   const models::Vehicle vehicle;
   Rotors rotors(vehicle, kBalanced, kTime, 1);
   const double lever = 0.20 / std::sqrt(2.0);
@@ -68,19 +68,19 @@ TEST(Rotors, TurnTheBodyByWhereTheyPush) {
   EXPECT_TRUE(torque_of(3).isApprox(Eigen::Vector3d(lever, lever, -0.0165), 1e-9)) << "rear left";
 }
 
-TEST(Rotors, TurnTheirImbalanceAgainstTheirDragTorque) {
+TEST(Rotors, RotateTheirImbalanceAgainstTheirDragTorque) {
   Rotors rotors(models::Vehicle{}, VibrationConfig{}, kTime, 1);
   rotors.Reset(300.0);
   const auto before = rotors.angles_rad();
   rotors.Step(SameSpeed(300.0));
-  const double turned = 300.0 * kTime.period_s();
+  const double rotation = 300.0 * kTime.period_s();
   for (int i = 0; i < models::kRotorCount; ++i) {
-    const double expected = models::WrapToPi(before[i] - models::Vehicle::DragTorqueSign(i) * turned);
+    const double expected = models::WrapToPi(before[i] - models::Vehicle::DragTorqueSign(i) * rotation);
     EXPECT_NEAR(rotors.angles_rad()[i], expected, 1e-9);
   }
 }
 
-TEST(Rotors, ShakeWithTheSquareOfTheirSpeedInTheirPlane) {
+TEST(Rotors, HaveImbalanceForcesInPlaneProportionalToSquaredSpeed) {
   Rotors rotors(models::Vehicle{}, VibrationConfig{.imbalance_kg_m = 2e-6}, kTime, 1);
   rotors.Reset(200.0);
   const Wrench slow = rotors.Imbalance();
@@ -99,7 +99,7 @@ TEST(Rotors, DrawTheirPhasesFromTheSeed) {
   EXPECT_NE(Rotors(vehicle, {}, kTime, 7).angles_rad(), Rotors(vehicle, {}, kTime, 8).angles_rad());
 }
 
-TEST(VibrationConfig, RefusesAnImpossibleImbalance) {
+TEST(VibrationConfig, RejectsAnInvalidImbalance) {
   EXPECT_THROW(VibrationConfig{.imbalance_kg_m = -1e-9}.Validate(), InputError);
   EXPECT_THROW(VibrationConfig{.imbalance_kg_m = std::nan("")}.Validate(), InputError);
   EXPECT_NO_THROW(VibrationConfig{.imbalance_kg_m = 0.0}.Validate());

@@ -51,23 +51,23 @@ TEST_P(VehicleMjcfTest, HasTheMassAndInertiaOfTheVehicle) {
   EXPECT_EQ(model_->nq, 7) << "one free joint";
 }
 
-TEST_P(VehicleMjcfTest, StandsOnTheFeetOfTheVehicle) {
+TEST_P(VehicleMjcfTest, HasFeetAtTheContactPointsOfTheVehicle) {
   const models::LandingGear& gear = GetParam().gear;
   for (int i = 0; i < models::kRotorCount; ++i) {
     const int geom = Geom(FootName(i));
     ASSERT_GE(geom, 0);
     const double radius = model_->geom_size[3 * geom];
-    const Vector3d sole = InBody(data_->geom_xpos + 3 * geom) - Vector3d(0, 0, radius);
+    const Vector3d contact_point = InBody(data_->geom_xpos + 3 * geom) - Vector3d(0, 0, radius);
     const Vector3d hub = GetParam().RotorPosition(i);
     const Vector3d expected(std::copysign(gear.half_spacing_m, hub.x()), std::copysign(gear.half_spacing_m, hub.y()),
                             -gear.height_m);
-    EXPECT_TRUE(sole.isApprox(expected, 1e-12)) << sole.transpose();
+    EXPECT_TRUE(contact_point.isApprox(expected, 1e-12)) << contact_point.transpose();
     EXPECT_EQ(radius, gear.foot_radius_m);
     EXPECT_EQ(model_->geom_type[geom], mjGEOM_SPHERE);
   }
 }
 
-TEST_P(VehicleMjcfTest, TouchesALevelFloorWithItsFeetOnly) {
+TEST_P(VehicleMjcfTest, TouchesALevelFloorAtItsContactPointsOnly) {
   const std::string floor = "<geom name=\"floor\" type=\"plane\" size=\"1 1 1\"/>";
   const MujocoModel model =
       LoadModel("<mujoco><worldbody>" + floor + VehicleMjcf(GetParam()) + "</worldbody></mujoco>");
@@ -81,7 +81,7 @@ TEST_P(VehicleMjcfTest, TouchesALevelFloorWithItsFeetOnly) {
   }
 }
 
-TEST_P(VehicleMjcfTest, CarriesTheCameraAtItsMounting) {
+TEST_P(VehicleMjcfTest, HasTheCameraAtItsMounting) {
   const int camera = mj_name2id(model_.get(), mjOBJ_CAMERA, kOnboardCameraName);
   ASSERT_GE(camera, 0);
   const Eigen::Isometry3d X_BC = GetParam().X_BC();
@@ -102,7 +102,7 @@ TEST_P(VehicleMjcfTest, HasADiscAtEveryRotor) {
   }
 }
 
-TEST_P(VehicleMjcfTest, KeepsToOneGeomGroup) {
+TEST_P(VehicleMjcfTest, UsesOneGeomGroup) {
   for (int geom = 0; geom < model_->ngeom; ++geom) EXPECT_EQ(model_->geom_group[geom], int{kVehicle});
 }
 
@@ -110,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(Vehicles, VehicleMjcfTest,
                          ::testing::Values(models::Vehicle{}, HeavyVehicleWithTiltedCamera()),
                          [](const auto& param) { return param.index == 0 ? "Default" : "Heavy"; });
 
-TEST(VehicleMjcf, KeepsTheDefaultGearOutOfTheCamerasView) {
+TEST(VehicleMjcf, DefaultGearIsOutsideTheCamerasView) {
   const models::Vehicle vehicle;
   const models::CameraModel camera;
   const Eigen::Isometry3d X_CB = vehicle.X_BC().inverse();
@@ -125,7 +125,7 @@ TEST(VehicleMjcf, KeepsTheDefaultGearOutOfTheCamerasView) {
   }
 }
 
-TEST(VehicleMjcf, LeavesOutLegsThatAreTooShort) {
+TEST(VehicleMjcf, OmitsLegsThatWouldBeTooShort) {
   models::Vehicle vehicle;
   vehicle.gear = {.half_spacing_m = 0.13, .height_m = 0.06, .foot_radius_m = 0.03};
   EXPECT_NO_THROW(LoadModel("<mujoco><worldbody>" + VehicleMjcf(vehicle) + "</worldbody></mujoco>"));

@@ -58,7 +58,7 @@ models::Vehicle Heavy() {
   return vehicle;
 }
 
-TEST(WorldContact, VehiclesOfAnySizeRestAndLandOnTheirFeet) {
+TEST(WorldContact, VehiclesOfAnySizeRestAndLandOnTheirGear) {
   for (const models::Vehicle& vehicle : {PalmSized(), Heavy()}) {
     World world = QuietWorld(vehicle);
     const double rest = world.RestingPose(0.0, 0.0, 0.0).translation().z();
@@ -75,16 +75,16 @@ TEST(WorldContact, VehiclesOfAnySizeRestAndLandOnTheirFeet) {
   }
 }
 
-TEST(WorldContact, RestsWithItsSolesOnTheFloor) {
+TEST(WorldContact, RestsWithItsContactPointsOnTheFloor) {
   const World world = QuietWorld({});
   const Vector3d p = world.RestingPose(1.0, 2.0, 0.5).translation();
   EXPECT_EQ(p.x(), 1.0);
   EXPECT_EQ(p.y(), 2.0);
   EXPECT_NEAR(p.z(), models::Vehicle{}.gear.height_m, 0.0005);
-  EXPECT_LT(p.z(), models::Vehicle{}.gear.height_m) << "the feet give a little";
+  EXPECT_LT(p.z(), models::Vehicle{}.gear.height_m) << "the gear compresses slightly";
 }
 
-TEST(WorldContact, ADropComesToRestWithHardlyABounce) {
+TEST(WorldContact, ADropComesToRestWithoutAHighBounce) {
   World world = QuietWorld({});
   const double rest = world.RestingPose(0.0, 0.0, 0.0).translation().z();
   world.Reset(LevelPose(0.0, 0.0, rest + 0.05), false);
@@ -98,14 +98,14 @@ TEST(WorldContact, ADropComesToRestWithHardlyABounce) {
     if (touched && world.state().v_WB.z() > 0.0) highest = std::max(highest, above);
   }
   EXPECT_TRUE(touched);
-  EXPECT_GT(lowest, -0.010) << "the gear springs in by less than its feet";
+  EXPECT_GT(lowest, -0.010) << "the gear compresses by less than the foot radius";
   EXPECT_LT(highest, 0.002);
   EXPECT_LT(world.state().v_WB.norm(), 1e-4);
   EXPECT_NEAR(world.state().X_WB.translation().z(), rest, 1e-4);
   EXPECT_FALSE(world.state().body_in_contact);
 }
 
-TEST(WorldContact, FirstContactComesWhenFreeFallSaysSo) {
+TEST(WorldContact, FirstContactIsAtTheTimeOfFreeFall) {
   World world = QuietWorld(tests::VehicleWithoutDrag());
   for (const double drop_m : {0.10, 0.5, 2.0}) {
     world.Reset(LevelPose(0.0, 0.0, models::Vehicle{}.gear.height_m + drop_m), false);
@@ -126,7 +126,7 @@ TEST(WorldContact, SettlesUprightAfterATiltedLanding) {
   EXPECT_FALSE(world.state().body_in_contact);
 }
 
-TEST(WorldContact, FrictionHoldsAgainstALightPushAndYieldsToAStrongOne) {
+TEST(WorldContact, FrictionResistsALightPushButNotAStrongOne) {
   World world = QuietWorld({});
   world.SetPush({3.0, 0.0, 0.0}, Vector3d::Zero());
   StepFor(world, {}, 1.0);
@@ -176,11 +176,11 @@ TEST(WorldContact, LandsOnEverySolidObject) {
     while (!world.state().gear_in_contact && !world.state().body_in_contact) world.Step({});
     EXPECT_LT(world.state().X_WB.translation().z(), object.size_m.z() + models::Vehicle{}.gear.height_m + 0.001);
     StepFor(world, {}, 0.5);
-    EXPECT_GT(world.state().X_WB.translation().z(), 0.05) << "rests on it or beside it";
+    EXPECT_GT(world.state().X_WB.translation().z(), 0.05) << "rests on the object or next to it";
   }
 }
 
-TEST(WorldContact, CoveringThePadIsSeenButNotFelt) {
+TEST(WorldContact, CoveringThePadIsVisibleButHasNoContact) {
   World world = QuietWorld({});
   const int cover = mj_name2id(&world.model(), mjOBJ_GEOM, kPadCoverName);
   ASSERT_GE(cover, 0);

@@ -21,7 +21,7 @@ using tests::QuietWorld;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// Runs in a folder of its own, where MuJoCo would leave MUJOCO_LOG.TXT.
+/// Runs in a separate folder, where MuJoCo would write MUJOCO_LOG.TXT.
 class WorldErrors : public ::testing::Test {
  protected:
   WorldErrors() {
@@ -42,46 +42,46 @@ class WorldErrors : public ::testing::Test {
   World world_ = QuietWorld({});
 };
 
-TEST_F(WorldErrors, ACommandThatIsNotFinite) {
+TEST_F(WorldErrors, ThrowsForACommandThatIsNotFinite) {
   EXPECT_THAT([&] { world_.Step(tests::SameSpeed(kNan)); }, ThrowsMessage<SimulationError>(HasSubstr("command")));
   EXPECT_THAT([&] { world_.Step(tests::SameSpeed(std::numeric_limits<double>::infinity())); },
               ThrowsMessage<SimulationError>(HasSubstr("command")));
   EXPECT_EQ(world_.state().tick, 0);
 }
 
-TEST_F(WorldErrors, AWindThatIsNotFinite) {
+TEST_F(WorldErrors, ThrowsForAWindThatIsNotFinite) {
   world_.SetWind({0.0, kNan, 0.0});
   EXPECT_THAT([&] { world_.Step({}); }, ThrowsMessage<SimulationError>(HasSubstr("force")));
 }
 
-TEST_F(WorldErrors, APushThatIsNotFinite) {
+TEST_F(WorldErrors, ThrowsForAPushThatIsNotFinite) {
   world_.SetPush({kNan, 0.0, 0.0}, Vector3d::Zero());
   EXPECT_THAT([&] { world_.Step({}); }, ThrowsMessage<SimulationError>(HasSubstr("force")));
   world_.SetPush(Vector3d::Zero(), {0.0, 0.0, std::numeric_limits<double>::infinity()});
   EXPECT_THAT([&] { world_.Step({}); }, ThrowsMessage<SimulationError>(HasSubstr("force")));
 }
 
-TEST_F(WorldErrors, APushThatMakesMujocoWarn) {
+TEST_F(WorldErrors, ThrowsWhenMujocoWarnsAboutAForce) {
   world_.SetPush({1e15, 0.0, 0.0}, Vector3d::Zero());
   EXPECT_THAT([&] { world_.Step({}); }, ThrowsMessage<SimulationError>(HasSubstr("MuJoCo")));
 }
 
-TEST_F(WorldErrors, ATorqueThatMakesMujocoWarn) {
+TEST_F(WorldErrors, ThrowsWhenMujocoWarnsAboutATorque) {
   world_.SetPush(Vector3d::Zero(), {0.0, 1e15, 0.0});
   EXPECT_THAT([&] { world_.Step({}); }, ThrowsMessage<SimulationError>(HasSubstr("MuJoCo")));
 }
 
-TEST_F(WorldErrors, AStateThatMujocoFindsBad) {
+TEST_F(WorldErrors, ThrowsWhenMujocoRejectsTheState) {
   world_.data().qpos[0] = kNan;
   EXPECT_THAT([&] { world_.Step({}); }, ThrowsMessage<SimulationError>(HasSubstr("MuJoCo")));
 }
 
-TEST_F(WorldErrors, AClockThatDoesNotAdvance) {
+TEST_F(WorldErrors, ThrowsWhenTheTimeDoesNotAdvance) {
   const_cast<mjModel&>(world_.model()).opt.timestep = 0.0;
   EXPECT_THAT([&] { world_.Step({}); }, ThrowsMessage<SimulationError>(HasSubstr("time")));
 }
 
-TEST_F(WorldErrors, ACommandAfterAResetIsFlownAgain) {
+TEST_F(WorldErrors, AcceptsCommandsAfterAReset) {
   world_.SetPush({1e15, 0.0, 0.0}, Vector3d::Zero());
   EXPECT_THROW(world_.Step({}), SimulationError);
   world_.Reset(world_.RestingPose(0.0, 0.0, 0.0), false);
@@ -89,14 +89,14 @@ TEST_F(WorldErrors, ACommandAfterAResetIsFlownAgain) {
   EXPECT_EQ(world_.state().tick, 1);
 }
 
-TEST_F(WorldErrors, AWarningFromElsewhereInMujoco) {
+TEST_F(WorldErrors, ThrowsForAnyOtherWarningOfMujoco) {
   mju_warning("the renderer ran out of geoms");
   EXPECT_THAT([&] { world_.Step({}); }, ThrowsMessage<SimulationError>(HasSubstr("ran out of geoms")));
 }
 
-TEST_F(WorldErrors, AnErrorInsideMujoco) { EXPECT_THROW(mju_error("out of memory"), SimulationError); }
+TEST_F(WorldErrors, ThrowsForAnErrorInsideMujoco) { EXPECT_THROW(mju_error("out of memory"), SimulationError); }
 
-TEST_F(WorldErrors, APoseThatIsNotFinite) {
+TEST_F(WorldErrors, ThrowsForAPoseThatIsNotFinite) {
   Eigen::Isometry3d nowhere = Eigen::Isometry3d::Identity();
   nowhere.translation().x() = kNan;
   EXPECT_THROW(world_.Reset(nowhere, false), SimulationError);

@@ -28,7 +28,7 @@ using tests::StepFor;
 using tests::StillAndBalanced;
 using tests::VehicleWithoutDrag;
 
-TEST(World, StartsAtTickZeroAtRestOnItsFeet) {
+TEST(World, StartsAtTickZeroAtRestOnItsGear) {
   const World world = QuietWorld({});
   EXPECT_EQ(world.state().tick, 0);
   EXPECT_TRUE(world.state().X_WB.isApprox(world.RestingPose(0.0, 0.0, 0.0)));
@@ -38,7 +38,7 @@ TEST(World, StartsAtTickZeroAtRestOnItsFeet) {
   EXPECT_FALSE(world.state().body_in_contact);
 }
 
-TEST(World, FallsFreelyAsGalileoHasIt) {
+TEST(World, FallsFreelyWithoutDrag) {
   World world = QuietWorld(VehicleWithoutDrag());
   world.Reset(LevelPose(0.3, -0.2, 10.0), false);
   for (int tick = 1; tick <= 1200; ++tick) {
@@ -53,7 +53,7 @@ TEST(World, FallsFreelyAsGalileoHasIt) {
   EXPECT_FALSE(world.state().gear_in_contact);
 }
 
-TEST(World, GoesWhereAHandCarriesIt) {
+TEST(World, CarrySetsPoseAndVelocities) {
   World world = QuietWorld({});
   const Vector3d a_W(0.5, -0.2, 1.0), w_B(0.2, -0.3, 0.4);
   const Vector3d p_W = world.state().X_WB.translation();
@@ -100,7 +100,8 @@ TEST(World, ClimbsByTheExcessOfThrust) {
   EXPECT_NEAR(world.state().a_WB.z(), expected, 1e-6);
 }
 
-/// Two rotors faster, two slower, with the same collective: the angular acceleration is torque over inertia.
+/// Two rotors are faster and two slower, with the same collective thrust: the angular acceleration is torque divided by
+/// inertia.
 class DifferentialThrust : public ::testing::Test {
  protected:
   Vector3d AngularAcceleration(const std::array<int, 4>& signs) {
@@ -119,7 +120,7 @@ class DifferentialThrust : public ::testing::Test {
   double lever_m_ = vehicle_.arm_m / std::sqrt(2.0);
 };
 
-TEST_F(DifferentialThrust, OnTheLeftRollsRight) {
+TEST_F(DifferentialThrust, MoreThrustOnTheLeftRollsRight) {
   const Vector3d alpha = AngularAcceleration({+1, -1, -1, +1});
   EXPECT_NEAR(alpha.x(), 4.0 * kDelta_n * lever_m_ / vehicle_.inertia_kg_m2.x(), 1e-5);
   EXPECT_NEAR(alpha.y(), 0.0, 1e-5);
@@ -127,19 +128,19 @@ TEST_F(DifferentialThrust, OnTheLeftRollsRight) {
   EXPECT_LT(world_.state().v_WB.y(), 0.0) << "and drifts to the right";
 }
 
-TEST_F(DifferentialThrust, AtTheRearPitchesDown) {
+TEST_F(DifferentialThrust, MoreThrustAtTheRearPitchesDown) {
   const Vector3d alpha = AngularAcceleration({-1, -1, +1, +1});
   EXPECT_NEAR(alpha.y(), 4.0 * kDelta_n * lever_m_ / vehicle_.inertia_kg_m2.y(), 1e-5);
   EXPECT_GT(world_.state().v_WB.x(), 0.0) << "and flies forward";
 }
 
-TEST_F(DifferentialThrust, OfTheClockwisePairTurnsLeft) {
+TEST_F(DifferentialThrust, MoreThrustOfTheClockwisePairYawsLeft) {
   const Vector3d alpha = AngularAcceleration({+1, -1, +1, -1});
   EXPECT_NEAR(alpha.z(), 4.0 * kDelta_n * vehicle_.rotor.torque_ratio_m / vehicle_.inertia_kg_m2.z(), 1e-6);
   EXPECT_GT(models::TaitBryanFromRotation(world_.state().X_WB.linear()).yaw, 0.0);
 }
 
-TEST(World, KeepsEnergyAndAngularMomentumOfATumblingBody) {
+TEST(World, ConservesEnergyAndAngularMomentumOfATumblingBody) {
   const models::Vehicle vehicle = VehicleWithoutDrag();
   World world = QuietWorld(vehicle);
   world.Reset(LevelPose(0.0, 0.0, 50.0), false);
@@ -165,7 +166,7 @@ TEST(World, KeepsEnergyAndAngularMomentumOfATumblingBody) {
   EXPECT_NEAR(energy(), energy_before, 1e-9 * energy_before);
 }
 
-TEST(World, PushesAreGivenInTheWorld) {
+TEST(World, AppliesPushesInWorldAxes) {
   const models::Vehicle vehicle = VehicleWithoutDrag();
   World world = QuietWorld(vehicle);
   Eigen::Isometry3d start(Eigen::AngleAxisd(2.0, Vector3d::UnitZ()));
@@ -178,7 +179,8 @@ TEST(World, PushesAreGivenInTheWorld) {
   EXPECT_TRUE(alpha_W.isApprox(Vector3d(0.0, 0.01 / vehicle.inertia_kg_m2.y(), 0.0), 1e-3)) << alpha_W.transpose();
 }
 
-/// Against an own integration of m dv/dt = (c + q |w - v|) (w - v), the vehicle staying level.
+/// Compares the drift with an independent integration of m dv/dt = (c + q |w - v|) (w - v) for a level vehicle with
+/// velocity v in wind w.
 TEST(World, DriftsWithTheWind) {
   const models::Vehicle vehicle;
   World world = QuietWorld(vehicle);
@@ -197,7 +199,7 @@ TEST(World, DriftsWithTheWind) {
   EXPECT_NEAR(world.state().X_WB.translation().x(), x, 2e-3);
 }
 
-TEST(World, TakesTheMeanWindOfItsConfig) {
+TEST(World, UsesTheMeanWindOfItsConfig) {
   const models::Vehicle vehicle;
   WorldConfig config = StillAndBalanced();
   config.wind_m_s = {0.0, -2.0, 0.0};
@@ -207,7 +209,7 @@ TEST(World, TakesTheMeanWindOfItsConfig) {
   EXPECT_LT(world.state().v_WB.y(), -0.1);
 }
 
-TEST(World, ShakesAsItsImbalancesSay) {
+TEST(World, AcceleratesWithTheImbalanceForces) {
   const models::Vehicle vehicle = VehicleWithoutDrag();
   World world(tests::Unpainted(), vehicle, EmptyRoom(), kTime, 3);
   world.Reset(LevelPose(0.0, 0.0, 2.0), true);
@@ -254,7 +256,7 @@ TEST(World, RepeatsAFlightBitForBit) {
   EXPECT_FALSE(SameBits(a.back(), c.back()));
 }
 
-TEST(World, ForgetsPushAndWindAtAReset) {
+TEST(World, ResetClearsPushAndWind) {
   const models::Vehicle vehicle;
   World world = QuietWorld(vehicle);
   world.SetPush({5.0, 0.0, 0.0}, {0.0, 0.1, 0.0});
@@ -272,7 +274,7 @@ TEST(World, RunsAtAnyTimeBase) {
   EXPECT_NEAR(world.state().X_WB.translation().z(), 10.0 - 0.5 * kG, 1e-9);
 }
 
-TEST(World, RefusesWhatIsNotValid) {
+TEST(World, RejectsInvalidConfigs) {
   models::Vehicle vehicle;
   vehicle.mass_kg = -1.0;
   EXPECT_THROW(QuietWorld(vehicle), InputError);

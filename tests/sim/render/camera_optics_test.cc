@@ -45,8 +45,8 @@ Difference Between(const std::vector<double>& expected, const FineImage& actual)
   return difference;
 }
 
-/// An exposure as it is: the mean of frames rendered one by one along the path, at many more places than the optics'.
-std::vector<double> TrulyExposed(CameraOptics& optics, Renderer& renderer, mjData_& data, ExposurePath X_WC) {
+/// Reference exposure: the mean of frames rendered at 48 poses along the path, more than CameraOptics averages.
+std::vector<double> ReferenceExposure(CameraOptics& optics, Renderer& renderer, mjData_& data, ExposurePath X_WC) {
   constexpr int kViews = 48;
   std::vector<double> mean;
   for (int i = 0; i < kViews; ++i) {
@@ -62,7 +62,7 @@ FineImage Exposed(CameraOptics& optics, Renderer& renderer, mjData_& data, Expos
   return optics.Expose(renderer.Render(data, PoseAlong(X_WC, 0.5)), X_WC);
 }
 
-TEST(CameraOptics, PutsThePadsEdgesWhereTheDistortedCameraSeesThem) {
+TEST(CameraOptics, RendersThePadsEdgesAtTheirDistortedPixels) {
   const Room room(EmptyRoomConfig());
   const models::CameraModel wide;
   const models::CameraModel euroc{.k1 = -0.283, .k2 = 0.074};
@@ -74,7 +74,7 @@ TEST(CameraOptics, PutsThePadsEdgesWhereTheDistortedCameraSeesThem) {
                                    CameraTowards({-0.1, -0.2, 0.25}, {-0.1, 0.1}, 2.0)}) {
       const models::Image image = Rounded(Exposed(optics, renderer, *room.data, std::vector{X_WC}));
       const auto pixel_of = [&](const Vector3d& p_W) { return camera.Project(X_WC.inverse() * p_W).value(); };
-      int seen = 0;
+      int count = 0;
       double sum = 0.0, sum_of_squares = 0.0;
       for (int i = 0; i < 72; ++i) {
         const Vector3d outward(std::cos(i * models::kPi / 36), std::sin(i * models::kPi / 36), 0.0);
@@ -86,16 +86,16 @@ TEST(CameraOptics, PutsThePadsEdgesWhereTheDistortedCameraSeesThem) {
         EXPECT_LT(std::abs(offset), 0.15) << edge.transpose();
         sum += offset;
         sum_of_squares += offset * offset;
-        ++seen;
+        ++count;
       }
-      EXPECT_GE(seen, 40);
-      EXPECT_LT(std::sqrt(sum_of_squares / seen), 0.05);
-      EXPECT_LT(std::abs(sum / seen), 0.02);
+      EXPECT_GE(count, 40);
+      EXPECT_LT(std::sqrt(sum_of_squares / count), 0.05);
+      EXPECT_LT(std::abs(sum / count), 0.02);
     }
   }
 }
 
-TEST(CameraOptics, LeavesAnUndistortedViewAsItIs) {
+TEST(CameraOptics, DoesNotChangeAnUndistortedView) {
   const Room room({}, 2);
   CameraOptics optics({.k1 = 0.0, .k2 = 0.0});
   Renderer wide(*room.model, optics.pinhole_view());
@@ -122,7 +122,7 @@ TEST(CameraOptics, BlursTheFloorAsTheMeanOfViewsAlongThePath) {
        CameraAt({0, 0, 1.0}, {0, 0.003, 0})},
   };
   for (const auto& path : paths) {
-    const std::vector<double> truth = TrulyExposed(optics, renderer, *room.data, path);
+    const std::vector<double> truth = ReferenceExposure(optics, renderer, *room.data, path);
     const Difference warped = Between(truth, Exposed(optics, renderer, *room.data, path));
     const Difference unblurred =
         Between(truth, Exposed(optics, renderer, *room.data, std::vector{PoseAlong(path, 0.5)}));
@@ -131,7 +131,7 @@ TEST(CameraOptics, BlursTheFloorAsTheMeanOfViewsAlongThePath) {
   }
 }
 
-TEST(CameraOptics, BlursSolidThingsAsIfTheyLayOnTheFloor) {
+TEST(CameraOptics, BlursSolidItemsLikeTheFloor) {
   const Room room({.posters = 0, .lone_circles = 0, .lone_letters = 0, .objects = 30}, 4);
   CameraOptics optics(models::CameraModel{});
   Renderer renderer(*room.model, optics.pinhole_view());
@@ -139,7 +139,7 @@ TEST(CameraOptics, BlursSolidThingsAsIfTheyLayOnTheFloor) {
   const std::vector slide{CameraAt(above), CameraAt(above + Vector3d(0.02, 0.0, 0.0))};
   const std::vector turn{CameraAt(above), CameraAt(above, {.roll = 0.02, .pitch = 0.0, .yaw = 0.0})};
   const auto error_of = [&](const std::vector<Isometry3d>& path) {
-    const std::vector<double> truth = TrulyExposed(optics, renderer, *room.data, path);
+    const std::vector<double> truth = ReferenceExposure(optics, renderer, *room.data, path);
     return Between(truth, Exposed(optics, renderer, *room.data, path)).rms;
   };
   EXPECT_LT(error_of(turn), 1.0);
@@ -148,7 +148,7 @@ TEST(CameraOptics, BlursSolidThingsAsIfTheyLayOnTheFloor) {
   RecordProperty("rms_slide", std::to_string(error_of(slide)));
 }
 
-TEST(CameraOptics, TakesAsManyViewsAsTheMotionNeeds) {
+TEST(CameraOptics, UsesMoreTapsForFasterMotion) {
   CameraOptics optics(models::CameraModel{});
   const auto taps_for = [&](double roll) {
     return optics.TapsFor(std::vector{CameraAt({0, 0, 1}), CameraAt({0, 0, 1}, {.roll = roll, .pitch = 0, .yaw = 0})});
@@ -162,7 +162,7 @@ TEST(CameraOptics, TakesAsManyViewsAsTheMotionNeeds) {
   EXPECT_EQ(taps_for(1.0), CameraOptics::kMaxTaps);
 }
 
-TEST(CameraOptics, CountsAShakeThereAndBack) {
+TEST(CameraOptics, CountsBackAndForthMotion) {
   CameraOptics optics(models::CameraModel{});
   const Isometry3d still = CameraAt({0, 0, 1}), aside = CameraAt({0, 0, 1}, {.roll = 0.005, .pitch = 0, .yaw = 0});
   EXPECT_GT(optics.TapsFor(std::vector{still, aside, still}), 3);
@@ -198,7 +198,7 @@ TEST(PoseAlong, InterpolatesBetweenNeighbors) {
   EXPECT_TRUE(PoseAlong(path, 1.0).isApprox(path[2]));
 }
 
-TEST(CameraOptics, RefusesALensThatNeedsTooWideAView) {
+TEST(CameraOptics, RejectsALensThatNeedsTooWideAView) {
   EXPECT_THROW(CameraOptics({.width_px = 0}), InputError);
   EXPECT_THROW(CameraOptics({.width_px = 8000, .height_px = 100, .cx_px = 4000, .k1 = 0.0, .k2 = 0.0}), InputError);
 }

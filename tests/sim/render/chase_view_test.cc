@@ -24,7 +24,7 @@ std::unique_ptr<World> PaintedWorld() {
   return std::make_unique<World>(WorldConfig{}, models::Vehicle{}, tests::EmptyRoom(), models::TimeBase{}, 1);
 }
 
-/// In the newest picture.
+/// Pixel of a point in the newest image.
 Vector2d PixelOf(const ChaseView& chase, const Vector3d& p_W) {
   const PinholeView& view = chase.view();
   const models::CameraModel pinhole{.width_px = view.width_px,
@@ -38,13 +38,13 @@ Vector2d PixelOf(const ChaseView& chase, const Vector3d& p_W) {
   return pinhole.Project(chase.X_WC().inverse() * p_W).value();
 }
 
-/// The mean place of the hull's red paint.
-Vector2d MiddleOfRed(const cv::Mat3b& picture) {
+/// Mean pixel of the hull's red paint.
+Vector2d MeanRedPixel(const cv::Mat3b& image) {
   Vector2d sum = Vector2d::Zero();
   int count = 0;
-  for (int v = 0; v < picture.rows; ++v) {
-    for (int u = 0; u < picture.cols; ++u) {
-      const cv::Vec3b& bgr = picture(v, u);
+  for (int v = 0; v < image.rows; ++v) {
+    for (int u = 0; u < image.cols; ++u) {
+      const cv::Vec3b& bgr = image(v, u);
       if (bgr[2] < 2.5 * bgr[1] || bgr[2] < 80) continue;
       sum += Vector2d(u, v);
       ++count;
@@ -54,27 +54,28 @@ Vector2d MiddleOfRed(const cv::Mat3b& picture) {
   return sum / std::max(1, count);
 }
 
-const std::vector<Vector3d>& Places() {
-  static const std::vector<Vector3d> places = {{0.0, 0.0, 0.14}, {0.1, -0.1, 0.5}, {0.0, 0.0, 1.0}, {0.0, 0.0, 3.0},
-                                               {1.5, 0.0, 1.0},  {-1.5, 1.0, 0.8}, {0.5, 3.0, 2.0}, {-3.0, -3.0, 1.0}};
-  return places;
+const std::vector<Vector3d>& Positions() {
+  static const std::vector<Vector3d> positions = {{0.0, 0.0, 0.14}, {0.1, -0.1, 0.5}, {0.0, 0.0, 1.0},
+                                                  {0.0, 0.0, 3.0},  {1.5, 0.0, 1.0},  {-1.5, 1.0, 0.8},
+                                                  {0.5, 3.0, 2.0},  {-3.0, -3.0, 1.0}};
+  return positions;
 }
 
-TEST(ChaseView, ShowsTheVehicleWhereItIs) {
+TEST(ChaseView, ShowsTheVehicleAtItsProjectedPosition) {
   const auto world = PaintedWorld();
   ChaseView chase(world->model(), {});
-  for (const Vector3d& p_WB : Places()) {
-    const cv::Mat3b& picture = chase.Render(LevelPose(p_WB.x(), p_WB.y(), p_WB.z()), false);
-    // The hull is 0.13 m long, and its far sides and its back are not seen.
+  for (const Vector3d& p_WB : Positions()) {
+    const cv::Mat3b& image = chase.Render(LevelPose(p_WB.x(), p_WB.y(), p_WB.z()), false);
+    // The hull is 0.13 m long; its far sides and its back are not visible.
     const double px_per_m = chase.view().focal_px / (chase.X_WC().inverse() * p_WB).z();
-    EXPECT_LT((MiddleOfRed(picture) - PixelOf(chase, p_WB)).norm(), 3.0 + 0.05 * px_per_m) << p_WB.transpose();
+    EXPECT_LT((MeanRedPixel(image) - PixelOf(chase, p_WB)).norm(), 3.0 + 0.05 * px_per_m) << p_WB.transpose();
   }
 }
 
 TEST(ChaseView, KeepsVehicleAndPadInView) {
   const auto world = PaintedWorld();
   ChaseView chase(world->model(), {});
-  for (const Vector3d& p_WB : Places()) {
+  for (const Vector3d& p_WB : Positions()) {
     chase.Render(LevelPose(p_WB.x(), p_WB.y(), p_WB.z()), false);
     for (int i = 0; i < 12; ++i) {
       const Vector3d around(std::cos(i * models::kPi / 6), std::sin(i * models::kPi / 6), 0.0);
@@ -87,11 +88,11 @@ TEST(ChaseView, KeepsVehicleAndPadInView) {
   }
 }
 
-TEST(ChaseView, StandsStillForAHoverAndFollowsSmoothly) {
+TEST(ChaseView, IsAtRestInAHoverAndFollowsSmoothly) {
   const auto world = PaintedWorld();
   ChaseView chase(world->model(), {});
   constexpr double kStep_m = 0.05;
-  double way_m = 0.0;
+  double path_m = 0.0;
   chase.Render(LevelPose(0.0, 0.0, 1.0), false);
   for (int step = 1; step <= 40; ++step) {
     const Vector3d before = chase.X_WC().translation();
@@ -101,9 +102,9 @@ TEST(ChaseView, StandsStillForAHoverAndFollowsSmoothly) {
       EXPECT_EQ(moved_m, 0.0);
     }
     EXPECT_LT(moved_m, 2.0 * kStep_m);
-    way_m += moved_m;
+    path_m += moved_m;
   }
-  EXPECT_GT(way_m, 0.5 * (2.0 - 0.15)) << "the middle between pad and vehicle moves by half of its way";
+  EXPECT_GT(path_m, 0.5 * (2.0 - 0.15)) << "the midpoint of pad and vehicle moves by half as much as the vehicle";
 }
 
 TEST(ChaseView, ShowsThePadBareAndCovered) {
@@ -122,15 +123,15 @@ TEST(ChaseView, IsInColor) {
   const auto world = PaintedWorld();
   ChaseView chase(world->model(), {});
   const Vector3d p_WB(0.0, 0.0, 1.0);
-  const cv::Mat3b& picture = chase.Render(LevelPose(0.0, 0.0, 1.0), false);
-  // The front rotors are orange: red over green over blue.
+  const cv::Mat3b& image = chase.Render(LevelPose(0.0, 0.0, 1.0), false);
+  // The front rotors are orange: more red than green, more green than blue.
   const Vector2d rotor = PixelOf(chase, p_WB + models::Vehicle{}.RotorPosition(0) + Vector3d(0.05, 0.0, 0.0));
-  const cv::Vec3b bgr = picture(static_cast<int>(std::lround(rotor.y())), static_cast<int>(std::lround(rotor.x())));
+  const cv::Vec3b bgr = image(static_cast<int>(std::lround(rotor.y())), static_cast<int>(std::lround(rotor.x())));
   EXPECT_GT(bgr[2], bgr[1] + 10);
   EXPECT_GT(bgr[1], bgr[0] + 10);
 }
 
-TEST(ChaseView, LeavesTheOnboardCamerasPixelsAndTheWorldAsTheyAre) {
+TEST(ChaseView, DoesNotAffectTheOnboardCameraOrTheWorld) {
   const auto world = PaintedWorld();
   Renderer onboard(world->model(), {});
   const Eigen::Isometry3d X_WC = LevelPose(0.0, 0.0, 1.0) * models::Vehicle{}.X_BC();

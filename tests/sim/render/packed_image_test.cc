@@ -29,7 +29,7 @@ double Bilinear(const models::Image& image, double x, double y) {
                    std::lerp(1.0 * view.At(u, v + 1), 1.0 * view.At(u + 1, v + 1), x - u), y - v);
 }
 
-TEST(PackedImage, LooksUpAsBilinearInterpolationDoes) {
+TEST(PackedImage, InterpolatesBilinearly) {
   const models::Image image = RandomImage(37, 23);
   models::RandomStream random(2, "test");
   std::vector<std::int32_t> x(500), y(500);
@@ -44,7 +44,7 @@ TEST(PackedImage, LooksUpAsBilinearInterpolationDoes) {
   }
 }
 
-/// In plain integers, a lookup at a time: what every CPU's copy of the code must give to the last bit.
+/// A single lookup in plain integer arithmetic, which every CPU's copy of the code must match to the last bit.
 std::uint32_t ExactLookup(const models::ImageView& image, std::int32_t x, std::int32_t y) {
   const std::int32_t u = x >> 16, v = y >> 16;
   const auto right = static_cast<std::uint32_t>(x >> 8 & 255), low = static_cast<std::uint32_t>(y >> 8 & 255);
@@ -53,7 +53,7 @@ std::uint32_t ExactLookup(const models::ImageView& image, std::int32_t x, std::i
   return upper * (256u - low) + lower * low;
 }
 
-TEST(PackedImage, GivesTheSameIntegersOnEveryCpu) {
+TEST(PackedImage, ReturnsTheSameIntegersOnEveryCpu) {
   const models::Image image = RandomImage(61, 47);
   models::RandomStream random(3, "test");
   for (const int count : {1, 7, 8, 64, 333}) {
@@ -68,7 +68,7 @@ TEST(PackedImage, GivesTheSameIntegersOnEveryCpu) {
   }
 }
 
-TEST(PackedImage, GivesItsOwnPixelsAtWholePositions) {
+TEST(PackedImage, ReturnsItsPixelsAtIntegerPositions) {
   const models::Image image = RandomImage(16, 8);
   std::vector<std::int32_t> x(15), y(15, 3 << 16);
   for (int i = 0; i < 15; ++i) x[static_cast<std::size_t>(i)] = i << 16;
@@ -77,7 +77,7 @@ TEST(PackedImage, GivesItsOwnPixelsAtWholePositions) {
   for (int i = 0; i < 15; ++i) EXPECT_EQ(sums[static_cast<std::size_t>(i)], image.View().At(i, 3) * 65536u);
 }
 
-TEST(PackedImage, ShiftsARunByMoreAndMore) {
+TEST(PackedImage, ShiftsARunByIncreasingSteps) {
   const models::Image image = RandomImage(64, 8);
   const std::vector<std::int32_t> x(10, 2 << 16), y(10, 1 << 16);
   std::vector<std::uint32_t> sums(10, 0);
@@ -86,7 +86,7 @@ TEST(PackedImage, ShiftsARunByMoreAndMore) {
   for (int i = 0; i < 10; ++i) EXPECT_EQ(sums[static_cast<std::size_t>(i)], image.View().At(3 + 3 * i, 1) * 65536u);
 }
 
-TEST(PackedImage, DrawsWhatLiesBeyondItsBorderToIt) {
+TEST(PackedImage, ClampsPositionsBeyondItsBorder) {
   const models::Image image = RandomImage(12, 9);
   const std::vector<std::int32_t> x{-(50 << 16), 50 << 16, 50 << 16}, y{-(50 << 16), -(50 << 16), 50 << 16};
   std::vector<std::uint32_t> sums(3, 0);

@@ -42,7 +42,7 @@ const std::vector<Eigen::Isometry3d>& Views() {
   return views;
 }
 
-TEST(Renderer, PutsTheRingWhereAPinholeCameraSeesIt) {
+TEST(Renderer, RendersTheRingAtItsPinholeProjection) {
   const Room room(EmptyRoomConfig());
   Renderer renderer(*room.model, {});
   for (const Eigen::Isometry3d& X_WC : Views()) {
@@ -66,7 +66,7 @@ TEST(Renderer, PutsTheRingWhereAPinholeCameraSeesIt) {
   }
 }
 
-TEST(Renderer, TurnsTheLetterAlongTheWorldsX) {
+TEST(Renderer, RendersTheLetterAlongTheWorldsX) {
   const Room room(EmptyRoomConfig());
   Renderer renderer(*room.model, {});
   const double x = 0.4 * room.scene.pad.h_height_m;
@@ -83,9 +83,9 @@ TEST(Renderer, TurnsTheLetterAlongTheWorldsX) {
   }
 }
 
-/// Paints a texture white except for one block of texels, and returns where on the sheet the block appears: the pad
-/// itself looks the same turned by 180 degrees, so that it cannot show a texture that is.
-TEST(Renderer, ShowsTheTexturesFirstTexelAtTheSheetsCornerOfLowXAndHighY) {
+/// The pad's texture is painted white except for one block of texels, because the pad itself would not reveal a texture
+/// that is rotated by 180 degrees.
+TEST(Renderer, ShowsTheFirstTexelAtTheCornerOfLowXAndHighY) {
   const Room room(EmptyRoomConfig());
   const int texture = mj_name2id(room.model.get(), mjOBJ_TEXTURE, "pad");
   std::uint8_t* rgb = room.model->tex_rgb + room.model->tex_adr[texture];
@@ -104,7 +104,7 @@ TEST(Renderer, ShowsTheTexturesFirstTexelAtTheSheetsCornerOfLowXAndHighY) {
   EXPECT_GT(GrayAt(image, PixelOf({x, -y, 0.0}, X_WC)), 250.0);
 }
 
-TEST(Renderer, PutsEveryPrintOfTheFloorWhereItsSceneSaysItLies) {
+TEST(Renderer, RendersEveryFlatItemAtItsPose) {
   Room room({.posters = 0, .lone_circles = 0, .lone_letters = 12, .objects = 0}, 3);
   Renderer renderer(*room.model, {});
   for (const SceneItem& item : room.scene.items) {
@@ -118,7 +118,7 @@ TEST(Renderer, PutsEveryPrintOfTheFloorWhereItsSceneSaysItLies) {
   }
 }
 
-TEST(Renderer, HonorsAPrincipalPointOffTheCenterToTheFractionOfAPixel) {
+TEST(Renderer, HonorsAnOffCenterPrincipalPointWithSubpixelAccuracy) {
   const Room room(EmptyRoomConfig());
   Renderer centered(*room.model, {});
   Renderer shifted(*room.model, {.width_px = 700, .height_px = 520, .cx_px = 347.5, .cy_px = 254.5});
@@ -129,7 +129,7 @@ TEST(Renderer, HonorsAPrincipalPointOffTheCenterToTheFractionOfAPixel) {
   }
 }
 
-TEST(Renderer, ShowsInkAndPaperAsBrightAsTheSceneSays) {
+TEST(Renderer, RendersInkAndPaperAtTheScenesIllumination) {
   for (const double illumination : {0.3, 1.0, 1.1}) {
     SceneConfig config = EmptyRoomConfig();
     config.illumination = illumination;
@@ -143,7 +143,7 @@ TEST(Renderer, ShowsInkAndPaperAsBrightAsTheSceneSays) {
   }
 }
 
-TEST(Renderer, SeesThePadCoveredAndBare) {
+TEST(Renderer, ShowsThePadCoveredAndBare) {
   const Room room(EmptyRoomConfig());
   Renderer renderer(*room.model, {});
   const Eigen::Isometry3d X_WC = CameraAt({0.0, 0.0, 0.3});
@@ -159,7 +159,7 @@ TEST(Renderer, SeesThePadCoveredAndBare) {
   }
 }
 
-TEST(Renderer, HasNoPadInASceneWithoutOne) {
+TEST(Renderer, ShowsNoPadInASceneWithoutAPad) {
   SceneConfig config = EmptyRoomConfig();
   config.pad = false;
   const Room without(config), with(EmptyRoomConfig());
@@ -170,7 +170,7 @@ TEST(Renderer, HasNoPadInASceneWithoutOne) {
             Renderer(*with.model, {}).Render(*with.data, X_WC).pixels);
 }
 
-TEST(Renderer, LeavesOutOnlyWhatTheFloorsCenterHides) {
+TEST(Renderer, OmitsOnlySurroundingsHiddenByTheFloorsCenter) {
   const Room room({}, 7);
   Room everything({}, 7);
   for (int geom = 0; geom < everything.model->ngeom; ++geom) {
@@ -187,7 +187,7 @@ TEST(Renderer, LeavesOutOnlyWhatTheFloorsCenterHides) {
   }
 }
 
-TEST(Renderer, ShowsAViewTheSameWhateverItShowedBefore) {
+TEST(Renderer, RendersAViewIndependentlyOfEarlierViews) {
   const Room room({}, 6);
   Renderer renderer(*room.model, {});
   for (const Eigen::Isometry3d& X_WC :
@@ -199,8 +199,8 @@ TEST(Renderer, ShowsAViewTheSameWhateverItShowedBefore) {
   }
 }
 
-/// The wide view shows depths that differ too much for one mip level, its middle by itself does not.
-TEST(Renderer, IsAsSharpWithOneMipLevelAsWithOneForEveryPixel) {
+/// The depths in the wide view differ too much for one mip level, those in its middle do not.
+TEST(Renderer, IsAsSharpWithOneMipLevelAsWithALevelPerPixel) {
   const Room room({}, 6);
   constexpr int kWidth = 160, kHeight = 120;
   const PinholeView wide, middle{.width_px = kWidth, .height_px = kHeight, .cx_px = 79.5, .cy_px = 59.5};
@@ -235,7 +235,7 @@ TEST(Renderer, DoesNotShowTheVehicle) {
   EXPECT_EQ(renderer.Render(*room.data, X_WC).pixels, before.pixels);
 }
 
-TEST(Renderer, GivesTheSamePixelsBesideAnotherRenderer) {
+TEST(Renderer, RendersTheSamePixelsNextToAnotherRenderer) {
   const Room room({}, 5);
   const Eigen::Isometry3d X_WC = CameraAt({0.1, 0.0, 1.0}, {.roll = 0.1, .pitch = 0.0, .yaw = 0.2});
   Renderer alone(*room.model, {});
@@ -246,7 +246,7 @@ TEST(Renderer, GivesTheSamePixelsBesideAnotherRenderer) {
   EXPECT_EQ(Renderer(*room.model, {}).Render(*room.data, X_WC).pixels, first.pixels);
 }
 
-TEST(Renderer, ShowsAnotherRoomForAnotherSeed) {
+TEST(Renderer, RendersAnotherRoomForAnotherSeed) {
   const Room first({}, 1), again({}, 1), other({}, 2);
   const Eigen::Isometry3d X_WC = CameraAt({0.0, 0.0, 1.5});
   const models::Image image = Renderer(*first.model, {}).Render(*first.data, X_WC);

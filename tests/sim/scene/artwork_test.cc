@@ -14,9 +14,9 @@
 namespace touchdown::sim {
 namespace {
 
-/// Black area of the pad's print in m^2, from the mean of its levels.
-double InkedArea(const cv::Mat1b& print, const models::LandingPad& pad) {
-  const double coverage = (kPaper - cv::mean(print)[0]) / (kPaper - kInk);
+/// Black area of the pad's artwork, m^2, from the mean of its levels.
+double InkedArea(const cv::Mat1b& artwork, const models::LandingPad& pad) {
+  const double coverage = (kPaper - cv::mean(artwork)[0]) / (kPaper - kInk);
   return coverage * pad.sheet_length_m * pad.sheet_width_m;
 }
 
@@ -37,7 +37,7 @@ TEST(PaintPad, InksASolidRectangle) {
   EXPECT_NEAR(InkedArea(PaintPad(pad, 1024, 512), pad), area, 0.001 * area);
 }
 
-/// Two marks that touch nothing.
+/// Pad with two markings that do not touch its other shapes.
 models::LandingPad MarkedPad() {
   models::LandingPad pad;
   pad.marks = {{.shape = models::PadMarking::Shape::kDisc, .center_m = {0.02, 0.05}, .diameter_m = 0.01},
@@ -49,23 +49,23 @@ models::LandingPad MarkedPad() {
   return pad;
 }
 
-TEST(PaintPad, InksTheMarks) {
+TEST(PaintPad, InksTheMarkings) {
   const models::LandingPad pad = MarkedPad();
   const double marks = InkedArea(PaintPad(pad, 2048, 1448), pad) - InkedArea(PaintPad({}, 2048, 1448), {});
   const double disc = models::kPi * 0.005 * 0.005, bar = 0.02 * 0.004;
   EXPECT_NEAR(marks, disc + bar, 0.01 * (disc + bar));
 }
 
-TEST(PaintPad, AgreesWithTheModelAwayFromEdges) {
+TEST(PaintPad, AgreesWithThePadOutlineAwayFromEdges) {
   const models::LandingPad pad = MarkedPad();
   const models::PadOutline outline(pad);
-  const cv::Mat1b print = PaintPad(pad, 512, 256);
+  const cv::Mat1b artwork = PaintPad(pad, 512, 256);
   int gray = 0;
-  for (int row = 0; row < print.rows; ++row) {
-    for (int column = 0; column < print.cols; ++column) {
+  for (int row = 0; row < artwork.rows; ++row) {
+    for (int column = 0; column < artwork.cols; ++column) {
       const Eigen::Vector2d p(((column + 0.5) / 512 - 0.5) * pad.sheet_length_m,
                               (0.5 - (row + 0.5) / 256) * pad.sheet_width_m);
-      const int level = print(row, column);
+      const int level = artwork(row, column);
       if (level == kPaper || level == kInk) {
         EXPECT_EQ(level == kInk, outline.IsBlack(p));
       } else {
@@ -77,16 +77,16 @@ TEST(PaintPad, AgreesWithTheModelAwayFromEdges) {
   EXPECT_LT(gray, 6000);
 }
 
-TEST(PaintSheet, LeavesTheMiddleOfALoneRingEmpty) {
+TEST(PaintSheet, HasNothingInTheMiddleOfALoneRing) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     const SceneItem ring{.kind = SceneItem::Kind::kRing, .size_m = {0.2, 0.16, 0.0}, .texture_seed = seed};
-    const cv::Mat1b print = PaintSheet(ring, 256, 256);
-    const std::uint8_t middle = print(128, 128);
+    const cv::Mat1b artwork = PaintSheet(ring, 256, 256);
+    const std::uint8_t middle = artwork(128, 128);
     EXPECT_GT(middle, 150);
     for (int row = 96; row < 160; ++row) {
-      for (int column = 96; column < 160; ++column) EXPECT_EQ(print(row, column), middle);
+      for (int column = 96; column < 160; ++column) EXPECT_EQ(artwork(row, column), middle);
     }
-    const int ink = *std::min_element(print.ptr(128), print.ptr(128) + 256);
+    const int ink = *std::min_element(artwork.ptr(128), artwork.ptr(128) + 256);
     EXPECT_LT(ink, 70);
   }
 }
@@ -94,14 +94,14 @@ TEST(PaintSheet, LeavesTheMiddleOfALoneRingEmpty) {
 TEST(PaintSheet, DrawsALetterOfThreeBarsAndNoRing) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     const SceneItem letter{.kind = SceneItem::Kind::kLetterH, .size_m = {0.2, 0.16, 0.0}, .texture_seed = seed};
-    const cv::Mat1b print = PaintSheet(letter, 256, 256);
-    const int paper = print(2, 2);
-    EXPECT_LT(print(128, 128), 70);
-    EXPECT_EQ(print(128, 50), paper) << "between the strokes, left of the cross-bar";
-    EXPECT_EQ(print(128, 206), paper) << "between the strokes, right of the cross-bar";
+    const cv::Mat1b artwork = PaintSheet(letter, 256, 256);
+    const int paper = artwork(2, 2);
+    EXPECT_LT(artwork(128, 128), 70);
+    EXPECT_EQ(artwork(128, 50), paper) << "between the strokes, left of the cross-bar";
+    EXPECT_EQ(artwork(128, 206), paper) << "between the strokes, right of the cross-bar";
     for (int i = 0; i < 256; ++i) {
-      EXPECT_EQ(print(2, i), paper);
-      EXPECT_EQ(print(253, i), paper);
+      EXPECT_EQ(artwork(2, i), paper);
+      EXPECT_EQ(artwork(253, i), paper);
     }
   }
 }
@@ -123,7 +123,7 @@ TEST(PaintSheet, FillsPostersWithTexture) {
   }
 }
 
-TEST(FloorPattern, IsTexturedWhateverItsKind) {
+TEST(FloorPattern, IsTexturedForEveryKind) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const FloorPattern pattern(seed);
     double sum = 0.0, sum_of_squares = 0.0;

@@ -46,7 +46,7 @@ double DistanceFromOrigin(const SceneItem& item) {
   return nearest;
 }
 
-TEST(Scene, HoldsWhatItsConfigAsksFor) {
+TEST(Scene, HasTheNumbersOfItemsOfItsConfig) {
   ForEachScene([](const Scene& scene) {
     const auto count = [&](auto&&... kinds) {
       return std::count_if(scene.items.begin(), scene.items.end(),
@@ -59,7 +59,7 @@ TEST(Scene, HoldsWhatItsConfigAsksFor) {
   });
 }
 
-TEST(Scene, LaysNothingOverThePadNorOverAnotherThing) {
+TEST(Scene, ItemsOverlapNeitherThePadNorEachOther) {
   ForEachScene([](const Scene& scene) {
     const SceneItem sheet{.size_m = {scene.pad.sheet_length_m, scene.pad.sheet_width_m, 0.0}};
     for (std::size_t i = 0; i < scene.items.size(); ++i) {
@@ -69,7 +69,7 @@ TEST(Scene, LaysNothingOverThePadNorOverAnotherThing) {
   });
 }
 
-TEST(Scene, HasNoCornerOfAThingInsideAnother) {
+TEST(Scene, HasNoCornerOfAnItemInsideAnother) {
   ForEachScene([](const Scene& scene) {
     for (const SceneItem& item : scene.items) {
       for (const SceneItem& other : scene.items) {
@@ -88,7 +88,7 @@ TEST(Scene, KeepsSolidObjectsOutOfTheFlightPath) {
   });
 }
 
-TEST(Scene, CrowdsMostPrintsAroundThePad) {
+TEST(Scene, PlacesMostFlatItemsNearThePad) {
   ForEachScene([](const Scene& scene) {
     const auto near = std::count_if(scene.items.begin(), scene.items.end(), [](const SceneItem& item) {
       return item.IsFlat() && item.position_m.norm() < 1.6;
@@ -97,7 +97,7 @@ TEST(Scene, CrowdsMostPrintsAroundThePad) {
   });
 }
 
-TEST(Scene, StaysOnItsFloor) {
+TEST(Scene, KeepsItemsOnItsFloor) {
   ForEachScene([](const Scene& scene) {
     for (const SceneItem& item : scene.items) {
       for (const Eigen::Vector2d& corner : item.Corners()) {
@@ -107,7 +107,7 @@ TEST(Scene, StaysOnItsFloor) {
   });
 }
 
-TEST(Scene, IsAFunctionOfItsSeed) {
+TEST(Scene, DependsOnItsSeedOnly) {
   const Scene first = MakeScene({}, {}, 7), again = MakeScene({}, {}, 7), other = MakeScene({}, {}, 8);
   ASSERT_EQ(first.items.size(), again.items.size());
   for (std::size_t i = 0; i < first.items.size(); ++i) {
@@ -117,13 +117,13 @@ TEST(Scene, IsAFunctionOfItsSeed) {
   }
 }
 
-TEST(Scene, RefusesMoreThanItsFloorHolds) {
+TEST(Scene, RejectsMoreItemsThanFitOnItsFloor) {
   EXPECT_THROW(
       MakeScene({.floor_size_m = 4.0, .posters = 40, .lone_circles = 20, .lone_letters = 0, .objects = 20}, {}, 1),
       InputError);
 }
 
-TEST(SceneConfig, RefusesWhatCannotBe) {
+TEST(SceneConfig, RejectsInvalidValues) {
   EXPECT_NO_THROW(SceneConfig{}.Validate());
   EXPECT_THROW(SceneConfig{.floor_size_m = 1.0}.Validate(), InputError);
   EXPECT_THROW(SceneConfig{.floor_size_m = std::nan("")}.Validate(), InputError);
@@ -133,7 +133,7 @@ TEST(SceneConfig, RefusesWhatCannotBe) {
   EXPECT_THROW(SceneConfig{.illumination = std::nan("")}.Validate(), InputError);
 }
 
-TEST(Overlap, MeasuresTheGapBetweenTurnedRectangles) {
+TEST(Overlap, MeasuresTheGapBetweenRotatedRectangles) {
   const SceneItem square{.size_m = {2.0, 2.0, 0.0}};
   const SceneItem diamond{.position_m = {2.5, 0.0}, .yaw = 0.25 * models::kPi, .size_m = {2.0, 2.0, 0.0}};
   const double gap = 2.5 - 1.0 - std::sqrt(2.0);

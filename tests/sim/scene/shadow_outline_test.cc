@@ -26,7 +26,7 @@ bool Inside(const std::vector<Vector2d>& outline, const Vector2d& p) {
   return left == 0 || right == 0;
 }
 
-/// Whether a ray from p_G meets the solid, by marching along it.
+/// Whether a ray from p_W towards the light meets the solid, by marching along the ray.
 bool IsBlocked(const Solid& solid, const Vector3d& p_W, const Vector3d& to_light) {
   const Vector3d half = solid.size_m;
   for (double t = 0.0; t < 3.0; t += 0.001) {
@@ -52,7 +52,7 @@ bool IsBlocked(const Solid& solid, const Vector3d& p_W, const Vector3d& to_light
   return false;
 }
 
-TEST(ShadowOutline, HoldsThePlacesFromWhichTheLightIsNotSeen) {
+TEST(ShadowOutline, ContainsThePointsFromWhichTheLightIsBlocked) {
   models::RandomStream random(1, "test");
   for (const mjtGeom type : {mjGEOM_BOX, mjGEOM_CYLINDER, mjGEOM_CAPSULE, mjGEOM_SPHERE, mjGEOM_ELLIPSOID}) {
     Solid solid{.type = type, .size_m = {0.12, 0.2, 0.08}};
@@ -65,20 +65,20 @@ TEST(ShadowOutline, HoldsThePlacesFromWhichTheLightIsNotSeen) {
       high = high.cwiseMax(corner);
     }
     int agree = 0, shaded = 0;
-    constexpr int kPlaces = 400;
-    for (int i = 0; i < kPlaces; ++i) {
+    constexpr int kPoints = 400;
+    for (int i = 0; i < kPoints; ++i) {
       const Vector2d p(random.Uniform(low.x() - 0.05, high.x() + 0.05),
                        random.Uniform(low.y() - 0.05, high.y() + 0.05));
       const bool blocked = IsBlocked(solid, {p.x(), p.y(), 0.0}, kSun.Direction());
       shaded += blocked ? 1 : 0;
       agree += blocked == Inside(outline, p) ? 1 : 0;
     }
-    EXPECT_GT(shaded, kPlaces / 4);
-    EXPECT_GE(agree, kPlaces - 8) << "24 corners leave out a hundredth of a circle; type " << type;
+    EXPECT_GT(shaded, kPoints / 4);
+    EXPECT_GE(agree, kPoints - 8) << "a polygon of 24 corners covers 99 % of a circle; type " << type;
   }
 }
 
-TEST(ShadowOutline, OfAPoleIsAsLongAsTheSunIsLow) {
+TEST(ShadowOutline, HasTheLengthOfAPolesShadowForTheSunsElevation) {
   Solid pole{.type = mjGEOM_CYLINDER, .size_m = {0.001, 0.5, 0.0}};
   pole.X_WG.translation().z() = 0.5;
   const double length = 1.0 / std::tan(models::DegToRad(kSun.elevation_deg));

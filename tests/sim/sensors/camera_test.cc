@@ -24,9 +24,9 @@ CameraConfig SmallAndRigid() {
   return config;
 }
 
-/// A room with a vehicle that goes where a test puts it.
-struct Stage {
-  explicit Stage(const CameraConfig& config = SmallAndRigid(), std::uint64_t seed = 1)
+/// A room with a camera on a vehicle whose state the test sets.
+struct CameraRig {
+  explicit CameraRig(const CameraConfig& config = SmallAndRigid(), std::uint64_t seed = 1)
       : world({}, vehicle, MakeScene({.posters = 4, .lone_circles = 0, .lone_letters = 0, .objects = 0}, {}, 1), kTime,
               1),
         camera(config, vehicle.X_BC(), world, kTime, seed) {}
@@ -43,7 +43,7 @@ struct Stage {
     CameraFrame frame;
   };
 
-  /// What the camera delivers over the ticks [0, ticks) with the vehicle as `state_at` says.
+  /// Frames that the camera delivers over the ticks [0, ticks) when the vehicle has the states `state_at`.
   template <typename StateAt>
   std::vector<Delivered> Run(Tick ticks, const StateAt& state_at) {
     std::vector<Delivered> delivered;
@@ -58,9 +58,9 @@ struct Stage {
   Camera camera;
 };
 
-TEST(Camera, ExposesAtItsRateAndDeliversLate) {
-  Stage stage;
-  const auto delivered = stage.Run(105, Stage::Hovering);
+TEST(Camera, ExposesAtItsRateAndDeliversWithLatency) {
+  CameraRig rig;
+  const auto delivered = rig.Run(105, CameraRig::Hovering);
   ASSERT_EQ(delivered.size(), 5u);
   for (std::size_t i = 0; i < delivered.size(); ++i) {
     EXPECT_EQ(delivered[i].frame.mid_exposure, static_cast<Tick>(20 * i));
@@ -70,37 +70,37 @@ TEST(Camera, ExposesAtItsRateAndDeliversLate) {
   }
 }
 
-TEST(Camera, DeliversWhenTheShutterHasClosedAtTheEarliest) {
+TEST(Camera, DeliversNoFrameBeforeTheShutterHasClosed) {
   CameraConfig config = SmallAndRigid();
   config.latency_ms = 2.0;
   config.rate_hz = 30;
-  Stage stage(config);
-  const auto delivered = stage.Run(50, Stage::Hovering);
+  CameraRig rig(config);
+  const auto delivered = rig.Run(50, CameraRig::Hovering);
   ASSERT_EQ(delivered.size(), 2u);
   EXPECT_EQ(delivered[1].frame.mid_exposure, 40);
   EXPECT_EQ(delivered[1].at, 43);
 }
 
-TEST(Camera, ShowsThePlaceWhereItWasAtMidExposure) {
+TEST(Camera, RendersFromThePoseAtMidExposure) {
   CameraConfig config = SmallAndRigid();
   config.noise_sigma = 0.0;
   config.exposure_ms = 0.0;
   const auto moving = [](Tick tick) {
-    TrueState state = Stage::Hovering(tick);
+    TrueState state = CameraRig::Hovering(tick);
     state.X_WB.translation().x() = 0.002 * static_cast<double>(tick);
     return state;
   };
-  Stage stage(config), still(config);
-  const auto seen = stage.Run(50, moving);
+  CameraRig rig(config), still(config);
+  const auto delivered = rig.Run(50, moving);
   const auto expected = still.Run(50, [&](Tick tick) {
     TrueState state = moving(20);
     state.tick = tick;
     return state;
   });
-  ASSERT_EQ(seen.size(), 2u);
-  EXPECT_EQ(seen[1].frame.mid_exposure, 20);
-  EXPECT_EQ(seen[1].frame.image.pixels, expected[1].frame.image.pixels);
-  EXPECT_NE(seen[0].frame.image.pixels, expected[0].frame.image.pixels);
+  ASSERT_EQ(delivered.size(), 2u);
+  EXPECT_EQ(delivered[1].frame.mid_exposure, 20);
+  EXPECT_EQ(delivered[1].frame.image.pixels, expected[1].frame.image.pixels);
+  EXPECT_NE(delivered[0].frame.image.pixels, expected[0].frame.image.pixels);
 }
 
 TEST(Camera, BlursOverItsExposure) {
@@ -118,13 +118,13 @@ TEST(Camera, BlursOverItsExposure) {
     return sum;
   };
   const auto sliding = [](Tick tick) {
-    TrueState state = Stage::Hovering(tick);
+    TrueState state = CameraRig::Hovering(tick);
     state.X_WB.translation().y() = 0.002 * static_cast<double>(tick - 20);
     return state;
   };
-  Stage blurred(config);
+  CameraRig blurred(config);
   config.exposure_ms = 0.0;
-  Stage sharp(config);
+  CameraRig sharp(config);
   const auto with = blurred.Run(46, sliding), without = sharp.Run(46, sliding);
   EXPECT_LT(contrast(with[1].frame), 0.6 * contrast(without[1].frame));
 }
@@ -132,20 +132,21 @@ TEST(Camera, BlursOverItsExposure) {
 TEST(Camera, TiltsWithTheVibrationOfItsMount) {
   CameraConfig config = SmallAndRigid();
   config.vibration_rad_s2_m = 0.002;
-  Stage stage(config);
-  TrueState state = Stage::Hovering(0);
-  const Eigen::Isometry3d still = stage.camera.X_WC(state);
-  EXPECT_TRUE(still.isApprox(state.X_WB * stage.vehicle.X_BC()));
+  CameraRig rig(config);
+  TrueState state = CameraRig::Hovering(0);
+  const Eigen::Isometry3d still = rig.camera.X_WC(state);
+  EXPECT_TRUE(still.isApprox(state.X_WB * rig.vehicle.X_BC()));
   state.vibration_m_s2_B = Eigen::Vector3d(0.5, 0.0, 9.0);
-  const Eigen::Isometry3d shaken = stage.camera.X_WC(state);
+  const Eigen::Isometry3d shaken = rig.camera.X_WC(state);
   EXPECT_EQ(shaken.translation(), still.translation());
-  const Eigen::Vector3d turn_B = models::RotationLog(shaken.linear() * still.linear().transpose());
-  EXPECT_TRUE(turn_B.isApprox(Eigen::Vector3d(0.0, 0.001, 0.0), 1e-6)) << turn_B.transpose();
+  const Eigen::Vector3d rotation_B = models::RotationLog(shaken.linear() * still.linear().transpose());
+  EXPECT_TRUE(rotation_B.isApprox(Eigen::Vector3d(0.0, 0.001, 0.0), 1e-6)) << rotation_B.transpose();
 }
 
-TEST(Camera, GivesTheSameFramesForTheSameSeed) {
-  Stage first, again, other(SmallAndRigid(), 2);
-  const auto a = first.Run(60, Stage::Hovering), b = again.Run(60, Stage::Hovering), c = other.Run(60, Stage::Hovering);
+TEST(Camera, DeliversTheSameFramesForTheSameSeed) {
+  CameraRig first, again, other(SmallAndRigid(), 2);
+  const auto a = first.Run(60, CameraRig::Hovering), b = again.Run(60, CameraRig::Hovering),
+             c = other.Run(60, CameraRig::Hovering);
   ASSERT_EQ(a.size(), 2u);
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].frame.image.pixels, b[i].frame.image.pixels);
@@ -154,30 +155,30 @@ TEST(Camera, GivesTheSameFramesForTheSameSeed) {
   EXPECT_NE(a[0].frame.image.pixels, a[1].frame.image.pixels);
 }
 
-TEST(Camera, RefusesToMissATick) {
-  Stage stage;
-  stage.camera.Sample(Stage::Hovering(0));
-  EXPECT_THROW(stage.camera.Sample(Stage::Hovering(2)), std::logic_error);
+TEST(Camera, ThrowsForASkippedTick) {
+  CameraRig rig;
+  rig.camera.Sample(CameraRig::Hovering(0));
+  EXPECT_THROW(rig.camera.Sample(CameraRig::Hovering(2)), std::logic_error);
 }
 
-TEST(CameraConfig, RefusesWhatCannotBe) {
-  const auto refused = [](auto change) {
+TEST(CameraConfig, RejectsInvalidValues) {
+  const auto expect_rejected = [](auto change) {
     CameraConfig config;
     change(config);
     EXPECT_THROW(config.Validate(kTime), InputError);
   };
   EXPECT_NO_THROW(CameraConfig{}.Validate(kTime));
-  refused([](CameraConfig& c) { c.model.width_px = 0; });
-  refused([](CameraConfig& c) { c.rate_hz = 7000; });
-  refused([](CameraConfig& c) { c.rate_hz = 0; });
-  refused([](CameraConfig& c) { c.noise_sigma = -1.0; });
-  refused([](CameraConfig& c) { c.noise_sigma = std::numeric_limits<double>::quiet_NaN(); });
-  refused([](CameraConfig& c) { c.exposure_ms = 20.0; });
-  refused([](CameraConfig& c) { c.latency_ms = 1.0; });
-  refused([](CameraConfig& c) { c.latency_ms = std::numeric_limits<double>::infinity(); });
-  refused([](CameraConfig& c) { c.noise_sigma = 24.5; });
-  refused([](CameraConfig& c) { c.vibration_rad_s2_m = -0.1; });
-  refused([](CameraConfig& c) { c.vibration_rad_s2_m = 0.06; });
+  expect_rejected([](CameraConfig& c) { c.model.width_px = 0; });
+  expect_rejected([](CameraConfig& c) { c.rate_hz = 7000; });
+  expect_rejected([](CameraConfig& c) { c.rate_hz = 0; });
+  expect_rejected([](CameraConfig& c) { c.noise_sigma = -1.0; });
+  expect_rejected([](CameraConfig& c) { c.noise_sigma = std::numeric_limits<double>::quiet_NaN(); });
+  expect_rejected([](CameraConfig& c) { c.exposure_ms = 20.0; });
+  expect_rejected([](CameraConfig& c) { c.latency_ms = 1.0; });
+  expect_rejected([](CameraConfig& c) { c.latency_ms = std::numeric_limits<double>::infinity(); });
+  expect_rejected([](CameraConfig& c) { c.noise_sigma = 24.5; });
+  expect_rejected([](CameraConfig& c) { c.vibration_rad_s2_m = -0.1; });
+  expect_rejected([](CameraConfig& c) { c.vibration_rad_s2_m = 0.06; });
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ double Mean(const models::Image& image) {
   return sum / static_cast<double>(image.pixels.size());
 }
 
-/// Of levels about 100, between the pixels of one image and those of another `lag` further on.
+/// Covariance of the levels about 100, between the pixels of one image and the pixels of another image `lag` later.
 double Covariance(const models::Image& a, const models::Image& b, std::size_t lag) {
   double sum = 0.0;
   const std::size_t count = a.pixels.size() - lag;
@@ -30,7 +30,7 @@ double Covariance(const models::Image& a, const models::Image& b, std::size_t la
   return sum / static_cast<double>(count);
 }
 
-TEST(ImageNoise, HasTheMeanAndSigmaThatItIsGiven) {
+TEST(ImageNoise, HasTheRequestedMeanAndSigma) {
   for (const double sigma : {1.0, 3.0, 8.0}) {
     const models::Image image = ImageNoise(sigma, 1).Apply(Plain(100.0));
     EXPECT_NEAR(Mean(image), 100.0, 4.0 * sigma / std::sqrt(640.0 * 480.0));
@@ -65,7 +65,7 @@ TEST(ImageNoise, RoundsWithoutBias) {
   }
 }
 
-TEST(ImageNoise, RoundsToTheNearestLevelWhenThereIsNone) {
+TEST(ImageNoise, RoundsToTheNearestLevelWithoutNoise) {
   ImageNoise noise(0.0, 1);
   EXPECT_EQ(noise.Apply(Plain(99.75)).pixels, models::Image(640, 480, 100).pixels);
   EXPECT_EQ(noise.Apply(Plain(100.25)).pixels, models::Image(640, 480, 100).pixels);
@@ -80,12 +80,12 @@ TEST(ImageNoise, StaysWithinEightBits) {
   EXPECT_GT(*std::min_element(bright.pixels.begin(), bright.pixels.end()), 100);
 }
 
-TEST(ImageNoise, IsAFunctionOfItsSeed) {
+TEST(ImageNoise, DependsOnItsSeedOnly) {
   EXPECT_EQ(ImageNoise(3.0, 6).Apply(Plain(50.0)).pixels, ImageNoise(3.0, 6).Apply(Plain(50.0)).pixels);
   EXPECT_NE(ImageNoise(3.0, 6).Apply(Plain(50.0)).pixels, ImageNoise(3.0, 7).Apply(Plain(50.0)).pixels);
 }
 
-TEST(ImageNoise, RefusesASigmaOutOfRange) {
+TEST(ImageNoise, RejectsASigmaOutOfRange) {
   EXPECT_THROW(ImageNoise(-1.0, 1), InputError);
   EXPECT_THROW(ImageNoise(std::nan(""), 1), InputError);
   EXPECT_THROW(ImageNoise(25.0, 1), InputError);

@@ -40,7 +40,7 @@ TEST(Imu, SamplesAtItsRateFromTickZero) {
   for (int i = 0; i < 5; ++i) EXPECT_EQ(samples[i].tick, 6 * i);
 }
 
-TEST(Imu, ReadsGravityUpwardsAtRest) {
+TEST(Imu, MeasuresGravityUpwardsAtRest) {
   Imu imu(PerfectImu(), Eigen::Isometry3d::Identity(), kTime, 1);
   for (const auto& sample : AtRest(imu, 3)) {
     EXPECT_TRUE(sample.specific_force_U.isApprox(Vector3d(0.0, 0.0, kG), 1e-12));
@@ -48,7 +48,7 @@ TEST(Imu, ReadsGravityUpwardsAtRest) {
   }
 }
 
-TEST(Imu, ReadsGravityInItsOwnAxesWhenMountedAskew) {
+TEST(Imu, MeasuresGravityInItsOwnAxesWhenMisaligned) {
   models::Vehicle vehicle;
   vehicle.imu.misalignment_deg = {.roll = 6.0, .pitch = -12.0, .yaw = 17.0};
   Imu imu(PerfectImu(), vehicle.X_BU(), kTime, 1);
@@ -58,7 +58,7 @@ TEST(Imu, ReadsGravityInItsOwnAxesWhenMountedAskew) {
   EXPECT_TRUE(imu.Sample(truth)->specific_force_U.isApprox(kG * up_U, 1e-12));
 }
 
-TEST(Imu, FeelsCentripetalAndTangentialAccelerationOffTheCenter) {
+TEST(Imu, MeasuresCentripetalAndTangentialAccelerationOffTheCenter) {
   Eigen::Isometry3d X_BU = Eigen::Isometry3d::Identity();
   X_BU.translation() = Vector3d(0.1, 0.0, 0.0);
   Imu imu(PerfectImu(), X_BU, models::TimeBase{.ticks_per_s = 200000}, 1);
@@ -69,7 +69,7 @@ TEST(Imu, FeelsCentripetalAndTangentialAccelerationOffTheCenter) {
   EXPECT_LT((imu.Sample(truth)->specific_force_U - expected).norm(), 1e-3);
 }
 
-/// Strapdown integration of the samples, gravity added, against the truth, in a flight that turns and swings about.
+/// Compares a strapdown integration of the samples with the truth, in a flight with rotation and lateral motion.
 TEST(Imu, IntegratesToTheTrueVelocityAndAttitude) {
   models::Vehicle vehicle;
   vehicle.imu = {.position_m = {0.03, -0.02, 0.04}, .misalignment_deg = {3.0, -2.0, 23.0}};
@@ -114,7 +114,7 @@ TEST(Imu, DampsTheVibrationOfTheRotorsInsteadOfAliasingIt) {
       ++samples;
     }
   }
-  EXPECT_GT(std::sqrt(sampled / samples), 0.5 * std::sqrt(raw)) << "the IMU is shaken";
+  EXPECT_GT(std::sqrt(sampled / samples), 0.5 * std::sqrt(raw)) << "the samples contain vibration";
   EXPECT_LT(std::sqrt(sampled / samples), 0.9 * std::sqrt(raw));
 }
 
@@ -137,12 +137,12 @@ TEST(Imu, HasWhiteNoiseOfTheGivenDensity) {
     for (int axis = 0; axis < 3; ++axis) {
       EXPECT_NEAR(std::sqrt(gyro2[axis] / rate_hz), 1e-3, 3e-5);
       EXPECT_NEAR(std::sqrt(force2[axis] / rate_hz), 5e-3, 1.5e-4);
-      EXPECT_LT(std::abs(lag1[axis] / gyro2[axis]), 0.03) << "white";
+      EXPECT_LT(std::abs(lag1[axis] / gyro2[axis]), 0.03) << "the noise is white";
     }
   }
 }
 
-TEST(Imu, KeepsABiasOverAFlightAndDrawsAnotherForTheNext) {
+TEST(Imu, HasAConstantBiasPerFlightDrawnFromItsSeed) {
   ImuConfig config = PerfectImu();
   config.gyro_bias_sigma_deg_s = models::RadToDeg(0.01);
   config.accelerometer_bias_sigma_m_s2 = 0.2;
@@ -185,7 +185,7 @@ TEST(Imu, RepeatsItselfWithTheSameSeed) {
   }
 }
 
-TEST(ImuConfig, RefusesWhatIsImpossible) {
+TEST(ImuConfig, RejectsInvalidValues) {
   EXPECT_NO_THROW(ImuConfig{}.Validate(kTime));
   EXPECT_THROW(ImuConfig{.rate_hz = 0}.Validate(kTime), InputError);
   EXPECT_THROW(ImuConfig{.rate_hz = 170}.Validate(kTime), InputError);

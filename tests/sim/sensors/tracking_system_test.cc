@@ -29,7 +29,7 @@ struct Sampled {
   Vector3d rotation_error = Vector3d::Zero();
 };
 
-/// Every sample, seen or not, over a time at a standstill.
+/// All samples of a vehicle at rest over a duration. Gaps have no position error.
 std::vector<Sampled> Track(const TrackingSystemConfig& config, double duration_s, std::uint64_t seed) {
   TrackingSystem tracking(config, kTime, seed);
   std::vector<Sampled> samples;
@@ -70,7 +70,7 @@ TEST(TrackingSystem, HasTheNoiseOfItsConfig) {
   }
 }
 
-TEST(TrackingSystem, OcclusionsTakeTheirShareOfTheTime) {
+TEST(TrackingSystem, OcclusionsHaveTheConfiguredRateAndDuration) {
   const TrackingSystemConfig config{.occlusions_per_s = 0.5, .occlusion_duration_s = 0.4, .outlier_probability = 0.0};
   const auto samples = Track(config, 2000.0, 2);
   int gaps = 0, missing = 0;
@@ -83,7 +83,7 @@ TEST(TrackingSystem, OcclusionsTakeTheirShareOfTheTime) {
   EXPECT_NEAR(gaps / 2000.0, 1.0 / cycle_s, 0.04);
 }
 
-TEST(TrackingSystem, OutliersKeepTheirOffsetOverAnOcclusion) {
+TEST(TrackingSystem, OutliersHaveAConstantOffsetOverAnOcclusion) {
   const TrackingSystemConfig config{.position_noise_m = 0.0,
                                     .rotation_noise_deg = 0.0,
                                     .occlusions_per_s = 0.2,
@@ -91,7 +91,7 @@ TEST(TrackingSystem, OutliersKeepTheirOffsetOverAnOcclusion) {
                                     .outlier_probability = 1.0};
   std::vector<Vector3d> offsets;
   for (const auto& sample : Track(config, 3000.0, 3)) {
-    ASSERT_TRUE(sample.position_error) << "no gaps";
+    ASSERT_TRUE(sample.position_error) << "there must be no gaps";
     if (sample.position_error->norm() < 1e-9) continue;
     if (offsets.empty() || (*sample.position_error - offsets.back()).norm() > 1e-9) {
       offsets.push_back(*sample.position_error);
@@ -103,7 +103,7 @@ TEST(TrackingSystem, OutliersKeepTheirOffsetOverAnOcclusion) {
   EXPECT_NEAR(std::sqrt(sum2 / static_cast<double>(offsets.size())), config.outlier_position_m, 0.012);
 }
 
-TEST(TrackingSystem, MixesGapsAndOutliers) {
+TEST(TrackingSystem, HasGapsAndOutliers) {
   int gaps = 0, outliers = 0;
   for (const auto& sample : Track({.occlusions_per_s = 0.5}, 600.0, 4)) {
     if (!sample.position_error) {
@@ -116,16 +116,16 @@ TEST(TrackingSystem, MixesGapsAndOutliers) {
   EXPECT_GT(outliers, 500);
 }
 
-TEST(TrackingSystem, OcclusionsLeaveTheNoiseOfOtherSamplesAlone) {
+TEST(TrackingSystem, OcclusionsDoNotChangeTheNoiseOfOtherSamples) {
   const auto clear = Track({.occlusions_per_s = 0.0}, 60.0, 5);
   const auto occluded = Track({.occlusions_per_s = 0.5, .outlier_probability = 0.0}, 60.0, 5);
-  int seen = 0;
+  int tracked = 0;
   for (std::size_t i = 0; i < clear.size(); ++i) {
     if (!occluded[i].position_error) continue;
-    ++seen;
+    ++tracked;
     EXPECT_EQ(*occluded[i].position_error, *clear[i].position_error);
   }
-  EXPECT_LT(seen, static_cast<int>(clear.size()));
+  EXPECT_LT(tracked, static_cast<int>(clear.size()));
 }
 
 TEST(TrackingSystem, RepeatsItselfWithTheSameSeedOnly) {
@@ -134,7 +134,7 @@ TEST(TrackingSystem, RepeatsItselfWithTheSameSeedOnly) {
   EXPECT_NE(a[3].position_error, c[3].position_error);
 }
 
-TEST(TrackingSystemConfig, RefusesWhatIsImpossible) {
+TEST(TrackingSystemConfig, RejectsInvalidValues) {
   EXPECT_NO_THROW(TrackingSystemConfig{}.Validate(kTime));
   EXPECT_THROW(TrackingSystemConfig{.rate_hz = 7}.Validate(kTime), InputError);
   EXPECT_THROW(TrackingSystemConfig{.position_noise_m = -0.001}.Validate(kTime), InputError);

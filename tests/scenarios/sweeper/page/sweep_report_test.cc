@@ -8,7 +8,7 @@
 #include "scenarios/sweeper/page/metric_figures.h"
 #include "scenarios/sweeper/page/pass_rate_figures.h"
 #include "scenarios/sweeper/page/sweep_sections.h"
-#include "tests/support/made_sweep.h"
+#include "tests/support/synthetic_sweep.h"
 #include "tests/support/temporary_folder.h"
 
 namespace touchdown::sweeper {
@@ -41,7 +41,7 @@ class SweepReportTest : public testing::Test {
   report::ReportTable Table(const std::string& section) const { return Section(Sections(), section).tables.at(0); }
 
   const tests::TemporaryFolder folder_;
-  SweepOutcome sweep_ = tests::MadeSweep();
+  SweepOutcome sweep_ = tests::SyntheticSweep();
 };
 
 TEST_F(SweepReportTest, TellsRatesWithTheirIntervals) {

@@ -6,9 +6,9 @@
 
 namespace touchdown::tests {
 
-/// 20 flights: five seeds of two noises and two exposures; with the larger noise and exposure all but one fail.
-/// Flight n touched down n mm along X and 1 mm along -Y.
-inline sweeper::SweepOutcome MadeSweep() {
+/// Results of 20 flights: five seeds, two noise levels and two exposures. With the larger noise and exposure all
+/// flights but one fail. The touchdown point of flight n is at x = n mm, y = -1 mm.
+inline sweeper::SweepOutcome SyntheticSweep() {
   using namespace sweeper;
   SweepOutcome sweep{.terms = {.name = "night <1>",
                                .description = "Of & for people.",

@@ -6,20 +6,20 @@
 
 namespace touchdown::tests {
 
-/// No file of this process grows beyond a size, as on a disk that is full, until the end of the scope.
-class DiskOfSize {
+/// Limits the size of files that this process writes, until the end of the scope. It simulates a full disk.
+class FileSizeLimit {
  public:
-  explicit DiskOfSize(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
     getrlimit(RLIMIT_FSIZE, &before_);
     const rlimit limit{bytes, before_.rlim_max};
     setrlimit(RLIMIT_FSIZE, &limit);
   }
-  ~DiskOfSize() {
+  ~FileSizeLimit() {
     setrlimit(RLIMIT_FSIZE, &before_);
     std::signal(SIGXFSZ, handler_);
   }
-  DiskOfSize(const DiskOfSize&) = delete;
-  DiskOfSize& operator=(const DiskOfSize&) = delete;
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
 
  private:
   rlimit before_{};

@@ -1,4 +1,4 @@
-#include "tests/support/made_flight.h"
+#include "tests/support/synthetic_flight.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,35 +18,35 @@ using runner::TickRecord;
 constexpr models::Tick kImuPeriod = 6;
 constexpr models::Tick kCameraPeriod = 20;
 
-Phase PhaseAt(double share) {
-  if (share < 0.1) return Phase::kStandby;
-  if (share < 0.2) return Phase::kBlindClimb;
-  if (share < 0.8) return Phase::kHover;
-  return share < 0.9 ? Phase::kLanding : Phase::kTouchdown;
+Phase PhaseAt(double fraction) {
+  if (fraction < 0.1) return Phase::kStandby;
+  if (fraction < 0.2) return Phase::kBlindClimb;
+  if (fraction < 0.8) return Phase::kHover;
+  return fraction < 0.9 ? Phase::kLanding : Phase::kTouchdown;
 }
 
-Eigen::Isometry3d PoseAt(double share) {
-  const bool on_the_ground = share < 0.1 || share >= 0.9;
+Eigen::Isometry3d PoseAt(double fraction) {
+  const bool on_the_ground = fraction < 0.1 || fraction >= 0.9;
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  X_WB.translation() << 0.1 * std::sin(20.0 * share), 0.05, on_the_ground ? 0.14 : 1.0;
+  X_WB.translation() << 0.1 * std::sin(20.0 * fraction), 0.05, on_the_ground ? 0.14 : 1.0;
   return X_WB;
 }
 
 }  // namespace
 
-FlightLog MadeFlight(const Scenario& scenario, double duration_s) {
+FlightLog SyntheticFlight(const Scenario& scenario, double duration_s) {
   FlightLog log;
   log.time = scenario.time;
   log.end = scenario.time.FromSeconds(duration_s);
   log.outcome = runner::Outcome::kLanded;
   log.wall_s = 1.0;
-  const auto share = [&log](models::Tick tick) { return static_cast<double>(tick) / static_cast<double>(log.end); };
+  const auto fraction = [&log](models::Tick tick) { return static_cast<double>(tick) / static_cast<double>(log.end); };
   for (models::Tick tick = 0; tick <= log.end; tick += kImuPeriod) {
     TickRecord& record = log.ticks.emplace_back();
     record.truth.tick = tick;
-    record.truth.X_WB = PoseAt(share(tick));
+    record.truth.X_WB = PoseAt(fraction(tick));
     record.truth.gear_in_contact = record.truth.X_WB.translation().z() < 0.5;
-    record.control.phase = PhaseAt(share(tick));
+    record.control.phase = PhaseAt(fraction(tick));
     record.control.set_point_m << 0.0, 0.0, 1.0;
     if (record.control.phase != Phase::kHover) continue;
     record.estimate.motion.emplace();
@@ -58,8 +58,8 @@ FlightLog MadeFlight(const Scenario& scenario, double duration_s) {
   for (models::Tick tick = 0; tick <= log.end; tick += kCameraPeriod) {
     FrameRecord& frame = log.frames.emplace_back();
     frame.mid_exposure = frame.delivered = tick;
-    frame.X_WB = PoseAt(share(tick));
-    frame.phase = PhaseAt(share(tick));
+    frame.X_WB = PoseAt(fraction(tick));
+    frame.phase = PhaseAt(fraction(tick));
     frame.vision_ms = 2.0;
     if (frame.phase != Phase::kHover) continue;
     frame.status = estimator::FrameStatus::kOk;
