@@ -1,5 +1,5 @@
-// What the links of the modules do not enforce, read from every #include: each library is used only where it belongs,
-// and the folders within a module keep their order.
+// Checks all #include lines for rules that the links of the modules do not enforce: third-party headers are included
+// only where they are allowed, and the directories of a module depend on each other in a fixed order.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,15 +15,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folders of a module of several, from the ground up: a file may include those of its own folder and below.
-const std::vector<std::vector<std::string>>& FoldersFromTheGroundUp() {
+/// Modules with several directories, in order: a file may include headers of its own directory and of preceding ones.
+const std::vector<std::vector<std::string>>& OrderedFolders() {
   static const std::vector<std::vector<std::string>> modules = {
       {"sim/scene", "sim/dynamics", "sim/render", "sim/sensors"},
       {"scenarios/sweeper/plan", "scenarios/sweeper/analysis", "scenarios/sweeper/run", "scenarios/sweeper/page"}};
   return modules;
 }
 
-/// What may be included from outside the project, and by which files. A header that fits no line is refused.
+/// Headers from outside the project (`header`) that files (`path`) may include. All others are rejected.
 struct LibraryRule {
   std::regex path;
   std::regex header;
@@ -45,14 +45,14 @@ const std::vector<LibraryRule>& LibraryRules() {
       {std::regex("scenarios/report/video_.*\\.cc"), std::regex("lib(av[a-z]+|swscale)/.*")},
       {std::regex("scenarios/datasets/(flight_bag\\.cc|bag_file\\.cc|bag_messages\\.h)"),
        std::regex("(rosbag|ros|(std|sensor|geometry|tf2)_msgs|boost|console_bridge)/.*")},
-      {std::regex("scenarios/.*"), std::regex("((sys|gnu)/)?[a-z-]+\\.h")},  // The operating system's.
+      {std::regex("scenarios/.*"), std::regex("((sys|gnu)/)?[a-z-]+\\.h")},  // Operating system.
   };
   return rules;
 }
 
-/// Whether a file of `path` may include `header` by the order of a module's folders.
+/// Whether the order of a module's directories allows that `path` includes `header`.
 bool IsInOrder(const std::string& path, const std::string& header) {
-  for (const auto& folders : FoldersFromTheGroundUp()) {
+  for (const auto& folders : OrderedFolders()) {
     const auto place_of = [&](const std::string& file) {
       return std::find_if(folders.begin(), folders.end(),
                           [&](const std::string& folder) { return file.starts_with(folder + "/"); });
@@ -68,30 +68,30 @@ bool IsLibraryAllowed(const std::string& path, const std::string& header) {
   });
 }
 
-/// The stderr_tail about one include; empty when there is none.
-std::string StderrTail(const std::string& path, const std::string& header, bool quoted) {
-  if (!quoted) return IsLibraryAllowed(path, header) ? "" : "<" + header + "> does not belong here";
+/// Description of the rule that an include violates; empty if it is allowed.
+std::string ViolationOf(const std::string& path, const std::string& header, bool quoted) {
+  if (!quoted) return IsLibraryAllowed(path, header) ? "" : "<" + header + "> is not allowed here";
   if (header.find("..") != std::string::npos || header.find('/') == std::string::npos) {
-    return "include \"" + header + "\" is not written from the root";
+    return "include \"" + header + "\" is not relative to the root";
   }
-  if (header.starts_with("tests/")) return "the program must not include its tests";
+  if (header.starts_with("tests/")) return "the program must not include headers of tests";
   return IsInOrder(path, header) ? "" : path.substr(0, path.rfind('/')) + "/ must not include " + header;
 }
 
-/// The stderr_tails about one file's text. `path` is relative to the root, with forward slashes.
+/// Violations in the text of a file. `path` is relative to the root, with forward slashes.
 std::vector<std::string> Violations(const std::string& path, const std::string& text) {
   static const std::regex include_line(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"])");
-  std::vector<std::string> stderr_tails;
+  std::vector<std::string> violations;
   std::istringstream lines(text);
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
     std::smatch match;
     if (!std::regex_search(line, match, include_line)) continue;
-    const std::string stderr_tail = StderrTail(path, match[2], match[1] == "\"");
-    if (stderr_tail.empty()) continue;
-    stderr_tails.push_back(path + ":" + std::to_string(number) + ": " + stderr_tail);
+    const std::string violation = ViolationOf(path, match[2], match[1] == "\"");
+    if (violation.empty()) continue;
+    violations.push_back(path + ":" + std::to_string(number) + ": " + violation);
   }
-  return stderr_tails;
+  return violations;
 }
 
 bool IsSource(const fs::path& path) {
@@ -99,7 +99,7 @@ bool IsSource(const fs::path& path) {
   return extension == ".h" || extension == ".cc" || extension == ".c";
 }
 
-TEST(Architecture, EveryIncludeIsOneThatIsAllowed) {
+TEST(Architecture, AllIncludesAreAllowed) {
   const fs::path root = TOUCHDOWN_SOURCE_DIR;
   int files = 0;
   for (const std::string folder : {"models", "sim", "estimator", "controller", "scenarios"}) {
@@ -114,47 +114,47 @@ TEST(Architecture, EveryIncludeIsOneThatIsAllowed) {
   EXPECT_GT(files, 50);
 }
 
-/// What is wrong with one include line in the file `path`.
-std::string FaultOf(const std::string& path, const std::string& include) {
+/// Violation of one include line in the file `path`; empty if it is allowed.
+std::string FirstViolation(const std::string& path, const std::string& include) {
   const auto violations = Violations(path, "\n#include " + include + "\n");
   return violations.empty() ? "" : violations.front();
 }
 
-TEST(Architecture, ComplainsOfAFolderAboveInTheSameModule) {
-  EXPECT_EQ(FaultOf("sim/render/a.cc", "\"sim/scene/scene.h\""), "");
-  EXPECT_EQ(FaultOf("sim/scene/a.cc", "\"sim/render/renderer.h\""),
+TEST(Architecture, RejectsALaterDirectoryOfTheSameModule) {
+  EXPECT_EQ(FirstViolation("sim/render/a.cc", "\"sim/scene/scene.h\""), "");
+  EXPECT_EQ(FirstViolation("sim/scene/a.cc", "\"sim/render/renderer.h\""),
             "sim/scene/a.cc:2: sim/scene/ must not include sim/render/renderer.h");
-  EXPECT_NE(FaultOf("scenarios/sweeper/plan/a.h", "\"scenarios/sweeper/run/process_pool.h\""), "");
+  EXPECT_NE(FirstViolation("scenarios/sweeper/plan/a.h", "\"scenarios/sweeper/run/process_pool.h\""), "");
 }
 
-TEST(Architecture, ComplainsOfAnIncludeThatIsNotWrittenFromTheRoot) {
-  EXPECT_NE(FaultOf("sim/a.cc", "\"../estimator/estimator.h\""), "");
-  EXPECT_NE(FaultOf("sim/a.cc", "\"world.h\""), "");
-  EXPECT_NE(FaultOf("sim/a.cc", "<estimator/estimator.h>"), "");
+TEST(Architecture, RejectsAnIncludeThatIsNotRelativeToTheRoot) {
+  EXPECT_NE(FirstViolation("sim/a.cc", "\"../estimator/estimator.h\""), "");
+  EXPECT_NE(FirstViolation("sim/a.cc", "\"world.h\""), "");
+  EXPECT_NE(FirstViolation("sim/a.cc", "<estimator/estimator.h>"), "");
 }
 
-TEST(Architecture, KeepsTheTestsOutOfTheProgram) {
-  EXPECT_NE(FaultOf("scenarios/cli/a.cc", "\"tests/support/rooms.h\""), "");
-  EXPECT_NE(FaultOf("models/a.cc", "<tests/support/rooms.h>"), "");
+TEST(Architecture, RejectsTestHeadersInTheProgram) {
+  EXPECT_NE(FirstViolation("scenarios/cli/a.cc", "\"tests/support/rooms.h\""), "");
+  EXPECT_NE(FirstViolation("models/a.cc", "<tests/support/rooms.h>"), "");
 }
 
-TEST(Architecture, AllowsEachLibraryOnlyWhereItBelongs) {
+TEST(Architecture, AllowsEachLibraryOnlyInItsModules) {
   for (const std::string folder : {"models", "controller", "estimator", "sim", "scenarios/runner"}) {
-    EXPECT_EQ(FaultOf(folder + "/a.h", "<Eigen/Core>"), "");
-    EXPECT_EQ(FaultOf(folder + "/a.h", "<string_view>"), "");
-    EXPECT_NE(FaultOf(folder + "/a.h", "<boost/optional.hpp>"), "");
+    EXPECT_EQ(FirstViolation(folder + "/a.h", "<Eigen/Core>"), "");
+    EXPECT_EQ(FirstViolation(folder + "/a.h", "<string_view>"), "");
+    EXPECT_NE(FirstViolation(folder + "/a.h", "<boost/optional.hpp>"), "");
   }
-  EXPECT_EQ(FaultOf("estimator/pad/edges.cc", "<opencv2/imgproc.hpp>"), "");
-  EXPECT_NE(FaultOf("estimator/pad/edges.h", "<opencv2/imgproc.hpp>"), "");
-  EXPECT_NE(FaultOf("controller/a.cc", "<opencv2/core.hpp>"), "");
-  EXPECT_NE(FaultOf("controller/a.cc", "<fmt/format.h>"), "");
-  EXPECT_NE(FaultOf("models/a.cc", "<unistd.h>"), "");
-  EXPECT_EQ(FaultOf("sim/a.cc", "<mujoco/mujoco.h>"), "");
-  EXPECT_EQ(FaultOf("scenarios/datasets/flight_bag.cc", "<rosbag/bag.h>"), "");
-  EXPECT_NE(FaultOf("scenarios/datasets/flight_bag.h", "<rosbag/bag.h>"), "");
-  EXPECT_NE(FaultOf("scenarios/datasets/footage.cc", "<sensor_msgs/Image.h>"), "");
-  EXPECT_EQ(FaultOf("controller/a.cc", "<mujoco/mujoco.h>"),
-            "controller/a.cc:2: <mujoco/mujoco.h> does not belong here");
+  EXPECT_EQ(FirstViolation("estimator/pad/edges.cc", "<opencv2/imgproc.hpp>"), "");
+  EXPECT_NE(FirstViolation("estimator/pad/edges.h", "<opencv2/imgproc.hpp>"), "");
+  EXPECT_NE(FirstViolation("controller/a.cc", "<opencv2/core.hpp>"), "");
+  EXPECT_NE(FirstViolation("controller/a.cc", "<fmt/format.h>"), "");
+  EXPECT_NE(FirstViolation("models/a.cc", "<unistd.h>"), "");
+  EXPECT_EQ(FirstViolation("sim/a.cc", "<mujoco/mujoco.h>"), "");
+  EXPECT_EQ(FirstViolation("scenarios/datasets/flight_bag.cc", "<rosbag/bag.h>"), "");
+  EXPECT_NE(FirstViolation("scenarios/datasets/flight_bag.h", "<rosbag/bag.h>"), "");
+  EXPECT_NE(FirstViolation("scenarios/datasets/footage.cc", "<sensor_msgs/Image.h>"), "");
+  EXPECT_EQ(FirstViolation("controller/a.cc", "<mujoco/mujoco.h>"),
+            "controller/a.cc:2: <mujoco/mujoco.h> is not allowed here");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// What a frame costs, with AprilTag 3 on the same frames in the same run as the yardstick. `make bench`. Exit status 1
-// when vision takes more than a quarter of what undecimated AprilTag does.
+// Computation time per frame, compared with AprilTag 3 on the same frames in the same run (`make bench`). The exit
+// status is 1 if vision takes more than a quarter of the time of undecimated AprilTag.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using namespace touchdown;
 
 constexpr int kFrames = 24;
 constexpr const char *kVision = "vision", *kAprilTag = "AprilTag/undecimated";
-constexpr double kMostOfAprilTag = 0.25;
+constexpr double kMaxFractionOfAprilTag = 0.25;
 
 struct View {
   models::Image image;
@@ -32,7 +32,7 @@ struct View {
 };
 
 /// Cluttered frames of the default camera: heights from 0.3 to 1.5 m, offsets up to 0.3 m, tilts up to 15 degrees.
-std::vector<View> TakeViews(bool with_pad) {
+std::vector<View> RenderViews(bool with_pad) {
   std::vector<View> result;
   models::RandomStream random(1, "benchmark.views");
   for (int i = 0; i < kFrames; ++i) {
@@ -57,11 +57,11 @@ std::vector<View> TakeViews(bool with_pad) {
 }
 
 const std::vector<View>& Views(bool with_pad = true) {
-  static const std::vector<View> with = TakeViews(true), without = TakeViews(false);
+  static const std::vector<View> with = RenderViews(true), without = RenderViews(false);
   return with_pad ? with : without;
 }
 
-/// Also reports the fraction of the frames in which a pad was found, and the time of the slowest frame.
+/// Time per frame. Also reports the fraction of frames with a detected pad, and the time of the slowest frame.
 void Vision(benchmark::State& state, bool with_pad, estimator::FrameOrder frame_order) {
   estimator::EstimatorSetup setup;
   setup.frame_order = frame_order;
@@ -75,10 +75,10 @@ void Vision(benchmark::State& state, bool with_pad, estimator::FrameOrder frame_
     const std::size_t i = static_cast<std::size_t>(frames++) % kFrames;
     const View& view = views[i];
     const auto start = std::chrono::steady_clock::now();
-    // Views are unrelated, so a second apart: the outlier rule has nothing to compare.
+    // The views are unrelated. Intervals of a second disable the outlier rule.
     ok += estimator.Estimate(view.image.View(), tick += 1200, view.gravity_B).pose.has_value();
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-    shortest_ms[i] = std::min(shortest_ms[i], took.count());
+    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+    shortest_ms[i] = std::min(shortest_ms[i], elapsed.count());
   }
   state.counters["found"] = static_cast<double>(ok) / frames;
   state.counters["slowest_ms"] =
@@ -103,7 +103,7 @@ void AprilTag(benchmark::State& state, float decimate) {
 BENCHMARK_CAPTURE(AprilTag, undecimated, 1.0F)->Name(kAprilTag)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(AprilTag, decimated_by_2, 2.0F)->Unit(benchmark::kMillisecond);
 
-/// One camera period of the closed loop's simulation: 20 physics ticks and a frame.
+/// One camera period of the simulation: 20 physics ticks and a frame.
 void SimulatedCameraPeriod(benchmark::State& state, sim::SceneConfig::Setting setting) {
   const models::Vehicle vehicle;
   const models::TimeBase time;
@@ -113,7 +113,7 @@ void SimulatedCameraPeriod(benchmark::State& state, sim::SceneConfig::Setting se
   X_WB.translation().z() = 1.0;
   models::RotorCommand hover;
   hover.speed_rad_s.fill(vehicle.rotor.SpeedFor(vehicle.HoverThrustPerRotor()));
-  // The vehicle drifts by millimeters: nobody controls it.
+  // Without a controller, the vehicle drifts by millimeters.
   world.Reset(X_WB, true);
   for (auto _ : state) {
     for (int tick = 0; tick < 20; ++tick) {
@@ -129,7 +129,7 @@ BENCHMARK_CAPTURE(SimulatedCameraPeriod, outdoor, sim::SceneConfig::Setting::kOu
     ->Unit(benchmark::kMillisecond)
     ->Iterations(120);
 
-/// Shows the runs and keeps what each took.
+/// Prints the runs and stores their times.
 class Reporter : public benchmark::ConsoleReporter {
  public:
   void ReportRuns(const std::vector<Run>& runs) override {
@@ -137,14 +137,14 @@ class Reporter : public benchmark::ConsoleReporter {
     for (const Run& run : runs) time_ms_[run.run_name.function_name] = run.GetAdjustedCPUTime();
   }
 
-  /// Whether vision kept its share of AprilTag's time, or one of them was not run.
+  /// Whether vision takes at most the allowed fraction of AprilTag's time. True if one of them was not run.
   bool VisionIsFastEnough() const {
-    const auto vision = time_ms_.find(kVision), yardstick = time_ms_.find(kAprilTag);
-    if (vision == time_ms_.end() || yardstick == time_ms_.end()) return true;
-    const double share = vision->second / yardstick->second;
-    const bool good = share <= kMostOfAprilTag;
-    std::printf("%s: vision takes %.3f of undecimated AprilTag's time, limit %.2f\n", good ? "pass" : "FAIL", share,
-                kMostOfAprilTag);
+    const auto vision = time_ms_.find(kVision), april_tag = time_ms_.find(kAprilTag);
+    if (vision == time_ms_.end() || april_tag == time_ms_.end()) return true;
+    const double fraction = vision->second / april_tag->second;
+    const bool good = fraction <= kMaxFractionOfAprilTag;
+    std::printf("%s: vision takes %.3f of undecimated AprilTag's time, limit %.2f\n", good ? "pass" : "FAIL", fraction,
+                kMaxFractionOfAprilTag);
     return good;
   }
 

@@ -1,4 +1,4 @@
-// What the documents promise a reader: links that lead somewhere, and no place left to fill in.
+// Checks the documents for broken links and for placeholders.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -26,7 +26,7 @@ std::string TextOf(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-TEST(Documents, LinkToFilesThatAreThere) {
+TEST(Documents, LinkToExistingFiles) {
   const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))");
   for (const fs::path& document : Documents()) {
     const std::string text = TextOf(document);
@@ -38,7 +38,7 @@ TEST(Documents, LinkToFilesThatAreThere) {
   }
 }
 
-TEST(Documents, LeaveNothingToFillIn) {
+TEST(Documents, ContainNoPlaceholders) {
   const std::regex placeholder(R"(@[A-Z]+@|\bTODO\b|\bTBD\b)");
   for (const fs::path& document : Documents())
     EXPECT_FALSE(std::regex_search(TextOf(document), placeholder)) << document;

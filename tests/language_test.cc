@@ -1,4 +1,4 @@
-// The words that docs/glossary.md lists as words to avoid stay out of code and documents.
+// Checks that code and documents do not contain the words to avoid of docs/glossary.md.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ std::string ContentOf(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The left column of the table below "Words to avoid", as one pattern of whole words; "..." spans part of a line.
+/// Pattern of whole words from the left column of the table "Words to avoid". "..." matches part of a line.
 std::regex WordsToAvoid(const std::string& glossary) {
   static const std::regex row(R"(\n\| ([^|]+) \| [^|]+ \|)"), separator(R"(,\s*)"), gap(R"( \.\.\. )");
   const std::string table = glossary.substr(glossary.find("## Words to avoid"));
@@ -39,7 +39,7 @@ std::regex WordsToAvoid(const std::string& glossary) {
   return std::regex("\\b(" + pattern + ")\\b", std::regex::icase | std::regex::optimize);
 }
 
-/// The first of the words in each line that has one: "LINE: WORD".
+/// First match of each line, as "LINE: WORD".
 std::vector<std::string> Findings(const std::regex& words, const std::string& text) {
   std::vector<std::string> findings;
   std::istringstream lines(text);
@@ -51,7 +51,7 @@ std::vector<std::string> Findings(const std::regex& words, const std::string& te
   return findings;
 }
 
-/// Headers, sources, scripts and documents, relative to the root, but for generated ones.
+/// Headers, sources, scripts and documents, relative to the root, without generated ones.
 std::vector<std::string> Files() {
   static const std::set<std::string> endings{".h", ".cc", ".md", ".py", ".js", ".mjs"};
   std::vector<std::string> files{"README.md", "CHANGELOG.md", "CONTRIBUTING.md"};
@@ -65,13 +65,13 @@ std::vector<std::string> Files() {
   return files;
 }
 
-/// Files that still have such words. The list only shrinks.
+/// Files that may contain such words. No file may be added.
 std::set<std::string> Exceptions() {
   std::istringstream lines(ContentOf(kRoot / "tests" / "language_exceptions.txt"));
   return {std::istream_iterator<std::string>(lines), {}};
 }
 
-TEST(Language, AvoidsTheWordsThatTheGlossaryLists) {
+TEST(Language, ContainsNoWordsToAvoid) {
   const std::regex words = WordsToAvoid(ContentOf(kRoot / "docs" / "glossary.md"));
   std::set<std::string> exceptions = Exceptions();
   for (const std::string& file : Files()) {

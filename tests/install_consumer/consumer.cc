@@ -1,6 +1,6 @@
-// What a vehicle's own program does with the flight libraries: samples of the IMU and frames of the camera go into the
-// state estimator, its estimate into the controller, and the controller's commands to the motors. Here it stands on the
-// ground, sees a blank image, and is about to take off.
+// Program of a vehicle with the flight libraries. The state estimator receives IMU samples and camera frames, the
+// controller receives the estimate, and the motors receive the commands of the controller. In this test the vehicle is
+// on the ground before takeoff, and the image is blank.
 #include <cstdio>
 #include <string>
 
@@ -30,17 +30,17 @@ int main() {
 
   const touchdown::models::Image blank(setup.camera.width_px, setup.camera.height_px, 200);
   const Eigen::Vector3d at_rest(0.0, 0.0, touchdown::models::kGravity_m_s2);
-  touchdown::estimator::FrameResult seen;
+  touchdown::estimator::FrameResult result;
   touchdown::controller::ControlOutput control;
   for (touchdown::models::Tick tick = 0; tick < time.FromSeconds(0.5); tick += imu_period) {
-    if (tick % camera_period == 0) seen = estimator->AddFrame(blank.View(), tick);
+    if (tick % camera_period == 0) result = estimator->AddFrame(blank.View(), tick);
     estimator->AddImu({tick, at_rest, Eigen::Vector3d::Zero()}, controller.phase() == Phase::kStandby);
     control = controller.Update(estimator->StateAt(tick).value());
     estimator->AddCommand(tick, control.thrust_n / vehicle.mass_kg);
   }
-  std::printf("%s (%s), %s\n", std::string(Name(seen.status)).c_str(), seen.reason.c_str(),
+  std::printf("%s (%s), %s\n", std::string(Name(result.status)).c_str(), result.reason.c_str(),
               std::string(Name(control.phase)).c_str());
-  const bool stands = control.phase == Phase::kStandby && motors.Fractions(control.rotors.speed_rad_s)[0] == 0.0 &&
-                      mixer.WrenchOf(control.rotors).thrust_n == 0.0;
-  return stands && seen.reason == "no_component" ? 0 : 1;
+  const bool is_standing = control.phase == Phase::kStandby && motors.Fractions(control.rotors.speed_rad_s)[0] == 0.0 &&
+                           mixer.WrenchOf(control.rotors).thrust_n == 0.0;
+  return is_standing && result.reason == "no_component" ? 0 : 1;
 }

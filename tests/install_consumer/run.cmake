@@ -1,5 +1,5 @@
-# Installs the project into a folder of its own, builds a program outside the tree against the flight libraries, and runs
-# both programs.
+# Installs the project into WORK_DIR, builds a program with the flight libraries outside the source tree, and runs both
+# programs.
 #   cmake -D BUILD_DIR=... -D SOURCE_DIR=... -D WORK_DIR=... -D BUILD_TYPE=... -D CXX_FLAGS=... -P run.cmake
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
@@ -17,12 +17,12 @@ endif()
 
 execute_process(COMMAND ldd ${WORK_DIR}/build/consumer OUTPUT_VARIABLE libraries COMMAND_ERROR_IS_FATAL ANY)
 if(libraries MATCHES "mujoco|OSMesa|yaml")
-  message(FATAL_ERROR "the flight libraries drag in the simulation:\n${libraries}")
+  message(FATAL_ERROR "the flight libraries must not link the simulation:\n${libraries}")
 endif()
 file(GLOB_RECURSE headers ${WORK_DIR}/prefix/*.h)
 foreach(header IN LISTS headers)
   file(READ ${header} text)
   if(text MATCHES "opencv2/|mujoco/")
-    message(FATAL_ERROR "${header} shows a library that a vehicle's code should not need")
+    message(FATAL_ERROR "${header} includes OpenCV or MuJoCo")
   endif()
 endforeach()

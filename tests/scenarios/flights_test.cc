@@ -1,4 +1,4 @@
-// Whole flights, as a user flies them: the scenarios of the project, and what must hold of any flight.
+// Complete flights of the scenarios of the project.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -35,23 +35,24 @@ void ExpectPass(const FlightResult& result) {
   }
 }
 
-/// Cuts a flight off in the air.
+/// Overrides that end a flight in the air.
 std::vector<std::string> Short() { return {"time_limit_s=3"}; }
 
-cv::Mat FilmAt(const fs::path& file, double time_s) {
+cv::Mat VideoFrameAt(const fs::path& file, double time_s) {
   cv::VideoCapture video(file.string());
   video.set(cv::CAP_PROP_POS_MSEC, 1000.0 * time_s);
-  cv::Mat picture;
-  video.read(picture);
-  return picture;
+  cv::Mat frame;
+  video.read(frame);
+  return frame;
 }
 
-/// JPEG alone is off by 2; a frame's time that shifts by one by 5 and more. Other CPUs draw the same flight.
+/// Tolerance of the images. JPEG compression causes a difference of 2, a shift by one frame 5 or more. Flights on other
+/// types of CPU look the same.
 constexpr double kMaxDifference = 8.0;
 
-/// The README's image is this flight's contact sheet, made smaller, and the tour's one of its video. To remake them:
+/// The README shows the downsized contact sheet of this flight, the tour a frame of its video. To update the images:
 ///   TOUCHDOWN_WRITE_DOCS=1 build/release/tests/scenarios/shipped_flights_slow_tests --gtest_filter=*README*
-TEST(Flights, TakeoffHoverLandPassesAndLooksAsInTheREADME) {
+TEST(Flights, TakeoffHoverLandPassesAndMatchesTheImagesOfTheREADME) {
   const fs::path place = fs::path(::testing::TempDir()) / "flights_test_takeoff_hover_land";
   fs::remove_all(place);
   ExpectPass(cli::FlyIntoFolder(Flight("takeoff_hover_land"), place));
@@ -61,13 +62,13 @@ TEST(Flights, TakeoffHoverLandPassesAndLooksAsInTheREADME) {
   EXPECT_LE(static_cast<double>(fs::file_size(place / "flight.mp4")), 1e5 / 30.0 * video.get(cv::CAP_PROP_FRAME_COUNT))
       << "at most 1 MB for 10 s";
   cv::resize(cv::imread((place / "frames.png").string()), sheet, {1280, 720}, 0, 0, cv::INTER_AREA);
-  const cv::Mat picture = FilmAt(place / "flight.mp4", 7.0);
+  const cv::Mat frame = VideoFrameAt(place / "flight.mp4", 7.0);
   fs::remove_all(place);
   tests::ExpectDocsImage("takeoff_hover_land.jpg", sheet, kMaxDifference);
-  tests::ExpectDocsImage("video.jpg", picture, kMaxDifference);
+  tests::ExpectDocsImage("video.jpg", frame, kMaxDifference);
 }
 
-TEST(Flights, ACoveredPadEndsInGivingUp) {
+TEST(Flights, GiveUpWhenThePadIsCovered) {
   const FlightResult result =
       Fly(Flight("landing", {"events=[{at_s: 1.0, do: cover_pad, duration_s: 100}]", "expect=gave_up", "criteria=[]"}));
   EXPECT_EQ(result.outcome, Outcome::kGaveUp);
@@ -76,35 +77,35 @@ TEST(Flights, ACoveredPadEndsInGivingUp) {
   EXPECT_EQ(result.metrics.at("estimate.false_pads"), 0.0);
 }
 
-TEST(Flights, AShortLossOfFramesIsBridged) {
+TEST(Flights, PassWithAShortLossOfFrames) {
   ExpectPass(Fly(Flight("takeoff_hover_land", {"events=[{at_s: 8, do: lose_frames, duration_s: 0.4}]"})));
 }
 
-TEST(Flights, TheSameSeedGivesTheSameLogAlsoBesideAnotherFlight) {
+TEST(Flights, HaveTheSameLogForTheSameSeedAlsoWithAConcurrentFlight) {
   const Scenario scenario = Flight("takeoff_hover_land");
   const FlightResult alone = Fly(scenario);
-  // A shorter disturbed_hover, as long as this flight.
+  // disturbed_hover, shortened to the duration of this flight.
   auto other = std::async(std::launch::async, [] {
     return Fly(Flight("disturbed_hover", {"script.1.duration_s=10", "time_limit_s=20", "criteria=[]",
                                           "events=[{at_s: 7, do: push, force_n: [2.6, 0, 0], duration_s: 0.5}]"}));
   });
-  const FlightResult beside = Fly(scenario);
+  const FlightResult concurrent = Fly(scenario);
   EXPECT_EQ(other.get().verdict, Verdict::kPass);
   EXPECT_EQ(alone.verdict, Verdict::kPass);
-  EXPECT_EQ(alone.log_sha256, beside.log_sha256);
+  EXPECT_EQ(alone.log_sha256, concurrent.log_sha256);
 }
 
-TEST(Flights, AnotherSeedGivesAnotherLog) {
+TEST(Flights, HaveAnotherLogForAnotherSeed) {
   EXPECT_NE(Fly(Flight("takeoff_hover_land", Short())).log_sha256,
             Fly(Flight("takeoff_hover_land", {"time_limit_s=3", "seed=2"})).log_sha256);
 }
 
-TEST(Flights, TheResolvedScenarioFliesTheSameFlight) {
+TEST(Flights, HaveTheSameLogFromTheResolvedScenario) {
   const Scenario scenario = Flight("landing", Short());
   EXPECT_EQ(Fly(scenario).log_sha256, Fly(ParseScenario(ScenarioYaml(scenario), "f", "")).log_sha256);
 }
 
-TEST(Flights, LeaveTheirFolderWhole) {
+TEST(Flights, WriteAllFiles) {
   const fs::path place = fs::path(::testing::TempDir()) / "flights_test_folder";
   fs::remove_all(place);
   const FlightResult result = cli::FlyIntoFolder(Flight("landing", Short()), place);
@@ -125,7 +126,7 @@ TEST(Flights, LeaveTheirFolderWhole) {
   fs::remove_all(place);
 }
 
-TEST(Flights, AreTheSameWithAndWithoutTheirFilm) {
+TEST(Flights, HaveTheSameLogWithAndWithoutVideo) {
   const fs::path place = fs::path(::testing::TempDir()) / "flights_test_video";
   fs::remove_all(place);
   const Scenario scenario = Flight("landing", {"time_limit_s=2",
@@ -136,7 +137,7 @@ TEST(Flights, AreTheSameWithAndWithoutTheirFilm) {
   const FlightResult with = cli::FlyIntoFolder(scenario, place, {.video = true});
   EXPECT_TRUE(fs::exists(place / "flight.mp4"));
   EXPECT_EQ(with.log_sha256, without.log_sha256);
-  // A video of an earlier flight does not stay beside a later one.
+  // The video of an earlier flight is removed.
   cli::FlyIntoFolder(scenario, place, {.video = false});
   EXPECT_FALSE(fs::exists(place / "flight.mp4"));
   fs::remove_all(place);

@@ -16,21 +16,21 @@ using models::kPi;
 using models::LandingPad;
 using models::RandomStream;
 
-constexpr int kShift = 4;  ///< Fractional bits of OpenCV's drawing.
+constexpr int kShift = 4;  ///< Number of fractional bits of coordinates in OpenCV's drawing functions.
 
 cv::Point Fixed(const cv::Point2d& p) {
   return {static_cast<int>(std::lround(p.x * (1 << kShift))), static_cast<int>(std::lround(p.y * (1 << kShift)))};
 }
 
-cv::Point2d Turned(double x, double y, double yaw) {
+cv::Point2d Rotated(double x, double y, double yaw) {
   return {std::cos(yaw) * x - std::sin(yaw) * y, std::sin(yaw) * x + std::cos(yaw) * y};
 }
 
-/// The strokes of an H of the pad's own size, scaled by `scale` and shifted.
+/// The H of the pad, scaled by `scale`, rotated by `yaw` and moved to (x, y).
 void PrintH(const LandingPad& pad, double scale, double x, double y, double yaw, Artwork& art, bool bar = true) {
   const double side = 0.5 * (pad.h_width_m - pad.h_stroke_m) * scale;
   for (const double s : {-1.0, 1.0}) {
-    const cv::Point2d c = Turned(0.0, s * side, yaw);
+    const cv::Point2d c = Rotated(0.0, s * side, yaw);
     art.FillBox(x + c.x, y + c.y, pad.h_height_m * scale, pad.h_stroke_m * scale, yaw);
   }
   if (bar) art.FillBox(x, y, pad.h_stroke_m * scale, pad.h_width_m * scale, yaw);
@@ -42,12 +42,12 @@ void PrintRing(const LandingPad& pad, Artwork& art) {
 
 using Printer = std::function<void(const LandingPad&, RandomStream&, Artwork&)>;
 
-/// A letter in the ring, by the pad's own strokes, in the box of its H.
+/// Ring with a letter of straight strokes. Endpoints are relative to the box of the H.
 Printer Strokes(std::vector<std::array<double, 4>> lines) {
   return [lines = std::move(lines)](const LandingPad& pad, RandomStream& random, Artwork& art) {
     PrintRing(pad, art);
-    const double grow = random.Uniform(0.85, 1.15), stroke = pad.h_stroke_m * random.Uniform(0.7, 1.2);
-    const double x = 0.5 * grow * (pad.h_height_m - stroke), y = 0.5 * grow * (pad.h_width_m - stroke);
+    const double scale = random.Uniform(0.85, 1.15), stroke = pad.h_stroke_m * random.Uniform(0.7, 1.2);
+    const double x = 0.5 * scale * (pad.h_height_m - stroke), y = 0.5 * scale * (pad.h_width_m - stroke);
     for (const auto& [x1, y1, x2, y2] : lines) art.Line(x * x1, y * y1, x * x2, y * y2, stroke);
   };
 }
@@ -59,7 +59,7 @@ Printer Glyph(std::string text) {
   };
 }
 
-/// A ring with an H that is off: by size, or by place.
+/// Ring with an H of the wrong size or position.
 Printer MisplacedH(double scale_low, double scale_high, double offset_low, double offset_high) {
   return [=](const LandingPad& pad, RandomStream& random, Artwork& art) {
     PrintRing(pad, art);
@@ -74,9 +74,9 @@ void PrintFrame(int corners, const LandingPad& pad, double yaw, Artwork& art) {
   std::vector<cv::Point2d> outer, inner;
   for (int i = 0; i < corners; ++i) {
     const double angle = yaw + 2.0 * kPi * i / corners;
-    const double grow = corners == 3 ? 1.15 : 1.0;
-    outer.push_back(grow * pad.outer_radius_m * cv::Point2d(std::cos(angle), std::sin(angle)));
-    inner.push_back((grow * pad.outer_radius_m - pad.ring_width_m / std::cos(kPi / corners)) *
+    const double scale = corners == 3 ? 1.15 : 1.0;
+    outer.push_back(scale * pad.outer_radius_m * cv::Point2d(std::cos(angle), std::sin(angle)));
+    inner.push_back((scale * pad.outer_radius_m - pad.ring_width_m / std::cos(kPi / corners)) *
                     cv::Point2d(std::cos(angle), std::sin(angle)));
   }
   art.FillPolygon(outer);
@@ -207,7 +207,7 @@ void Artwork::FillPolygon(const std::vector<cv::Point2d>& corners_m, bool black)
 void Artwork::FillBox(double x_m, double y_m, double size_x_m, double size_y_m, double yaw) {
   std::vector<cv::Point2d> corners;
   for (const auto& [sx, sy] : {std::pair(0.5, 0.5), {0.5, -0.5}, {-0.5, -0.5}, {-0.5, 0.5}}) {
-    corners.push_back(cv::Point2d(x_m, y_m) + Turned(sx * size_x_m, sy * size_y_m, yaw));
+    corners.push_back(cv::Point2d(x_m, y_m) + Rotated(sx * size_x_m, sy * size_y_m, yaw));
   }
   FillPolygon(corners);
 }
@@ -230,7 +230,7 @@ void Artwork::Line(double x1_m, double y1_m, double x2_m, double y2_m, double wi
 
 void Artwork::Text(const std::string& text, double x_m, double y_m, double height_m, double stroke_fraction,
                    double yaw) {
-  constexpr double kFontHeight = 21.0;  // Of a capital at scale 1.
+  constexpr double kFontHeight = 21.0;  // Height of a capital letter at scale 1, px.
   const double height = height_m * px_per_m, scale = height / kFontHeight;
   const int thickness = std::max(1, static_cast<int>(std::lround(stroke_fraction * height)));
   int below = 0;
@@ -240,8 +240,8 @@ void Artwork::Text(const std::string& text, double x_m, double y_m, double heigh
   const cv::Point origin(static_cast<int>(center.x) - size.width / 2, static_cast<int>(center.y) + size.height / 2);
   cv::putText(layer, text, origin, cv::FONT_HERSHEY_SIMPLEX, scale, cv::Scalar(255), thickness, cv::LINE_AA);
   if (yaw != 0.0) {
-    const cv::Mat turn = cv::getRotationMatrix2D(cv::Point2f(center), models::RadToDeg(yaw), 1.0);
-    cv::warpAffine(layer, layer, turn, layer.size());
+    const cv::Mat rotation = cv::getRotationMatrix2D(cv::Point2f(center), models::RadToDeg(yaw), 1.0);
+    cv::warpAffine(layer, layer, rotation, layer.size());
   }
   ink = cv::max(ink, layer);
 }
@@ -251,9 +251,10 @@ LandingPad DrawAnyPad(RandomStream& random) {
   if (random.Bernoulli(0.25)) return pad;
   const bool thin = random.Bernoulli(0.3), small = random.Bernoulli(0.3);
   pad.ring_width_m = pad.outer_radius_m * (thin ? random.Uniform(0.05, 0.10) : random.Uniform(0.10, 0.28));
-  const double room = 2.0 * pad.inner_radius_m() * (small ? random.Uniform(0.38, 0.55) : random.Uniform(0.55, 0.85));
+  const double diagonal =
+      2.0 * pad.inner_radius_m() * (small ? random.Uniform(0.38, 0.55) : random.Uniform(0.55, 0.85));
   const double aspect = random.Uniform(0.45, 0.85);
-  pad.h_height_m = room / std::hypot(1.0, aspect);
+  pad.h_height_m = diagonal / std::hypot(1.0, aspect);
   pad.h_width_m = aspect * pad.h_height_m;
   pad.h_stroke_m = pad.h_width_m * random.Uniform(0.15, 0.32);
   const double size = random.Uniform(0.3, 3.0);
@@ -275,12 +276,12 @@ const std::vector<std::string>& MarkingKinds() {
 }
 
 void PrintMarkings(const LandingPad& pad, const std::string& kind, RandomStream& random, Artwork& art) {
-  // The white between the H's sides and the ring.
+  // Width of the white area between H and ring, beside and above the H.
   const double inner = pad.inner_radius_m(), half_width = 0.5 * pad.h_width_m;
-  const double room = inner - half_width, middle = half_width + 0.5 * room;
-  const double end_room = inner - 0.5 * pad.h_height_m, end = 0.5 * pad.h_height_m + 0.5 * end_room;
+  const double gap = inner - half_width, middle = half_width + 0.5 * gap;
+  const double end_gap = inner - 0.5 * pad.h_height_m, end = 0.5 * pad.h_height_m + 0.5 * end_gap;
   if (kind == "dots") {
-    const double radius = random.Uniform(0.08, 0.22) * room;
+    const double radius = random.Uniform(0.08, 0.22) * gap;
     const double angle = random.Uniform(0.5, 0.9), reach = std::hypot(0.5 * pad.h_height_m, half_width);
     const double place = std::min(std::max(middle, 0.5 * (reach + inner)), inner - 1.6 * radius);
     for (const double a : {angle, kPi - angle, kPi + angle, -angle}) {
@@ -292,12 +293,12 @@ void PrintMarkings(const LandingPad& pad, const std::string& kind, RandomStream&
     static const std::vector<std::string> kTexts = {"A1", "07", "PAD", "LAND", "12", "N", "B"};
     const auto text = kTexts[static_cast<std::size_t>(random.UniformInt(0, 6))];
     art.Text(text, random.Uniform(-0.2, 0.2) * pad.h_height_m, random.Bernoulli(0.5) ? middle : -middle,
-             random.Uniform(0.5, 0.9) * room / static_cast<double>(text.size()), 0.16);
+             random.Uniform(0.5, 0.9) * gap / static_cast<double>(text.size()), 0.16);
   } else if (kind == "arrow") {
-    const double s = 0.3 * end_room;
+    const double s = 0.3 * end_gap;
     art.FillPolygon({{end + s, 0.0}, {end - s, 1.2 * s}, {end - s, -1.2 * s}});
   } else if (kind == "logo") {
-    const double s = random.Uniform(0.15, 0.3) * room;
+    const double s = random.Uniform(0.15, 0.3) * gap;
     for (const double y : {middle, -middle}) {
       const int corners = random.UniformInt(3, 6);
       std::vector<cv::Point2d> star;
@@ -309,16 +310,16 @@ void PrintMarkings(const LandingPad& pad, const std::string& kind, RandomStream&
       if (random.Bernoulli(0.4)) break;
     }
   } else if (kind == "ticks") {
-    const double length = 0.25 * std::min(room, end_room), width = 0.35 * length;
+    const double length = 0.25 * std::min(gap, end_gap), width = 0.35 * length;
     for (int i = 0; i < 4; ++i) {
       const double a = i * kPi / 2.0, r = inner - 0.9 * length;
       art.FillBox(r * std::cos(a), r * std::sin(a), length, width, a);
     }
-  } else {  // A cross-hair with a gap before the H and the ring.
-    const double width = 0.12 * std::min(room, end_room);
+  } else {  // Crosshair that touches neither H nor ring.
+    const double width = 0.12 * std::min(gap, end_gap);
     for (const double s : {-1.0, 1.0}) {
-      art.FillBox(0.0, s * middle, width, 0.6 * room);
-      art.FillBox(s * end, 0.0, 0.6 * end_room, width);
+      art.FillBox(0.0, s * middle, width, 0.6 * gap);
+      art.FillBox(s * end, 0.0, 0.6 * end_gap, width);
     }
   }
 }

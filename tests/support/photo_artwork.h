@@ -9,8 +9,8 @@
 
 namespace touchdown::tests {
 
-/// Ink on a sheet of paper: 0 none, 255 full. Columns run along the sheet's -Y, rows along its -X, so that an H stands
-/// upright; the pad's center is the middle of the picture.
+/// Ink on a sheet of paper, 0 (none) to 255 (full). Columns run along -Y of the sheet and rows along -X, so that an H
+/// is upright. The center of the pad is the center of the image.
 struct Artwork {
   cv::Mat1b ink;
   double px_per_m = 0.0;
@@ -20,22 +20,22 @@ struct Artwork {
   cv::Point2d At(double x_m, double y_m) const;
   void FillPolygon(const std::vector<cv::Point2d>& corners_m, bool black = true);  ///< (x, y) in W.
   void FillBox(double x_m, double y_m, double size_x_m, double size_y_m, double yaw = 0.0);
-  void FillRing(double x_m, double y_m, double outer_m, double inner_m);  ///< What lies inside stays as it is.
+  void FillRing(double x_m, double y_m, double outer_m, double inner_m);  ///< The inside of the ring does not change.
   void Line(double x1_m, double y1_m, double x2_m, double y2_m, double width_m);
-  /// Its box's center at (x, y), its height in meters.
+  /// Draws text whose box is centered at (x, y).
   void Text(const std::string& text, double x_m, double y_m, double height_m, double stroke_fraction, double yaw = 0.0);
 };
 
-/// Any pad that fits its sheet: the nominal one, thin and thick rings, small and large Hs, slender and square ones.
+/// Draws a random pad that fits on its sheet: the nominal one, or one with a thin or thick ring and a small, large,
+/// slender or wide H.
 models::LandingPad DrawAnyPad(models::RandomStream& random);
 
 void PrintPad(const models::LandingPad& pad, Artwork& art);
-/// `kind` names one of MarkingKinds().
+/// `kind` is one of MarkingKinds().
 void PrintMarkings(const models::LandingPad& pad, const std::string& kind, models::RandomStream& random, Artwork& art);
 const std::vector<std::string>& MarkingKinds();
 
-/// What is not the pad, `kind` being one of DistractorKinds(). The kinds that begin with "floor" print nothing: the
-/// floor is all there is.
+/// Prints a distractor; `kind` is one of DistractorKinds(). Kinds that begin with "floor" have no sheet, only a floor.
 void PrintDistractor(const models::LandingPad& pad, const std::string& kind, models::RandomStream& random,
                      Artwork& art);
 const std::vector<std::string>& DistractorKinds();

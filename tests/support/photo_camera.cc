@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 using models::kPi;
 using models::RandomStream;
 
-/// A camera that sees W's origin under `obliquity` at the pixel of `ray_C`.
+/// X_WC of a camera that views the origin of W at `obliquity` along `ray_C`.
 Eigen::Isometry3d CameraAimedAt(const Vector3d& ray_C, double distance, double obliquity, RandomStream& random) {
   const double azimuth = random.Uniform(-kPi, kPi), roll = random.Uniform(-kPi, kPi);
   const Vector3d from_W(std::sin(obliquity) * std::cos(azimuth), std::sin(obliquity) * std::sin(azimuth),
@@ -26,7 +26,7 @@ Eigen::Isometry3d CameraAimedAt(const Vector3d& ray_C, double distance, double o
   return X_WC;
 }
 
-/// The box of the ring's outer boundary; empty when part of it is not seen.
+/// Bounding box of the outer boundary of the ring; empty when part of it cannot be projected.
 cv::Rect2d RingBox(const models::CameraModel& camera, const Eigen::Isometry3d& X_WC, const PhotoPaper& paper,
                    double radius_m) {
   Eigen::Array2d low = Eigen::Array2d::Constant(1e9), high = -low;
@@ -72,17 +72,17 @@ PhotoView DrawView(const models::CameraModel& camera, const PhotoPaper& paper, d
                          (0.5 + random.Uniform(-reach, reach)) * camera.height_px);
     const auto ray_C = camera.Ray(pixel);
     if (!ray_C) continue;
-    const RandomStream turn(random.Bits(), "photo.turn");
+    const RandomStream orientation(random.Bits(), "photo.turn");
     PhotoView view;
     cv::Rect2d& box = view.ring_box;
     double distance = camera.fx_px * 2.0 * radius_m / (size_fraction * camera.height_px);
     for (int n = 0; n < 4; ++n) {
-      RandomStream same = turn;
-      view.X_WC = CameraAimedAt(*ray_C, distance, obliquity, same);
+      RandomStream same_draws = orientation;
+      view.X_WC = CameraAimedAt(*ray_C, distance, obliquity, same_draws);
       box = RingBox(camera, view.X_WC, paper, radius_m);
       if (box.empty()) break;
-      const double grow = box.height / (size_fraction * camera.height_px);
-      if (n < 3) distance = std::max(distance * grow, 1.6 * radius_m);
+      const double ratio = box.height / (size_fraction * camera.height_px);
+      if (n < 3) distance = std::max(distance * ratio, 1.6 * radius_m);
     }
     const bool is_whole = !box.empty() && box.x >= margin && box.y >= margin &&
                           box.br().x <= camera.width_px - margin && box.br().y <= camera.height_px - margin;

@@ -9,16 +9,17 @@
 
 namespace touchdown::tests {
 
-/// A camera of any common size, from narrow to wide, with some distortion.
+/// Draws a camera with a common image size, a narrow to wide field of view, and some distortion.
 models::CameraModel DrawCamera(models::RandomStream& random);
 
-/// Where a camera is, and the box of the ring's outer boundary in its picture.
+/// Camera pose, and bounding box of the outer boundary of the ring in the image.
 struct PhotoView {
   Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();
   cv::Rect2d ring_box;
 };
 
-/// A view that has the ring whole, about `size_fraction` of the picture's height high, under `obliquity`.
+/// Draws a view at `obliquity` that contains the whole ring, with a height of about `size_fraction` of the image
+/// height.
 PhotoView DrawView(const models::CameraModel& camera, const PhotoPaper& paper, double radius_m, double size_fraction,
                    double obliquity, models::RandomStream& random);
 

@@ -13,7 +13,7 @@ using models::RandomStream;
 
 constexpr int kSide = kFloorSide_px;
 
-/// Noise of unit variance, smooth over about `scale_x` and `scale_y` px.
+/// Noise of unit variance that is smooth over about `scale_x` and `scale_y` px.
 cv::Mat1f Noise(double scale_x, double scale_y, RandomStream& random) {
   const cv::Size coarse(std::max(4, static_cast<int>(kSide / scale_x)), std::max(4, static_cast<int>(kSide / scale_y)));
   cv::Mat1f noise(coarse), fine;
@@ -99,10 +99,10 @@ void AddPage(cv::Mat1b& floor, const cv::Point& center, double height, double ya
       column += static_cast<int>(cv::getTextSize(word, cv::FONT_HERSHEY_SIMPLEX, scale, 1, nullptr).width + 0.4 * line);
     }
   }
-  cv::Mat turn = cv::getRotationMatrix2D({page.cols / 2.0F, page.rows / 2.0F}, models::RadToDeg(yaw), 1.0);
-  turn.at<double>(0, 2) += center.x - page.cols / 2.0;
-  turn.at<double>(1, 2) += center.y - page.rows / 2.0;
-  cv::warpAffine(page, floor, turn, floor.size(), cv::INTER_LINEAR, cv::BORDER_TRANSPARENT);
+  cv::Mat rotation = cv::getRotationMatrix2D({page.cols / 2.0F, page.rows / 2.0F}, models::RadToDeg(yaw), 1.0);
+  rotation.at<double>(0, 2) += center.x - page.cols / 2.0;
+  rotation.at<double>(1, 2) += center.y - page.rows / 2.0;
+  cv::warpAffine(page, floor, rotation, floor.size(), cv::INTER_LINEAR, cv::BORDER_TRANSPARENT);
 }
 
 void AddCup(cv::Mat1b& floor, const cv::Point& center, int radius, RandomStream& random) {

@@ -8,13 +8,13 @@
 
 namespace touchdown::tests {
 
-/// What may lie under and around a sheet: wood, tiles, carpet, concrete, plain, page, desk, cups.
+/// Kinds of floors: wood, tiles, carpet, concrete, plain, page, desk, cups.
 const std::vector<std::string>& FloorKinds();
 
 inline constexpr int kFloorSide_px = 1024;
 
-/// Reflectance of 255 of a square of floor, kFloorSide_px wide, that continues mirrored. The middle disc of
-/// `free_radius_px` holds no objects.
+/// Draws a square of floor, kFloorSide_px wide, which is continued by reflection: gray values 0 to 255. The disc of
+/// radius `free_radius_px` around its center contains no objects.
 cv::Mat1b DrawFloor(const std::string& kind, double free_radius_px, models::RandomStream& random);
 
 }  // namespace touchdown::tests

@@ -14,7 +14,7 @@ using Eigen::Vector2d;
 using models::kPi;
 using models::RandomStream;
 
-/// The shadow of something with an edge across the ring, as the share of the light that it leaves.
+/// Shadow with an edge across the ring: fraction of the light, `least` inside the shadow.
 cv::Mat1f DrawShadow(cv::Size size, const cv::Rect2d& ring_box, double least, RandomStream& random) {
   const cv::Point2d through(ring_box.x + random.Uniform(0.1, 0.9) * ring_box.width,
                             ring_box.y + random.Uniform(0.1, 0.9) * ring_box.height);

@@ -62,11 +62,11 @@ double PhotoPaper::Along(const Vector2d& p_W) const { return across_.dot(p_W) / 
 
 double PhotoPaper::Raw(double q) const {
   switch (kind_) {
-    case 0:  // A roll that has been flattened.
+    case 0:  // Curled from a roll.
       return amount_ * q * q;
     case 1:  // Waves.
       return 0.5 * amount_ * std::sin(2.0 * kPi * q / period_ + phase_);
-    case 2:  // A side or corner that lifts.
+    case 2:  // A lifted side or corner.
       return q > begin_ ? 1.5 * std::abs(amount_) * (q - begin_) * (q - begin_) : 0.0;
     case 3:  // A crease.
       return amount_ * std::abs(q - 0.5 * begin_);

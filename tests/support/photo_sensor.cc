@@ -56,7 +56,7 @@ cv::Mat1b Develop(cv::Mat1f radiance, double exposure, double noise_sigma, int j
   cv::Mat1f noise(size);
   cv::RNG rng(random.Bits());
   rng.fill(noise, cv::RNG::NORMAL, 0.0, noise_sigma);
-  if (random.Bernoulli(0.5)) cv::blur(noise, noise, {2, 2});  // A camera that has smoothed its noise into blotches.
+  if (random.Bernoulli(0.5)) cv::blur(noise, noise, {2, 2});  // Noise that the camera has smoothed.
   radiance += noise;
   if (random.Bernoulli(0.4)) {
     cv::Mat1f smooth;

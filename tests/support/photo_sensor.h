@@ -6,13 +6,13 @@
 
 namespace touchdown::tests {
 
-/// Blurs by a disc.
+/// Convolves with a disc.
 void Defocus(cv::Mat1f& radiance, double radius_px);
 
-/// Blurs by a line.
+/// Convolves with a line.
 void SmearAlong(cv::Mat1f& radiance, double length_px, double angle);
 
-/// What a camera makes of the radiance that reaches its sensor: vignette, exposure, noise, gamma, sharpening, JPEG.
+/// Image of a radiance: vignette, exposure, gamma, noise, sharpening, JPEG compression.
 cv::Mat1b Develop(cv::Mat1f radiance, double exposure, double noise_sigma, int jpeg_quality,
                   models::RandomStream& random);
 

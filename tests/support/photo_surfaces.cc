@@ -15,9 +15,10 @@ using Eigen::Vector3d;
 using models::kPi;
 using models::RandomStream;
 
-constexpr int kCell_px = 8;  ///< Of the grid on which rays are cast; the pixels between are interpolated.
+constexpr int kCell_px = 8;  ///< Spacing of the grid of rays; pixels in between are interpolated.
 
-/// Per pixel of the (supersampled) image: where on the sheet and on the floor it looks, and how the paper leans.
+/// Points on sheet and floor that each pixel of the supersampled image views, and the irradiance of the paper relative
+/// to that of a flat sheet.
 struct Views {
   cv::Mat2f sheet_m, floor_m;
   cv::Mat1f lambert;
@@ -41,7 +42,7 @@ Views CastRays(const Photograph& photo, const PhotoPaper& paper, int samples, co
       const Vector2d pixel = (fine + Vector2d::Constant(0.5)) / samples - Vector2d::Constant(0.5);
       const auto ray_C = photo.camera.Ray(pixel);
       Vector3d ray_W = X_WC.linear() * ray_C.value_or(Vector3d::UnitZ());
-      ray_W.z() = std::min(ray_W.z(), -0.02 * ray_W.norm());  // Beyond the horizon the floor goes on.
+      ray_W.z() = std::min(ray_W.z(), -0.02 * ray_W.norm());  // Above the horizon, too, rays hit the floor.
       const auto at_height = [&](double z) {
         return Vector2d((X_WC.translation() + ray_W * ((z - X_WC.translation().z()) / ray_W.z())).head<2>());
       };
@@ -59,35 +60,35 @@ Views CastRays(const Photograph& photo, const PhotoPaper& paper, int samples, co
   return {Fine(sheet, size), Fine(floor, size), Fine(lambert, size)};
 }
 
-/// column = a_x * x + a_y * y + b of both coordinates, for cv::remap.
+/// A * point + b of each point, for cv::remap.
 cv::Mat2f Mapped(const cv::Mat2f& points, const cv::Matx22f& A, const cv::Vec2f& b) {
   cv::Mat2f mapped;
   cv::transform(points, mapped, cv::Matx23f(A(0, 0), A(0, 1), b[0], A(1, 0), A(1, 1), b[1]));
   return mapped;
 }
 
-/// What a picture shows at the places of `map`, of 1.
-cv::Mat1f Sampled(const cv::Mat1b& picture, const cv::Mat2f& map, int border) {
+/// Image values at the positions of `map`, scaled to 0 to 1.
+cv::Mat1f Sampled(const cv::Mat1b& image, const cv::Mat2f& map, int border) {
   cv::Mat1b levels;
-  cv::remap(picture, levels, map, cv::noArray(), cv::INTER_LINEAR, border);
-  cv::Mat1f shares;
-  levels.convertTo(shares, CV_32F, 1.0 / 255.0);
-  return shares;
+  cv::remap(image, levels, map, cv::noArray(), cv::INTER_LINEAR, border);
+  cv::Mat1f fractions;
+  levels.convertTo(fractions, CV_32F, 1.0 / 255.0);
+  return fractions;
 }
 
 cv::Mat1f SampledFloor(const Photograph& photo, const cv::Mat2f& floor_m, RandomStream& random) {
   const double scale = kFloorSide_px / (photo.pad.outer_radius_m * random.Uniform(8.0, 16.0));
   const double free_radius = 0.55 * std::hypot(photo.pad.sheet_length_m, photo.pad.sheet_width_m) * scale;
   const cv::Mat1b floor = DrawFloor(photo.conditions.floor, free_radius, random);
-  const double turn = random.Uniform(-kPi, kPi);
-  const auto c = static_cast<float>(scale * std::cos(turn)), s = static_cast<float>(scale * std::sin(turn));
+  const double angle = random.Uniform(-kPi, kPi);
+  const auto c = static_cast<float>(scale * std::cos(angle)), s = static_cast<float>(scale * std::sin(angle));
   const cv::Mat2f map = Mapped(floor_m, {c, -s, s, c}, {kFloorSide_px / 2.0F, kFloorSide_px / 2.0F});
   cv::Mat1f reflectance = Sampled(floor, map, cv::BORDER_REFLECT_101);
   cv::pow(reflectance, 2.2, reflectance);
   return reflectance;
 }
 
-/// Of the paper, on the floor beside it.
+/// Shadow of the paper on the floor.
 cv::Mat1f Shade(const cv::Mat1f& covered) {
   cv::Mat1f shade;
   const int shift = std::max(1, covered.rows / 150);
@@ -114,11 +115,11 @@ PhotoSurfaces VisibleSurfaces(const Photograph& photo, const Artwork& art, const
   floor = floor.mul(1.0 - 0.4 * Shade(covered));
   const double white = random.Uniform(0.68, 0.9), black = random.Uniform(0.035, 0.11);
   const cv::Mat1f sheet = white - (white - black) * inked;
-  PhotoSurfaces seen;
-  seen.reflectance = floor + covered.mul(sheet - floor);
-  seen.toner = inked.mul(covered);
-  seen.lambert = views.lambert;
-  return seen;
+  PhotoSurfaces surfaces;
+  surfaces.reflectance = floor + covered.mul(sheet - floor);
+  surfaces.toner = inked.mul(covered);
+  surfaces.lambert = views.lambert;
+  return surfaces;
 }
 
 }  // namespace touchdown::tests

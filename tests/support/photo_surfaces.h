@@ -9,14 +9,14 @@
 
 namespace touchdown::tests {
 
-/// What each pixel of a picture looks at, the picture being `samples` times as fine as the camera's.
+/// Surfaces that the pixels of an image view. The image has `samples` times the resolution of the camera.
 struct PhotoSurfaces {
-  cv::Mat1f reflectance;  ///< Of 1.
-  cv::Mat1f toner;        ///< Share of it that is glossy toner.
-  cv::Mat1f lambert;      ///< How the paper leans to the light: over what it would get lying flat.
+  cv::Mat1f reflectance;  ///< 0 to 1.
+  cv::Mat1f toner;        ///< Fraction of the pixel that is glossy toner.
+  cv::Mat1f lambert;      ///< Irradiance of the paper, relative to that of a flat sheet.
 };
 
-/// Needs of `photo` its pad, subject, camera, X_WC and floor.
+/// Uses pad, subject, camera, X_WC and floor of `photo`.
 PhotoSurfaces VisibleSurfaces(const Photograph& photo, const Artwork& art, const PhotoPaper& paper, int samples,
                               models::RandomStream& random);
 

@@ -11,32 +11,32 @@
 
 namespace touchdown::tests {
 
-/// What makes a photograph easy or hard.
+/// Conditions that make a photograph easy or hard.
 struct PhotoConditions {
-  double size_fraction = 0.0;  ///< Height of the ring's box over the image's.
-  double obliquity_deg = 0.0;  ///< Between the line of sight to the pad and its normal.
-  double curl = 0.0;           ///< Largest height of the paper's surface within the ring, over the ring's radius.
-  double blur_px = 0.0;        ///< Defocus and motion together.
-  double blur_fraction = 0.0;  ///< The same over the narrower of ring and H's stroke, as seen.
-  double glare = 0.0;          ///< Of the paper's brightness, at the patch's middle; 0 without.
-  double shadow = 1.0;         ///< Light left within a shadow; 1 without.
-  double exposure = 0.0;       ///< Brightness of the paper, 1 being the sensor's most.
-  double noise_sigma = 0.0;    ///< Of 255.
+  double size_fraction = 0.0;  ///< Height of the ring's bounding box over the image height.
+  double obliquity_deg = 0.0;  ///< Angle between the line of sight to the pad and its normal.
+  double curl = 0.0;           ///< Largest height of the paper within the ring, over the radius of the ring.
+  double blur_px = 0.0;        ///< Defocus and motion blur combined.
+  double blur_fraction = 0.0;  ///< blur_px over the width of ring or stroke, the narrower of both.
+  double glare = 0.0;          ///< Peak brightness over that of the paper; 0: no glare.
+  double shadow = 1.0;         ///< Fraction of the light in a shadow; 1: no shadow.
+  double exposure = 0.0;       ///< Brightness of the paper over the saturation of the sensor.
+  double noise_sigma = 0.0;    ///< Standard deviation, 0 to 255.
   int jpeg_quality = 100;
   std::string marks = "none";  ///< Markings within the ring that the pad description does not list.
   std::string floor = "plain";
 };
 
-/// A photograph of a printed sheet under room light, or of something that is not the pad, with its truth.
+/// Photograph of a printed pad or of a distractor, with its ground truth.
 struct Photograph {
   std::string subject;     ///< "pad", or one of DistractorKinds().
-  models::LandingPad pad;  ///< As the estimator assumes it.
+  models::LandingPad pad;  ///< Pad description for the estimator.
   models::CameraModel camera;
   models::Image image;
   PhotoConditions conditions;
   Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();
-  Eigen::Vector2d center_px = Eigen::Vector2d::Zero();  ///< Where W's origin is seen.
-  cv::Rect2d ring_box;                                  ///< Of the ring's outer boundary, on the curled paper.
+  Eigen::Vector2d center_px = Eigen::Vector2d::Zero();  ///< Pixel of the origin of W.
+  cv::Rect2d ring_box;                                  ///< Bounding box of the outer boundary of the ring.
 };
 
 }  // namespace touchdown::tests

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// The box, in the photograph, of an ellipse given in undistorted pixels.
+/// Bounding box, in raw px, of an ellipse in undistorted px.
 cv::Rect2d BoxOf(const estimator::Overlay::Ellipse& ellipse, const models::CameraModel& camera) {
   Eigen::Array2d low = Eigen::Array2d::Constant(1e9), high = -low;
   for (int i = 0; i < 180; ++i) {

@@ -5,15 +5,15 @@
 
 namespace touchdown::tests {
 
-/// What the estimator `paper` made of a photograph.
+/// Result of the estimator `paper` for a photograph, compared with the truth.
 struct PhotoScore {
   estimator::FrameResult estimate;
   bool reports_pad = false;     ///< The estimator reported a pad.
-  bool found = false;           ///< A pose, and center and ring box are those of the pad.
-  double distance_error = 0.0;  ///< Of the camera from the pad, over the true distance; where there is a pose.
+  bool found = false;           ///< There is a pose, and center and ring box are right.
+  double distance_error = 0.0;  ///< Relative error of the distance to the pad, if there is a pose.
 };
 
-/// A fresh estimator on the single photograph, with gravity known and no earlier pose for comparison.
+/// Runs a new estimator on the photograph, with known gravity.
 PhotoScore Score(const Photograph& photo);
 
 }  // namespace touchdown::tests

@@ -22,7 +22,7 @@ namespace {
 using models::kPi;
 using models::RandomStream;
 
-/// A share of the photographs is hard in each respect; few in more than three.
+/// Draws conditions. A fraction of the photographs is hard in each respect, and few in more than three.
 void DrawConditions(RandomStream& random, PhotoConditions& conditions) {
   const auto one_of = [&](const std::vector<std::string>& names) {
     return names[static_cast<std::size_t>(random.UniformInt(0, static_cast<int>(names.size()) - 1))];
@@ -39,7 +39,8 @@ void DrawConditions(RandomStream& random, PhotoConditions& conditions) {
   if (random.Bernoulli(0.3)) conditions.marks = one_of(MarkingKinds());
 }
 
-/// Puts the pad into the picture, whole. Its narrowest stroke must be some pixels wide to be seen at all.
+/// Draws a view with the whole ring in the image. The narrowest stroke has a minimum width in px, so that it is
+/// visible.
 void Aim(const PhotoPaper& paper, RandomStream& random, Photograph& photo) {
   const models::CameraModel& camera = photo.camera;
   const double stroke_fraction =
@@ -81,7 +82,7 @@ cv::Mat1f Illuminate(const Photograph& photo, const Artwork& art, const PhotoPap
   return radiance;
 }
 
-/// As much as a person still reads the H through: up to a share of the narrowest stroke as seen.
+/// Draws blur of up to a fraction of the narrowest stroke, with which a person can still read the H.
 void Blur(Photograph& photo, RandomStream& random, cv::Mat1f& radiance) {
   const double px_per_m = std::min(photo.ring_box.width, photo.ring_box.height) / (2.0 * photo.pad.outer_radius_m);
   const double narrowest_px = px_per_m * std::min(photo.pad.h_stroke_m, photo.pad.ring_width_m);
@@ -98,7 +99,7 @@ void Blur(Photograph& photo, RandomStream& random, cv::Mat1f& radiance) {
   photo.conditions.blur_fraction = photo.conditions.blur_px / narrowest_px;
 }
 
-Photograph Take(const std::string& subject, RandomStream& random) {
+Photograph TakePhotograph(const std::string& subject, RandomStream& random) {
   Photograph photo;
   photo.subject = subject;
   photo.pad = DrawAnyPad(random);
@@ -124,12 +125,12 @@ Photograph Take(const std::string& subject, RandomStream& random) {
 
 Photograph PhotographPad(std::uint64_t seed) {
   RandomStream random(seed, "photographs.pad");
-  return Take("pad", random);
+  return TakePhotograph("pad", random);
 }
 
 Photograph PhotographDistractor(std::uint64_t seed) {
   RandomStream random(seed, "photographs.distractor");
-  return Take(DistractorKinds()[seed % DistractorKinds().size()], random);
+  return TakePhotograph(DistractorKinds()[seed % DistractorKinds().size()], random);
 }
 
 }  // namespace touchdown::tests

@@ -6,13 +6,13 @@
 
 namespace touchdown::tests {
 
-/// A photograph of a pad. It shares no code, texture or model of light with sim/ and the training of the classifier:
-/// photo_artwork prints the sheet, photo_paper bends it, photo_floors lay what it lies on, photo_camera aims,
-/// photo_surfaces finds the surface that each pixel sees, photo_light lights it and photo_sensor makes the image.
-/// The same seed gives the same photograph, on the same type of CPU.
+/// Synthetic photograph of a pad. It shares no code, texture or light model with sim/ and the training of the
+/// classifier. photo_artwork prints the sheet, photo_paper bends it, photo_floors draws the floor, photo_camera selects
+/// the view, photo_surfaces finds the surface at each pixel, photo_light illuminates it, and photo_sensor computes the
+/// image. The same seed gives the same photograph, on the same type of CPU.
 Photograph PhotographPad(std::uint64_t seed);
 
-/// The same of what is not the pad. The i-th kind of DistractorKinds(), modulo their number, is `seed`'s.
+/// Synthetic photograph of a distractor. `seed` modulo the number of DistractorKinds() selects the kind.
 Photograph PhotographDistractor(std::uint64_t seed);
 
 }  // namespace touchdown::tests

@@ -32,18 +32,18 @@ QuadrotorOde::Load QuadrotorOde::Ground() {
   contact_ = false;
   for (const double x : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0}) {
-      const Vector3d contact_B(x * vehicle_.gear.half_spacing_m, y * vehicle_.gear.half_spacing_m,
-                               -vehicle_.gear.height_m);
-      const Vector3d contact = state.p + state.R * contact_B;
-      if (contact.z() >= 0.0) continue;
+      const Vector3d point_B(x * vehicle_.gear.half_spacing_m, y * vehicle_.gear.half_spacing_m,
+                             -vehicle_.gear.height_m);
+      const Vector3d point = state.p + state.R * point_B;
+      if (point.z() >= 0.0) continue;
       contact_ = true;
-      const Vector3d velocity = state.v + state.R * state.w.cross(contact_B);
-      const double normal = std::max(0.0, -kStiffness * contact.z() - kDamping * velocity.z());
+      const Vector3d velocity = state.v + state.R * state.w.cross(point_B);
+      const double normal = std::max(0.0, -kStiffness * point.z() - kDamping * velocity.z());
       const Eigen::Vector2d slide = velocity.head<2>();
       Vector3d force(0.0, 0.0, normal);
       force.head<2>() = -kFriction * normal * slide / std::max(kCreep, slide.norm());
       load.force_W += force;
-      load.torque_B += contact_B.cross(Vector3d(state.R.transpose() * force));
+      load.torque_B += point_B.cross(Vector3d(state.R.transpose() * force));
     }
   }
   return load;

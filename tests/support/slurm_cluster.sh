@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
-# A Slurm cluster of two nodes of a core each, n1 and n2, on the loopback of this machine, for the tests. It needs root
-# and lives in a folder of its own: its tools find it by SLURM_CONF=DIR/slurm.conf.
-#   slurm_cluster.sh start DIR            starts it; returns when both nodes are idle. It ends with what called this
-#   slurm_cluster.sh stop DIR             stops it and whatever runs on it
-#   slurm_cluster.sh kill-node DIR NODE   ends a node as a power cut would, with all that runs on it
+# Slurm cluster for tests, with two nodes n1 and n2 of one core each, on the loopback interface. It needs root. All files
+# are in DIR. Set SLURM_CONF=DIR/slurm.conf to use the Slurm tools.
+#   slurm_cluster.sh start DIR            starts the cluster and returns when both nodes are idle; the cluster stops
+#                                         when the calling process ends
+#   slurm_cluster.sh stop DIR             stops the cluster and its jobs
+#   slurm_cluster.sh kill-node DIR NODE   kills a node with all its processes, like a power failure
 set -euo pipefail
 mkdir -p "$2"
 dir=$(cd "$2" && pwd)
 export SLURM_CONF=$dir/slurm.conf
 
-# Prints so many ports that nobody listens on.
+# Prints N unused ports.
 free_ports() {
   local port=$((20000 + RANDOM % 30000)) wanted=$1
   while [ "$wanted" -gt 0 ]; do
@@ -63,7 +64,7 @@ wait_until() {
     if "$@" 2>/dev/null; then return; fi
     sleep 0.1
   done
-  echo "slurm_cluster.sh: in vain: $*" >&2
+  echo "slurm_cluster.sh: timeout: $*" >&2
   tail --lines=5 "$dir"/*.log >&2
   exit 1
 }
@@ -82,17 +83,17 @@ start() {
   wait_until both_idle
 }
 
-# What the node started for its jobs: the processes that watch over them, then theirs.
+# Prints the processes of a node: the slurmstepd processes, then those of the jobs.
 processes_of() {
-  local pid parent watchers="" flyers=""
+  local pid parent steps="" jobs=""
   for environ in /proc/[0-9]*/environ; do
     grep -qszx "SLURM_CONF=$SLURM_CONF" "$environ" && grep -qszx "SLURMD_NODENAME=$1" "$environ" || continue
     pid=$(basename "$(dirname "$environ")")
-    flyers+=" $pid"
+    jobs+=" $pid"
     parent=$(awk '/^PPid:/ {print $2}' "/proc/$pid/status" 2>/dev/null) || continue
-    grep -qs slurmstepd "/proc/$parent/comm" && watchers+=" $parent"
+    grep -qs slurmstepd "/proc/$parent/comm" && steps+=" $parent"
   done
-  echo "$watchers $flyers"
+  echo "$steps $jobs"
 }
 
 end_processes_of() {
@@ -105,7 +106,7 @@ kill_node() {
   end_processes_of "$1"
 }
 
-# A process that nobody has asked after is still listed once it is dead.
+# A process that has ended is listed as a zombie until its parent waits for it.
 ended() { ! grep -qs '^State:[[:space:]]*[^ZX]' "/proc/$1/status"; }
 
 stop() {

@@ -32,7 +32,7 @@ double GrayAt(const models::LandingPad& pad, const models::PadOutline& outline, 
 
 using Rays = std::vector<std::optional<Vector3d>>;
 
-/// Rays in C through the corners of the camera's pixels, row by row, kept for the next appearance by the same camera.
+/// Rays in C through the corners of the pixels, in row-major order. Cached for the next image of the same camera.
 const Rays& CornerRays(const models::CameraModel& camera) {
   thread_local std::optional<models::CameraModel> cached_for;
   thread_local Rays rays;

@@ -1,4 +1,4 @@
-// A header of the vehicle's own program, in a folder and under a name that the flight libraries use too.
+// Header of the vehicle's own program, with the same path as a header of the flight libraries.
 #pragma once
 
 #include <array>
