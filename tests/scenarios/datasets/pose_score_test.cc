@@ -51,7 +51,7 @@ TEST_F(PoseScoreTest, ReproducesTheMetricsOfAFlightFromItsPoses) {
   const PoseScore score = Score(poses_);
   EXPECT_EQ(score.poses, poses_.size());
   EXPECT_EQ(score.outside, 0u);
-  ASSERT_EQ(score.metrics.size(), 9u);
+  ASSERT_EQ(score.metrics.size(), 10u);
   for (const auto& [name, value] : score.metrics) {
     if (name == "estimate.false_pads") continue;  // The metric of a flight also counts frames without a pose.
     EXPECT_NEAR(value, metrics_.at(name), 1e-9 + 1e-6 * std::abs(metrics_.at(name))) << name;
