@@ -7,42 +7,41 @@ namespace touchdown::controller {
 
 void Describe(models::ConfigVisitor& v, AttitudeControllerConfig& c) {
   using namespace models;
-  v.Number({"roll_pitch_angle_gain_1_s",
-            "Commanded rate per angle error of roll and pitch. Higher is stiffer and less damped."},
+  v.Number({"roll_pitch_angle_gain_1_s", "Commanded rate per roll or pitch error. Higher is stiffer and less damped."},
            c.roll_pitch_angle_gain_1_s, kPerSecond, kNotNegative);
-  v.Number(
-      {"roll_pitch_rate_gain_1_s",
-       "Commanded angular acceleration per rate error of roll and pitch. Higher damps more and passes more noise."},
-      c.roll_pitch_rate_gain_1_s, kPerSecond, kNotNegative);
+  v.Number({"roll_pitch_rate_gain_1_s",
+            "Commanded angular acceleration per roll or pitch rate error. Higher damps more and passes more noise."},
+           c.roll_pitch_rate_gain_1_s, kPerSecond, kNotNegative);
   v.Number({"roll_pitch_rate_integral_gain_1_s2",
-            "Integral gain on the rate error of roll and pitch, against a constant torque as of an off-center load. "
+            "Integral gain on the roll and pitch rate errors. It compensates a constant torque, such as that of an "
+            "off-center load. "
             "Higher adapts faster and overshoots more."},
            c.roll_pitch_rate_integral_gain_1_s2, kPerSecond2, kNotNegative);
-  v.Number(
-      {"roll_pitch_rate_derivative_gain",
-       "Gain against the angular acceleration of roll and pitch, which compensates for the rotor lag. Higher damps "
-       "more and passes more noise."},
-      c.roll_pitch_rate_derivative_gain, kNoUnit, kNotNegative);
-  v.Number({"derivative_cutoff_hz", "Cutoff of the low-pass filter before the derivative. Lower is quieter and later."},
+  v.Number({"roll_pitch_rate_derivative_gain",
+            "Derivative gain on the roll and pitch rates. It compensates the rotor lag. Higher damps "
+            "more and passes more noise."},
+           c.roll_pitch_rate_derivative_gain, kNoUnit, kNotNegative);
+  v.Number({"derivative_cutoff_hz",
+            "Cutoff of the low-pass filter before the derivative. Lower passes less noise and adds delay."},
            c.derivative_cutoff_hz, kHertz, kPositive);
   v.Number({"max_roll_pitch_rate_deg_s", "Limit of the commanded roll and pitch rates."}, c.max_roll_pitch_rate_deg_s,
            kDegreePerSecond, kPositive);
   v.Number({"max_roll_pitch_integral_rad_s2",
-            "Limit of the integral part of roll and pitch. Larger compensates larger constant torques."},
+            "Limit of the integral term of roll and pitch. Larger compensates larger constant torques."},
            c.max_roll_pitch_integral_rad_s2, kRadianPerSecond2, kPositive);
-  v.Number({"yaw_angle_gain_1_s", "Commanded rate per angle error of yaw. Higher is stiffer and less damped."},
+  v.Number({"yaw_angle_gain_1_s", "Commanded rate per yaw error. Higher is stiffer and less damped."},
            c.yaw_angle_gain_1_s, kPerSecond, kNotNegative);
   v.Number({"yaw_rate_gain_1_s",
-            "Commanded angular acceleration per rate error of yaw. Higher damps more and passes more noise."},
+            "Commanded angular acceleration per yaw rate error. Higher damps more and passes more noise."},
            c.yaw_rate_gain_1_s, kPerSecond, kNotNegative);
-  v.Number(
-      {"yaw_rate_integral_gain_1_s2",
-       "Integral gain on the rate error of yaw, against a constant torque. Higher adapts faster and overshoots more."},
-      c.yaw_rate_integral_gain_1_s2, kPerSecond2, kNotNegative);
+  v.Number({"yaw_rate_integral_gain_1_s2",
+            "Integral gain on the yaw rate error. It compensates a constant torque. Higher adapts faster and "
+            "overshoots more."},
+           c.yaw_rate_integral_gain_1_s2, kPerSecond2, kNotNegative);
   v.Number({"max_yaw_rate_deg_s", "Limit of the commanded yaw rate."}, c.max_yaw_rate_deg_s, kDegreePerSecond,
            kPositive);
   v.Number(
-      {"max_yaw_integral_rad_s2", "Limit of the integral part of yaw. Larger compensates larger constant torques."},
+      {"max_yaw_integral_rad_s2", "Limit of the integral term of yaw. Larger compensates larger constant torques."},
       c.max_yaw_integral_rad_s2, kRadianPerSecond2, kPositive);
 }
 
@@ -80,8 +79,8 @@ Eigen::Vector3d AttitudeController::RateSetPoint(const models::TaitBryan& set_po
 Eigen::Vector3d AttitudeController::FilteredAcceleration(const Eigen::Vector3d& w_WB_B) {
   if (!has_rate_) filtered_rate_ = w_WB_B;
   has_rate_ = true;
-  const double share = 1.0 - std::exp(-2.0 * models::kPi * config_.derivative_cutoff_hz * period_s_);
-  const Eigen::Vector3d change = share * (w_WB_B - filtered_rate_);
+  const double fraction = 1.0 - std::exp(-2.0 * models::kPi * config_.derivative_cutoff_hz * period_s_);
+  const Eigen::Vector3d change = fraction * (w_WB_B - filtered_rate_);
   filtered_rate_ += change;
   return change / period_s_;
 }
@@ -93,15 +92,15 @@ Eigen::Vector3d AttitudeController::Torque(const models::TaitBryan& set_point, c
       Eigen::Vector3d(derivative_gain, derivative_gain, 0.0).cwiseProduct(FilteredAcceleration(w_WB_B));
   rate_error_ = RateSetPoint(set_point, attitude) - w_WB_B;
   const Eigen::Vector3d acceleration = rate_gain_.cwiseProduct(rate_error_) + integral_ - damping;
-  asked_torque_ =
+  requested_torque_ =
       inertia_kg_m2_.cwiseProduct(acceleration) + w_WB_B.cross(Eigen::Vector3d(inertia_kg_m2_.cwiseProduct(w_WB_B)));
-  return asked_torque_;
+  return requested_torque_;
 }
 
 void AttitudeController::Integrate(const Eigen::Vector3d& achieved_torque_n_m) {
   constexpr double kTolerance_n_m = 1e-6;
   for (int axis = 0; axis < 3; ++axis) {
-    const double missing = asked_torque_[axis] - achieved_torque_n_m[axis];
+    const double missing = requested_torque_[axis] - achieved_torque_n_m[axis];
     if (std::abs(missing) > kTolerance_n_m && missing * rate_error_[axis] > 0.0) continue;
     integral_[axis] = std::clamp(integral_[axis] + integral_gain_[axis] * rate_error_[axis] * period_s_,
                                  -max_integral_[axis], max_integral_[axis]);

@@ -8,8 +8,8 @@
 
 namespace touchdown::controller {
 
-/// Gains in terms of angular acceleration, so that they do not depend on the inertia. They are tuned for a rotor lag of
-/// 40 ms; faster rotors allow higher gains.
+/// Options of the attitude controller. The gains yield angular accelerations, so they do not depend on the inertia.
+/// The defaults are tuned for a rotor lag of 40 ms; faster rotors allow higher gains.
 struct AttitudeControllerConfig {
   double roll_pitch_angle_gain_1_s = 8.0;
   double roll_pitch_rate_gain_1_s = 22.0;
@@ -31,13 +31,14 @@ struct AttitudeControllerConfig {
 
 void Describe(models::ConfigVisitor& v, AttitudeControllerConfig& config);
 
-/// The inner loop (Sec. V): angle P to rate PID for roll and pitch, angle P to rate PI for yaw.
+/// Inner loop of the controller (Sec. V). An angle P controller commands rates to a PID controller of the roll and
+/// pitch rates and a PI controller of the yaw rate.
 class AttitudeController {
  public:
   /// `period_s` is the time between two calls of Torque.
   AttitudeController(const AttitudeControllerConfig& config, const models::Vehicle& vehicle, double period_s);
 
-  /// Torque in B, Nm, that rotates `attitude` towards `set_point`, with compensation of the gyroscopic torque.
+  /// Torque in B, Nm, that rotates `attitude` towards `set_point`, including the compensation of the gyroscopic torque.
   Eigen::Vector3d Torque(const models::TaitBryan& set_point, const models::TaitBryan& attitude,
                          const Eigen::Vector3d& w_WB_B);
 
@@ -58,7 +59,7 @@ class AttitudeController {
   Eigen::Vector3d rate_gain_, integral_gain_, max_integral_;
   Eigen::Vector3d rate_error_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d integral_ = Eigen::Vector3d::Zero();  ///< rad/s^2.
-  Eigen::Vector3d asked_torque_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d requested_torque_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d filtered_rate_ = Eigen::Vector3d::Zero();
   bool has_rate_ = false;
 };

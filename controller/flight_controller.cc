@@ -35,13 +35,15 @@ void RequireControllerName(const std::string& name) {
 void Describe(models::ConfigVisitor& v, FlightControllerConfig& c) {
   v.Text({"name", "Controller that flies the vehicle."}, c.name);
   v.Check("name", [&c] { RequireControllerName(c.name); });
-  v.Keys({"guidance", "Set-points (Sec. V): takeoff, landing, and the search for a pad that is not seen."}, c.guidance);
-  v.Keys({"position", "Outer loop: position error to thrust and tilt."}, c.position);
-  v.Keys({"attitude", "Inner loop: attitude error to torque."}, c.attitude);
+  v.Keys({"guidance",
+          "Guidance (Sec. V), which generates set-points for takeoff, landing, and the search for a lost pad."},
+         c.guidance);
+  v.Keys({"position", "Outer loop, which converts position errors to thrust and tilt."}, c.position);
+  v.Keys({"attitude", "Inner loop, which converts attitude errors to torque."}, c.attitude);
   v.Number(
       {"vision_fresh_s",
-       "Largest age of the newest sighting at which the position loop uses vision. Beyond it the loop uses its own "
-       "prediction."},
+       "Largest age of the newest detection of the pad at which the position loop uses vision. When the detection is "
+       "older, the loop uses its own prediction."},
       c.vision_fresh_s, models::kSecond, models::kPositiveTime);
 }
 
@@ -74,7 +76,7 @@ ControlOutput FlightController::Update(const models::VehicleEstimate& estimate) 
   output.set_point_m = guidance.p_m;
   output.script_done = guidance.script_done;
   if (MotorsOff(guidance.phase)) {
-    Stand(estimate.attitude);
+    ResetOnGround(estimate.attitude);
     return output;
   }
 
@@ -86,7 +88,7 @@ ControlOutput FlightController::Update(const models::VehicleEstimate& estimate) 
   output.thrust_n = mixed.achieved.thrust_n;
   output.torque_n_m = mixed.achieved.torque_n_m;
 
-  Learn(output, guidance);
+  Integrate(output, guidance);
   predictor_.Step(estimate.attitude, output.thrust_n, position_.trim_m_s2());
   if (guidance.phase == Phase::kBlindClimb) predictor_.StandAt(standing_height_m_);
   return output;
@@ -110,13 +112,13 @@ PositionController::Demand FlightController::Follow(const Guidance::Output& guid
   return position_.Update({.p_m = guidance.p_m, .v_m_s = guidance.v_m_s}, motion, attitude);
 }
 
-void FlightController::Stand(const models::TaitBryan& attitude) {
+void FlightController::ResetOnGround(const models::TaitBryan& attitude) {
   attitude_.Reset();
   predictor_.Set({.p_WB = {0.0, 0.0, standing_height_m_}, .v_WB = Eigen::Vector3d::Zero()});
   if (guidance_.phase() == Phase::kStandby) position_.SetTrimFromStance(attitude);
 }
 
-void FlightController::Learn(const ControlOutput& output, const Guidance::Output& guidance) {
+void FlightController::Integrate(const ControlOutput& output, const Guidance::Output& guidance) {
   const bool lifted = guidance.phase != Phase::kBlindClimb || guidance.thrust_ratio > 1.0;
   if (lifted && guidance.phase != Phase::kBlindDescent) attitude_.Integrate(output.torque_n_m);
   if (!output.motion_is_predicted && guidance.phase != Phase::kBlindClimb) position_.Integrate(output.thrust_n);

@@ -16,7 +16,7 @@
 
 namespace touchdown::controller {
 
-/// Name of the controller, and its options.
+/// Name and options of the controller.
 struct FlightControllerConfig {
   std::string name = "paper";  ///< One of ControllerNames().
   GuidanceConfig guidance;
@@ -24,14 +24,14 @@ struct FlightControllerConfig {
   AttitudeControllerConfig attitude;
   double vision_fresh_s = 0.07;
 
-  /// Throws InputError for a value out of its range (see Describe), and for a part that is invalid.
+  /// Throws InputError for a value out of its range (see Describe) or for an invalid sub-configuration.
   void Validate() const;
 };
 
 /// Allowed values of FlightControllerConfig::name.
 std::vector<std::string> ControllerNames();
 
-/// Throws InputError for a name that is not among ControllerNames(); the message lists them.
+/// Throws InputError if `name` is not one of ControllerNames(); the message lists them.
 void RequireControllerName(const std::string& name);
 
 void Describe(models::ConfigVisitor& v, FlightControllerConfig& config);
@@ -42,11 +42,11 @@ struct ControlOutput {
   Phase phase = Phase::kStandby;
   Eigen::Vector3d set_point_m = Eigen::Vector3d::Zero();  ///< In W.
   models::TaitBryan attitude_set_point;
-  double thrust_n = 0.0;                                 ///< Collective, achieved after saturation.
-  Eigen::Vector3d torque_n_m = Eigen::Vector3d::Zero();  ///< In B, achieved after saturation.
+  double thrust_n = 0.0;                                 ///< Collective thrust after saturation.
+  Eigen::Vector3d torque_n_m = Eigen::Vector3d::Zero();  ///< In B, after saturation.
   models::VehicleEstimate::Motion motion;                ///< Input of the position loop: from vision, or predicted.
   bool motion_is_predicted = true;
-  bool script_done = false;  ///< Every maneuver is complete; a flight that ends in the air may stop.
+  bool script_done = false;  ///< Every maneuver is complete, so a flight that ends in the air may stop.
 };
 
 /// Cascade of guidance, position loop, attitude loop and mixer (Sec. V), with one Update per IMU sample.
@@ -65,8 +65,8 @@ class FlightController {
   bool MotionIsPredicted(const models::VehicleEstimate& estimate) const;
   PositionController::Demand Follow(const Guidance::Output& guidance, const models::VehicleEstimate::Motion& motion,
                                     const models::TaitBryan& attitude);
-  void Stand(const models::TaitBryan& attitude);
-  void Learn(const ControlOutput& output, const Guidance::Output& guidance);
+  void ResetOnGround(const models::TaitBryan& attitude);
+  void Integrate(const ControlOutput& output, const Guidance::Output& guidance);
 
   FlightControllerConfig config_;
   double weight_n_;

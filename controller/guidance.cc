@@ -40,10 +40,10 @@ void RequireFlyable(const std::vector<Maneuver>& script, bool starts_airborne, d
     const bool on_ground = i == 0 && !starts_airborne;
     if (on_ground != (maneuver.kind == ManeuverKind::kTakeoff)) {
       throw InputError(which + (on_ground ? "a vehicle on the ground must take off first"
-                                          : "a takeoff can only come first, and only from the ground"));
+                                          : "a takeoff is allowed only as the first step, from the ground"));
     }
     if (maneuver.kind == ManeuverKind::kLand) {
-      if (i + 1 != script.size()) throw InputError(which + "nothing can follow a landing");
+      if (i + 1 != script.size()) throw InputError(which + "no maneuver may follow a landing");
       continue;
     }
     if (!maneuver.position_m.allFinite() || maneuver.position_m.z() < blind_height_m) {
@@ -57,10 +57,10 @@ void RequireFlyable(const std::vector<Maneuver>& script, bool starts_airborne, d
 
 void RequireConsistent(const GuidanceConfig& c) {
   if (c.h_land_clearance_m >= c.blind_clearance_m) {
-    throw InputError("h_land_clearance must be finite and below blind_clearance");
+    throw InputError("h_land_clearance_m must be below blind_clearance_m");
   }
   if (c.vision_floor_clearance_m > c.blind_clearance_m) {
-    throw InputError("vision_floor_clearance must be finite and not above blind_clearance");
+    throw InputError("vision_floor_clearance_m must not be above blind_clearance_m");
   }
   if (c.max_thrust_ratio < c.start_thrust_ratio) {
     throw InputError("max_thrust_ratio must not be below start_thrust_ratio");
@@ -68,7 +68,8 @@ void RequireConsistent(const GuidanceConfig& c) {
 }
 
 void DescribeTakeoff(models::ConfigVisitor& v, GuidanceConfig& c) {
-  v.Number({"standby_s", "Time on the ground before takeoff, in which the IMU settles."}, c.standby_s, kSecond, kTime);
+  v.Number({"standby_s", "Time on the ground before takeoff, during which the estimate of the IMU settles."},
+           c.standby_s, kSecond, kTime);
   v.Number({"start_thrust_ratio", "Thrust over weight at the start of the blind climb."}, c.start_thrust_ratio, kNoUnit,
            models::kNotNegative);
   v.Number({"thrust_ratio_rate_1_s",
@@ -76,8 +77,8 @@ void DescribeTakeoff(models::ConfigVisitor& v, GuidanceConfig& c) {
            c.thrust_ratio_rate_1_s, models::kPerSecond, kPositive);
   v.Number(
       {"max_thrust_ratio",
-       "Largest thrust over weight in the blind climb. What it has over 1 is the largest payload that takes off, as "
-       "a fraction of the mass."},
+       "Largest thrust over weight in the blind climb. Its excess over 1 is the largest payload that takes off, as a "
+       "fraction of the mass."},
       c.max_thrust_ratio, kNoUnit, kPositive);
   v.Number({"blind_climb_limit_s", "Longest climb without a view of the pad."}, c.blind_climb_limit_s, kSecond,
            kPositiveTime);
@@ -92,16 +93,17 @@ void DescribeTakeoff(models::ConfigVisitor& v, GuidanceConfig& c) {
 
 void DescribeLanding(models::ConfigVisitor& v, GuidanceConfig& c) {
   v.Number({"cone_radius_m",
-            "Radius of the cone Q' at its bottom, the blind height. Wider lands sooner and less accurately."},
+            "Radius of the cone Q' at its bottom, the blind height. A larger radius lands sooner and less accurately."},
            c.cone_radius_m, kMeter, kPositive);
-  v.Number({"cone_half_angle_deg", "Half-angle of the cone Q'. Wider accepts larger offsets high above the pad."},
-           c.cone_half_angle_deg, models::kDegree, models::Between(0.0, 80.0));
+  v.Number(
+      {"cone_half_angle_deg", "Half-angle of the cone Q'. A larger angle accepts larger offsets high above the pad."},
+      c.cone_half_angle_deg, models::kDegree, models::Between(0.0, 80.0));
   v.Number({"h_err_m", "Height error below which a step of the landing counts as reached."}, c.h_err_m, kMeter,
            kPositive);
-  v.Number(
-      {"t_0_s",
-       "Time that the vehicle stays in Q' and within h_err_m before the next step. Longer lands later and calmer."},
-      c.t_0_s, kSecond, kTime);
+  v.Number({"t_0_s",
+            "Time that the vehicle stays in Q' and within h_err_m before the next step. A longer time lands later and "
+            "more steadily."},
+           c.t_0_s, kSecond, kTime);
   v.Number({"h_step_m", "Height of a landing step."}, c.h_step_m, kMeter, kPositive);
   v.Number({"step_rate_m_s", "Rate at which the set-point descends through a step."}, c.step_rate_m_s, kMeterPerSecond,
            kPositive);
@@ -117,25 +119,25 @@ void DescribeLanding(models::ConfigVisitor& v, GuidanceConfig& c) {
             "Clearance of the landing gear below which the blind climb and descent do not use vision."},
            c.vision_floor_clearance_m, kMeter, models::kNotNegative);
   v.Number({"blind_entry_speed_m_s",
-            "Largest speed, in any direction, at which the blind descent may begin. Lower waits for a calmer hover."},
+            "Largest speed, in any direction, at which the blind descent may begin. A lower speed waits for a steadier "
+            "hover."},
            c.blind_entry_speed_m_s, kMeterPerSecond, kPositive);
   v.Number({"blind_descent_rate_m_s", "Rate of the blind descent."}, c.blind_descent_rate_m_s, kMeterPerSecond,
            kPositive);
-  v.Number(
-      {"h_land_clearance_m",
-       "Predicted clearance of the landing gear at which the motors stop. Below 0, a prediction that is too low by "
-       "this much still does not drop the vehicle."},
-      c.h_land_clearance_m, kMeter, models::Between(-1.0, 1.0));
+  v.Number({"h_land_clearance_m",
+            "Predicted clearance of the landing gear at which the motors stop. A value below 0 avoids a drop when the "
+            "predicted height is too low by up to this amount."},
+           c.h_land_clearance_m, kMeter, models::Between(-1.0, 1.0));
 }
 
 void DescribeSearch(models::ConfigVisitor& v, GuidanceConfig& c) {
-  v.Number({"pad_lost_s", "Time without a sighting after which the pad counts as lost."}, c.pad_lost_s, kSecond,
+  v.Number({"pad_lost_s", "Time without a detection after which the pad counts as lost."}, c.pad_lost_s, kSecond,
            kPositiveTime);
-  v.Number({"pad_found_s", "Time of unbroken sightings after which the pad counts as found."}, c.pad_found_s, kSecond,
-           kTime);
+  v.Number({"pad_found_s", "Time of uninterrupted detections after which the pad counts as found."}, c.pad_found_s,
+           kSecond, kTime);
   v.Number({"hold_limit_s", "Time that the vehicle holds its position after the pad is lost, before it climbs."},
            c.hold_limit_s, kSecond, kPositiveTime);
-  v.Number({"search_climb_rate_m_s", "Rate at which the vehicle then climbs to see more of the ground."},
+  v.Number({"search_climb_rate_m_s", "Rate at which the vehicle climbs after hold_limit_s, to see more of the ground."},
            c.search_climb_rate_m_s, kMeterPerSecond, kPositive);
   v.Number({"search_climb_limit_s", "Longest search climb before the vehicle gives up."}, c.search_climb_limit_s,
            kSecond, kPositiveTime);
@@ -320,22 +322,22 @@ void Guidance::StepDown(const Input& input) {
     landing_height_m_ = std::max(BlindHeight(), landing_height_m_ - config_.h_step_m);
     satisfied_since_.reset();
   }
-  const double braking_way_m = p_m_.z() - BlindHeight();
-  const double braking_rate = std::sqrt(2.0 * config_.braking_m_s2 * std::max(0.0, braking_way_m));
-  constexpr double kLeastRate_m_s = 0.05;
+  const double braking_distance_m = p_m_.z() - BlindHeight();
+  const double braking_rate = std::sqrt(2.0 * config_.braking_m_s2 * std::max(0.0, braking_distance_m));
+  constexpr double kMinRate_m_s = 0.05;
   MoveHeight(landing_height_m_,
-             std::clamp(braking_rate, std::min(kLeastRate_m_s, config_.step_rate_m_s), config_.step_rate_m_s));
+             std::clamp(braking_rate, std::min(kMinRate_m_s, config_.step_rate_m_s), config_.step_rate_m_s));
 }
 
 void Guidance::MoveHeight(double target_m, double rate_m_s) {
   const double step_m = rate_m_s * period_s_;
-  const double way_m = target_m - p_m_.z();
-  if (std::abs(way_m) <= step_m) {
+  const double distance_m = target_m - p_m_.z();
+  if (std::abs(distance_m) <= step_m) {
     p_m_.z() = target_m;
     return;
   }
-  p_m_.z() += std::copysign(step_m, way_m);
-  v_m_s_.z() = std::copysign(rate_m_s, way_m);
+  p_m_.z() += std::copysign(step_m, distance_m);
+  v_m_s_.z() = std::copysign(rate_m_s, distance_m);
 }
 
 }  // namespace touchdown::controller

@@ -22,23 +22,24 @@ struct Maneuver {
 
 void Describe(models::ConfigVisitor& v, Maneuver& maneuver);
 
-/// Heights are those of the body's origin in W, clearances those of the landing gear contact points over the pad.
+/// Options of the guidance. Heights refer to the origin of the body in W, clearances to the landing gear contact points
+/// above the pad.
 struct GuidanceConfig {
   double standby_s = 1.0;
 
-  // The blind climb.
+  // Blind climb.
   double start_thrust_ratio = 0.8;
   double thrust_ratio_rate_1_s = 0.2;
   double max_thrust_ratio = 1.12;
   double blind_climb_limit_s = 4.0;
   double blind_climb_limit_m = 0.8;
 
-  // The ramp to the height of the takeoff.
+  // Ramp to the takeoff height.
   double climb_rate_m_s = 0.30;
   double arrival_error_m = 0.08;
   double ramp_limit_s = 20.0;
 
-  // Landing (Sec. V, Fig. 3): the truncated cone Q' and the steps.
+  // Landing in steps, inside the truncated cone Q' (Sec. V, Fig. 3).
   double cone_radius_m = 0.03;
   double cone_half_angle_deg = 10.0;
   double h_err_m = 0.06;
@@ -48,7 +49,7 @@ struct GuidanceConfig {
   double braking_m_s2 = 0.25;
   double landing_limit_s = 60.0;
 
-  // The blind descent.
+  // Blind descent.
   double blind_clearance_m = 0.11;
   double vision_floor_clearance_m = 0.05;
   double blind_entry_speed_m_s = 0.10;
@@ -69,7 +70,7 @@ struct GuidanceConfig {
 
 void Describe(models::ConfigVisitor& v, GuidanceConfig& config);
 
-/// Guidance by set-points (Sec. V): phase of the flight and set-point of the position loop.
+/// Guidance by set-points (Sec. V). It determines the phase of the flight and the set-point of the position loop.
 class Guidance {
  public:
   /// Inputs of a tick.
@@ -87,9 +88,10 @@ class Guidance {
     bool script_done = false;                         ///< Every maneuver of the script is complete.
   };
 
-  /// `period_s` is the time between two calls of Update, `standing_height_m` the body's height when it stands on its
-  /// gear. Throws InputError for a script that cannot be flown from its start: empty, a takeoff in the air, another
-  /// maneuver on the ground, a maneuver after a landing, a set-point below the blind height, a negative duration.
+  /// `period_s` is the time between two calls of Update, `standing_height_m` the height of the body when the
+  /// vehicle stands on its gear. Throws InputError for an invalid script: one that is empty, takes off in the air,
+  /// starts on the ground without a takeoff, continues after a landing, or has a set-point below the blind height or a
+  /// negative duration.
   Guidance(const GuidanceConfig& config, const models::TimeBase& time, double period_s, double standing_height_m,
            std::vector<Maneuver> script, bool starts_airborne);
 
@@ -127,7 +129,7 @@ class Guidance {
   models::Tick hovered_ = 0;  ///< Hover time of the current maneuver.
 
   double landing_height_m_ = 0.0;                ///< Height of P_set (Sec. V), towards which the set-point moves.
-  std::optional<models::Tick> satisfied_since_;  ///< Since when the vehicle is in Q' with a small error of height.
+  std::optional<models::Tick> satisfied_since_;  ///< Time since which the vehicle is in Q' and close to P_set.
   Eigen::Vector3d p_m_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d v_m_s_ = Eigen::Vector3d::Zero();
 };

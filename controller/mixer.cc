@@ -15,14 +15,15 @@ Eigen::Matrix4d WrenchFromThrusts(const models::Vehicle& vehicle) {
   return matrix;
 }
 
-/// The largest share of `addition`, at most all of it, that keeps `base` between `low` and `high`.
-double FittingShare(const Eigen::Vector4d& base, const Eigen::Vector4d& addition, double low, double high) {
-  double share = 1.0;
+/// Largest factor, at most 1, by which `addition` can be scaled so that base + factor * addition stays between `low`
+/// and `high`.
+double FeasibleScale(const Eigen::Vector4d& base, const Eigen::Vector4d& addition, double low, double high) {
+  double scale = 1.0;
   for (int i = 0; i < addition.size(); ++i) {
-    const double room = addition[i] > 0.0 ? high - base[i] : base[i] - low;
-    if (addition[i] != 0.0) share = std::min(share, std::max(0.0, room) / std::abs(addition[i]));
+    const double margin = addition[i] > 0.0 ? high - base[i] : base[i] - low;
+    if (addition[i] != 0.0) scale = std::min(scale, std::max(0.0, margin) / std::abs(addition[i]));
   }
-  return share;
+  return scale;
 }
 
 }  // namespace
@@ -32,21 +33,21 @@ Mixer::Mixer(const models::Vehicle& vehicle)
       wrench_from_thrusts_(WrenchFromThrusts(vehicle)),
       thrusts_from_wrench_(wrench_from_thrusts_.inverse()) {}
 
-Mixer::Result Mixer::Mix(const Wrench& wanted) const {
+Mixer::Result Mixer::Mix(const Wrench& demand) const {
   const double low = rotor_.ThrustAt(rotor_.min_speed_rad_s);
   const double high = rotor_.ThrustAt(rotor_.max_speed_rad_s);
 
-  RotorThrusts tilting = thrusts_from_wrench_ * Eigen::Vector4d(0.0, wanted.torque_n_m.x(), wanted.torque_n_m.y(), 0.0);
+  RotorThrusts tilting = thrusts_from_wrench_ * Eigen::Vector4d(0.0, demand.torque_n_m.x(), demand.torque_n_m.y(), 0.0);
   const double spread = tilting.maxCoeff() - tilting.minCoeff();
   if (spread > high - low) tilting *= (high - low) / spread;
 
-  const double lowest_share = low - tilting.minCoeff();
-  const double highest_share = std::max(lowest_share, high - tilting.maxCoeff());
-  const double collective = std::clamp(wanted.thrust_n / models::kRotorCount, lowest_share, highest_share);
+  const double min_collective = low - tilting.minCoeff();
+  const double max_collective = std::max(min_collective, high - tilting.maxCoeff());
+  const double collective = std::clamp(demand.thrust_n / models::kRotorCount, min_collective, max_collective);
   RotorThrusts thrusts = tilting.array() + collective;
 
-  const RotorThrusts turning = thrusts_from_wrench_.col(3) * wanted.torque_n_m.z();
-  thrusts += FittingShare(thrusts, turning, low, high) * turning;
+  const RotorThrusts turning = thrusts_from_wrench_.col(3) * demand.torque_n_m.z();
+  thrusts += FeasibleScale(thrusts, turning, low, high) * turning;
 
   Result result;
   for (int rotor = 0; rotor < models::kRotorCount; ++rotor) {

@@ -19,7 +19,7 @@ struct Wrench {
 /// torque first, then the collective thrust, and the roll and pitch torque last.
 class Mixer {
  public:
-  /// Steady rotor speeds, and their wrench after saturation, for anti-windup.
+  /// Steady rotor speeds and their wrench after saturation (for the anti-windup).
   struct Result {
     models::RotorCommand rotors;
     Wrench achieved;
@@ -27,9 +27,9 @@ class Mixer {
 
   explicit Mixer(const models::Vehicle& vehicle);
 
-  Result Mix(const Wrench& wanted) const;
+  Result Mix(const Wrench& demand) const;
 
-  /// Steady wrench of rotors at the speeds of `command`.
+  /// Steady wrench of the rotors at the speeds of `command`.
   Wrench WrenchOf(const models::RotorCommand& command) const;
 
  private:

@@ -8,8 +8,8 @@
 
 namespace touchdown::controller {
 
-/// Predicts position and velocity while the pad is not in view, from the commanded thrust along Z_B, gravity, and the
-/// disturbance that the trim of the position loop balances. It is accurate for one or two seconds.
+/// Predicts position and velocity while the pad is not in view, from the commanded thrust along Z_B, gravity, and
+/// the disturbance that the trim of the position loop balances. It is accurate for one or two seconds.
 class MotionPredictor {
  public:
   /// `thrust_n` is the thrust that the rotors have at the start.

@@ -17,7 +17,7 @@ Eigen::Vector3d WithHorizontalLimit(Eigen::Vector3d v, double length) {
 
 void Describe(models::ConfigVisitor& v, PositionControllerConfig& c) {
   using namespace models;
-  constexpr double kSteepest_deg = 59.0;
+  constexpr double kMaxTilt_deg = 59.0;
   constexpr double kBelowGravity_m_s2 = 9.8;
   v.Number(
       {"xy_position_gain_1_s", "Commanded horizontal speed per position error. Higher is stiffer and less damped."},
@@ -26,35 +26,35 @@ void Describe(models::ConfigVisitor& v, PositionControllerConfig& c) {
             "Commanded horizontal acceleration per velocity error. Higher damps more and passes more noise."},
            c.xy_velocity_gain_1_s, kPerSecond, kNotNegative);
   v.Number({"xy_integral_gain_1_s2",
-            "Integral gain on the horizontal velocity error, against wind and a level error of the IMU. Higher adapts "
-            "faster and overshoots more."},
+            "Integral gain on the horizontal velocity error. It compensates wind and a level error of the IMU. Higher "
+            "adapts faster and overshoots more."},
            c.xy_integral_gain_1_s2, kPerSecond2, kNotNegative);
   v.Number({"z_position_gain_1_s", "Commanded vertical speed per height error. Higher is stiffer and less damped."},
            c.z_position_gain_1_s, kPerSecond, kNotNegative);
   v.Number({"z_velocity_gain_1_s",
             "Commanded vertical acceleration per velocity error. Higher damps more and passes more noise."},
            c.z_velocity_gain_1_s, kPerSecond, kNotNegative);
-  v.Number(
-      {"z_integral_gain_1_s2",
-       "Integral gain on the vertical velocity error, against an error of mass or thrust. Higher adapts faster and "
-       "overshoots more."},
-      c.z_integral_gain_1_s2, kPerSecond2, kNotNegative);
+  v.Number({"z_integral_gain_1_s2",
+            "Integral gain on the vertical velocity error. It compensates an error of mass or thrust. Higher adapts "
+            "faster and "
+            "overshoots more."},
+           c.z_integral_gain_1_s2, kPerSecond2, kNotNegative);
   v.Number({"max_xy_speed_m_s", "Limit of the commanded horizontal speed. The set-point's own speed is added to it."},
            c.max_xy_speed_m_s, kMeterPerSecond, kPositive);
   v.Number({"max_z_speed_m_s", "Limit of the commanded vertical speed. The set-point's own speed is added to it."},
            c.max_z_speed_m_s, kMeterPerSecond, kPositive);
-  v.Number({"max_tilt_deg", "Limit of the commanded tilt."}, c.max_tilt_deg, kDegree, PositiveUpTo(kSteepest_deg));
-  v.Number({"max_z_acceleration_m_s2", "Limit of the commanded vertical acceleration; below gravity."},
+  v.Number({"max_tilt_deg", "Limit of the commanded tilt."}, c.max_tilt_deg, kDegree, PositiveUpTo(kMaxTilt_deg));
+  v.Number({"max_z_acceleration_m_s2", "Limit of the commanded vertical acceleration. It must be below gravity."},
            c.max_z_acceleration_m_s2, kMeterPerSecond2, PositiveUpTo(kBelowGravity_m_s2));
-  v.Number({"max_xy_integral_m_s2", "Limit of the horizontal integral part. Larger compensates stronger wind."},
+  v.Number({"max_xy_integral_m_s2", "Limit of the horizontal integral term. Larger compensates stronger wind."},
            c.max_xy_integral_m_s2, kMeterPerSecond2, kPositive);
   v.Number({"max_z_integral_m_s2",
-            "Limit of the vertical integral part. Larger compensates larger errors of mass or "
+            "Limit of the vertical integral term. Larger compensates larger errors of mass or "
             "thrust."},
            c.max_z_integral_m_s2, kMeterPerSecond2, kPositive);
   v.Number({"max_integrated_error_m_s",
-            "Limit of the velocity error that is integrated, so that a push is not mistaken for wind. Larger adapts "
-            "faster."},
+            "Limit of the velocity error that is integrated, which reduces the effect of a push. Larger adapts faster "
+            "and overshoots more."},
            c.max_integrated_error_m_s, kMeterPerSecond, kPositive);
 }
 
@@ -84,7 +84,7 @@ PositionController::Demand PositionController::Update(const Target& target,
   const Eigen::Vector3d limited = Limited(acceleration);
   excess_ = acceleration - limited;
   const Demand demand = DemandFor(limited, attitude);
-  asked_thrust_n_ = demand.thrust_n;
+  requested_thrust_n_ = demand.thrust_n;
   return demand;
 }
 
@@ -107,8 +107,8 @@ PositionController::Demand PositionController::DemandFor(Eigen::Vector3d acceler
   Demand demand;
   demand.pitch = std::atan2(forward, up);
   demand.roll = std::atan2(-left, std::hypot(forward, up));
-  constexpr double kLeastUprightness = 0.7;
-  const double uprightness = std::max(kLeastUprightness, std::cos(attitude.roll) * std::cos(attitude.pitch));
+  constexpr double kMinUprightness = 0.7;
+  const double uprightness = std::max(kMinUprightness, std::cos(attitude.roll) * std::cos(attitude.pitch));
   demand.thrust_n = mass_kg_ * up / uprightness;
   return demand;
 }
@@ -117,7 +117,7 @@ void PositionController::Integrate(double achieved_thrust_n) {
   const Eigen::Vector3d error = WithHorizontalLimit(velocity_error_, config_.max_integrated_error_m_s);
   const double z_error = std::clamp(error.z(), -config_.max_integrated_error_m_s, config_.max_integrated_error_m_s);
   constexpr double kTolerance_n = 1e-6;
-  const double missing_n = asked_thrust_n_ - achieved_thrust_n;
+  const double missing_n = requested_thrust_n_ - achieved_thrust_n;
   const bool thrust_short = std::abs(missing_n) > kTolerance_n && missing_n * z_error > 0.0;
 
   for (int axis = 0; axis < 2; ++axis) {

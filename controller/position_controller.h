@@ -9,8 +9,9 @@
 
 namespace touchdown::controller {
 
-/// A cascade on each axis of W: position P to velocity, velocity PI to acceleration. The integral is of the velocity
-/// error, so that a step of the set-point does not wind it up. The horizontal gains are low because the velocity lags:
+/// Options of the position controller. On each axis of W, a position P controller commands velocities to a velocity PI
+/// controller, which commands accelerations. The integrator uses the velocity error, so that a step of the set-point
+/// does not wind it up. The horizontal gains are low because the velocity lags:
 /// it comes from vision through a filter that does not use the acceleration.
 struct PositionControllerConfig {
   double xy_position_gain_1_s = 1.1;
@@ -34,8 +35,8 @@ struct PositionControllerConfig {
 
 void Describe(models::ConfigVisitor& v, PositionControllerConfig& config);
 
-/// The outer loop (Sec. V, in the manner of Michael et al. and Mellinger et al.): position and velocity in, collective
-/// thrust, roll and pitch out.
+/// Outer loop of the controller (Sec. V, after Michael et al. and Mellinger et al.). It computes collective thrust,
+/// roll and pitch from position and velocity.
 class PositionController {
  public:
   struct Target {
@@ -54,18 +55,18 @@ class PositionController {
   /// Thrust and tilt towards `target`, at the current yaw. The thrust compensates the current tilt.
   Demand Update(const Target& target, const models::VehicleEstimate::Motion& motion, const models::TaitBryan& attitude);
 
-  /// Thrust and tilt of the trim.
+  /// Thrust and tilt that balance the trim.
   Demand Trimmed(const models::TaitBryan& attitude) const;
 
-  /// Integrates the velocity error of the newest Update, except further into a limit of the tilt, the acceleration or
-  /// (by `achieved_thrust_n`) the rotors (anti-windup).
+  /// Integrates the velocity error of the newest Update, except where the tilt, the acceleration or (according to
+  /// `achieved_thrust_n`) the rotors are at a limit and the error would increase the demand (anti-windup).
   void Integrate(double achieved_thrust_n);
 
   /// Sets the trim to the tilt of the standing vehicle, which is correct on a level pad (the second assumption of Sec.
   /// IV-C.2) for any level error of the IMU.
   void SetTrimFromStance(const models::TaitBryan& attitude);
 
-  /// Acceleration in W, m/s^2, of the integrators against constant disturbances.
+  /// Acceleration in W, m/s^2, with which the integrators balance constant disturbances.
   const Eigen::Vector3d& trim_m_s2() const { return integral_; }
 
  private:
@@ -78,7 +79,7 @@ class PositionController {
   Eigen::Vector3d position_gain_, velocity_gain_, integral_gain_;
   Eigen::Vector3d velocity_error_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d excess_ = Eigen::Vector3d::Zero();  ///< Demanded minus limited acceleration.
-  double asked_thrust_n_ = 0.0;
+  double requested_thrust_n_ = 0.0;
   Eigen::Vector3d integral_ = Eigen::Vector3d::Zero();
 };
 

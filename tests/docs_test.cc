@@ -1,4 +1,4 @@
-// Checks the documents for broken links and for placeholders.
+// Checks the documents for links to missing files and for placeholders.
 #include <gtest/gtest.h>
 
 #include <filesystem>

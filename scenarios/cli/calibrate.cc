@@ -83,7 +83,7 @@ laboratory::CalibrationRun Calibrate(const CalibrateOptions& options) {
 
 int CalibrateWith(const CalibrateOptions& options) {
   util::OutputFolder folder(options.out, {.files = {"calibration.json", "calibration.yaml", "camera.yaml", "views.png"},
-                                          .mark = "\"touchdown.calibration\""});
+                                          .signature = "\"touchdown.calibration\""});
   const laboratory::CalibrationRun run = Calibrate(options);
   const std::string json = laboratory::CalibrationJson(run);
   folder.Write("calibration.json", json);

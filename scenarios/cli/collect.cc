@@ -19,7 +19,7 @@ int CollectRows(const CollectOptions& options) {
   CheckSweepFiles(options.files);
   sweeper::Collect(options.files.folder, {options.from.begin(), options.from.end()});
   const sweeper::SweepSummary summary = ReportOutcome(options.files, options.output);
-  return summary.is_whole && summary.keeps_criteria() ? kPassed : kFailed;
+  return summary.is_complete && summary.meets_criteria() ? kPassed : kFailed;
 }
 
 }  // namespace

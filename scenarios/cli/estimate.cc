@@ -148,7 +148,7 @@ constexpr const char* kPosesSignature = "frame,source,t_s,status,x_m";
 int EstimateWith(const EstimateOptions& options) {
   util::OutputFolder folder(
       options.out,
-      {.files = {"poses.csv", "poses.tum", "choices.csv", "summary.json", kVideoName}, .mark = kPosesSignature});
+      {.files = {"poses.csv", "poses.tum", "choices.csv", "summary.json", kVideoName}, .signature = kPosesSignature});
   const std::unique_ptr<datasets::Footage> footage = datasets::OpenFootage(options.input, options.topics);
   const datasets::FootageMetadata& metadata = footage->metadata();
   const datasets::FootageSetup setup = SetupOf(options, metadata);

@@ -26,7 +26,7 @@ runner::FlightResult FlyIntoFolder(const runner::Scenario& scenario, const std::
       place, {.files = {"result.json", "scenario.yaml", "flight.csv", "frames.csv", "tracking.csv", "truth.tum",
                         "estimate.tum", "tracking.tum", "frame_timing.csv", "timing.json", "frames.png", "flight.mp4",
                         "flight.bag", "report.html"},
-              .mark = report::kFlightSignature,
+              .signature = report::kFlightSignature,
               .subfolders = {{kRecordingFolder, datasets::IsFlightRecordingFile}}});
   report::ContactSheet sheet(scenario.assumed_camera(), scenario.time);
   std::vector<runner::FlightObserver*> all(observers.begin(), observers.end());

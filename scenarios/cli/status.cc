@@ -17,7 +17,7 @@ struct StatusOptions {
 
 nlohmann::ordered_json StatusJson(const sweeper::SweepStatus& status) {
   nlohmann::ordered_json json{{"sweep", status.name},          {"planned", status.planned},
-                              {"whole", status.whole},         {"flown", status.flown},
+                              {"whole", status.total},         {"flown", status.flown},
                               {"passed", status.passed},       {"failed", status.flown - status.passed},
                               {"processes", status.processes}, {"stale", status.stale}};
   if (status.slurm_job) json["slurm_job"] = *status.slurm_job;
@@ -40,7 +40,7 @@ std::string SlurmText(const sweeper::SweepStatus& status) {
 
 void PrintStatus(const sweeper::SweepStatus& status) {
   fmt::print("{}: {} of {} flights{}\n", status.name, status.flown, status.planned,
-             status.whole == status.planned ? "" : fmt::format(" of this part, {} in the whole sweep", status.whole));
+             status.total == status.planned ? "" : fmt::format(" of this part, {} in the whole sweep", status.total));
   fmt::print("  passed {}\n  failed {}{}\n", status.passed, status.flown - status.passed,
              status.processes.empty() ? "" : fmt::format(" ({})", CountsText(status.processes)));
   if (status.stale > 0) fmt::print("  stale  {} (flown by another build)\n", status.stale);

@@ -73,13 +73,13 @@ bool FlyAll(const sweeper::SweepFile& file, const sweeper::SweepPlan& plan, cons
   bool has_begun = false;
   return sweeper::RunSweep(file, plan, *options.out, {.jobs = options.jobs, .retry = options.retry}, InterruptRequested,
                            [&](const sweeper::SweepProgress& done) {
-                             if (!has_begun) progress.StartFrom(done.share);
+                             if (!has_begun) progress.StartFrom(done.fraction);
                              has_begun = true;
                              if (!progress.IsDue()) return;
                              constexpr double kPercent = 100.0;
                              const double rate = done.done > 0 ? kPercent * done.passed / done.done : 0.0;
-                             progress.Update(done.share, fmt::format("{} of {} flights, {:.1f} % passed, {} flying",
-                                                                     done.done, done.planned, rate, done.flying));
+                             progress.Update(done.fraction, fmt::format("{} of {} flights, {:.1f} % passed, {} flying",
+                                                                        done.done, done.planned, rate, done.flying));
                            });
 }
 
@@ -91,9 +91,9 @@ bool SearchBoundary(const sweeper::SweepFile& file, const SweepOptions& options)
   const sweeper::Boundary found = sweeper::FindBoundary(
       file, search, *options.out, options.jobs, InterruptRequested, [&](const sweeper::Boundary& so_far) {
         if (!progress.IsDue()) return;
-        progress.Update(
-            static_cast<double>(so_far.flights) / options.flights,
-            fmt::format("{:.4g} (95 %: {:.4g} to {:.4g})", so_far.edge.value, so_far.edge.low, so_far.edge.high));
+        progress.Update(static_cast<double>(so_far.flights) / options.flights,
+                        fmt::format("{:.4g} (95 %: {:.4g} to {:.4g})", so_far.interval.value, so_far.interval.low,
+                                    so_far.interval.high));
       });
   return found.is_done;
 }
@@ -148,9 +148,9 @@ int FlyAndReport(const SweepOptions& options, const std::function<bool()>& fly) 
     spdlog::warn("interrupted: the flown rows are kept in {}; the same command resumes from there", *options.out);
     return kInterrupted;
   }
-  if (options.boundary) return summary.finds_edge() ? kPassed : kFailed;
+  if (options.boundary) return summary.finds_boundary() ? kPassed : kFailed;
   const bool is_part = options.shard.has_value();  // The criteria apply to the whole sweep only.
-  return is_part || summary.keeps_criteria() ? kPassed : kFailed;
+  return is_part || summary.meets_criteria() ? kPassed : kFailed;
 }
 
 int Sweep(const SweepOptions& options) {

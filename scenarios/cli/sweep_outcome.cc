@@ -43,7 +43,7 @@ sweeper::SweepSummary ReportOutcome(const SweepFiles& files, const OutputOptions
   if (output.json) fmt::print("{}", SummaryJson(sweep, summary, files.folder));
   std::fflush(stdout);
   if (files.csv)
-    util::WriteOutputFile(*files.csv, sweeper::RowsCsv(sweep.terms.keys(), sweep.results), sweeper::kRowsCsvSignature);
+    util::WriteOutputFile(*files.csv, sweeper::RowsCsv(sweep.spec.keys(), sweep.results), sweeper::kRowsCsvSignature);
   WritePage(sweep, summary, files.folder);
   return summary;
 }

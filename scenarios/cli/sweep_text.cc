@@ -41,13 +41,13 @@ std::string Subject(const sweeper::PassBoundaryOf& each) {
 std::string BoundaryText(const sweeper::PassBoundaryOf& each,
                          const std::optional<sweeper::SearchedBoundary>& searched) {
   const double percent = kPercent * each.pass_rate;
-  if (!each.edge) {
+  if (!each.boundary) {
     return fmt::format(
         "  no value of {} from {:.4g} to {:.4g} found at which {:.4g} % pass: the results do not change\n", each.key,
         searched->min, searched->max, percent);
   }
   return fmt::format("  {:.4g} % pass at {} = {:.4g} (95 %: {:.4g} to {:.4g}{})\n", percent, Subject(each),
-                     each.edge->value, each.edge->low, each.edge->high,
+                     each.boundary->value, each.boundary->low, each.boundary->high,
                      each.may_lie_beyond ? ", or outside the flown range" : "");
 }
 
@@ -127,26 +127,26 @@ std::string DryRunJson(const DryRun& dry_run) {
 
 std::string SummaryText(const sweeper::SweepOutcome& sweep, const sweeper::SweepSummary& summary,
                         const std::string& out) {
-  std::string text = fmt::format("{}: {} of {} flights\n", sweep.terms.name, summary.all.flown, sweep.planned);
-  if (summary.all.flown > 0 && !sweep.terms.search) {
+  std::string text = fmt::format("{}: {} of {} flights\n", sweep.spec.name, summary.all.flown, sweep.planned);
+  if (summary.all.flown > 0 && !sweep.spec.search) {
     text += fmt::format("  passed  {}{}\n", Percent(summary.all),
-                        sweep.terms.stop_when ? ", not corrected for the early stop" : "");
+                        sweep.spec.stop_when ? ", not corrected for the early stop" : "");
   }
   for (const sweeper::PassCountOf& each : summary.by_value) {
     text += fmt::format("  {:<40} {}\n", fmt::format("{}={}", each.key, each.value), Percent(each.count));
   }
-  for (const sweeper::PassBoundaryOf& each : summary.edges) text += BoundaryText(each, sweep.terms.search);
+  for (const sweeper::PassBoundaryOf& each : summary.boundaries) text += BoundaryText(each, sweep.spec.search);
   for (const auto& [check, interval] : summary.criteria) {
-    const char* const verdict = !summary.is_whole ? "so far" : check.pass ? "pass" : "FAIL";
+    const char* const verdict = !summary.is_complete ? "so far" : check.pass ? "pass" : "FAIL";
     text += fmt::format("  {}  {:<40} {:>10} {:<4} {}{}\n", verdict, check.name, sweeper::ValueText(check), check.unit,
                         check.limit, IntervalText(interval));
   }
-  if (const std::string lost = sweeper::LostProcesses(sweep.results); !lost.empty()) {
-    text += fmt::format("  {}{}\n", lost, sweep.terms.search ? "" : "; --retry flies them again");
+  if (const std::string failed = sweeper::FailedProcesses(sweep.results); !failed.empty()) {
+    text += fmt::format("  {}{}\n", failed, sweep.spec.search ? "" : "; --retry flies them again");
   }
-  if (sweep.whole > sweep.planned) {
+  if (sweep.total > sweep.planned) {
     text += fmt::format("  {} more flights belong to parts of the sweep that are not collected here\n",
-                        sweep.whole - sweep.planned);
+                        sweep.total - sweep.planned);
   }
   if (sweep.stale > 0) text += fmt::format("  {} rows of another build are kept, but not counted\n", sweep.stale);
   if (sweep.unplanned > 0) {
@@ -158,7 +158,7 @@ std::string SummaryText(const sweeper::SweepOutcome& sweep, const sweeper::Sweep
 
 std::string SummaryJson(const sweeper::SweepOutcome& sweep, const sweeper::SweepSummary& summary,
                         const std::string& out) {
-  Json json{{"schema", kSchema}, {"version", util::Version()}, {"sweep", sweep.terms.name}, {"planned", sweep.whole}};
+  Json json{{"schema", kSchema}, {"version", util::Version()}, {"sweep", sweep.spec.name}, {"planned", sweep.total}};
   Put(summary.all, json);
   json["stale"] = sweep.stale;
   json["unplanned"] = sweep.unplanned;
@@ -166,8 +166,8 @@ std::string SummaryJson(const sweeper::SweepOutcome& sweep, const sweeper::Sweep
   json["hung"] = sweeper::CountEnds(sweep.results, sweeper::ProcessEnd::kHung);
   json["out_of_memory"] = sweeper::CountEnds(sweep.results, sweeper::ProcessEnd::kOutOfMemory);
   // An incomplete sweep has no verdict.
-  const bool passes = sweep.terms.search ? summary.finds_edge() : summary.keeps_criteria();
-  json["pass"] = summary.is_whole ? Json(passes) : Json();
+  const bool passes = sweep.spec.search ? summary.finds_boundary() : summary.meets_criteria();
+  json["pass"] = summary.is_complete ? Json(passes) : Json();
   json["parameters"] = Json::array();
   for (const sweeper::PassCountOf& each : summary.by_value) {
     Json value{{"key", each.key}, {"value", sweeper::ParameterJson(each.value)}};
@@ -175,16 +175,16 @@ std::string SummaryJson(const sweeper::SweepOutcome& sweep, const sweeper::Sweep
     json["parameters"].push_back(std::move(value));
   }
   json["edges"] = Json::array();
-  for (const sweeper::PassBoundaryOf& each : summary.edges) {
-    Json edge{{"key", each.key}, {"variant", each.variant}, {"pass_rate", each.pass_rate}};
-    if (each.edge) Put(*each.edge, edge);
-    edge["may_lie_beyond"] = each.may_lie_beyond;
-    json["edges"].push_back(std::move(edge));
+  for (const sweeper::PassBoundaryOf& each : summary.boundaries) {
+    Json boundary{{"key", each.key}, {"variant", each.variant}, {"pass_rate", each.pass_rate}};
+    if (each.boundary) Put(*each.boundary, boundary);
+    boundary["may_lie_beyond"] = each.may_lie_beyond;
+    json["edges"].push_back(std::move(boundary));
   }
   json["criteria"] = Json::array();
   for (const auto& [check, interval] : summary.criteria) {
     Json criterion{{"name", check.name}, {"unit", check.unit}, {"limit", check.limit}};
-    criterion["pass"] = summary.is_whole ? Json(check.pass) : Json();
+    criterion["pass"] = summary.is_complete ? Json(check.pass) : Json();
     if (interval) Put(*interval, criterion);
     if (!check.text.empty()) criterion["value"] = check.text;
     json["criteria"].push_back(std::move(criterion));

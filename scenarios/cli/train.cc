@@ -26,7 +26,7 @@ int TrainWith(const TrainOptions& options) {
   const models::PadLetter letter =
       options.letter == "rectangle" ? models::PadLetter::kRectangle : models::PadLetter::kH;
   util::OutputFolder folder(options.out,
-                            {.files = training::ClassifierFileNames(letter), .mark = "\"touchdown.classifier\""});
+                            {.files = training::ClassifierFileNames(letter), .signature = "\"touchdown.classifier\""});
   training::ClassifierStudy study = [&] {
     Progress progress(!options.output.ForPeople());
     return training::StudyClassifier(training::ClassifierStudyConfig::For(letter), options.seed,

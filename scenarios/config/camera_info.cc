@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::array<std::string_view, 1> kDistortionModels = {"plumb_bob"};
 
-/// A file as ROS's camera_calibration_parsers write it.
+/// Content of a file in the format of the ROS package camera_calibration_parsers.
 struct CameraInfo {
   int width_px = 0;
   int height_px = 0;
@@ -45,7 +45,8 @@ models::CameraModel ModelOf(const CameraInfo& info) {
           .k3 = d.size() > 4 ? d[4] : 0.0};
 }
 
-/// Throws InputError for a 0, a 1 or a focal length (f...) of the layout that is none in the matrix.
+/// Throws InputError if the matrix does not have the layout: "0" and "1" are required values, "f..." is a positive
+/// focal length, and other items are arbitrary.
 void RequireLayout(const ConfigMatrix& matrix, std::initializer_list<std::string_view> layout) {
   const auto holds = [](std::string_view item, double value) {
     if (item == "0") return value == 0.0;
@@ -84,9 +85,10 @@ void Describe(models::ConfigVisitor& v, CameraInfo& info) {
 }  // namespace
 
 bool IsCameraInfo(const ConfigNode& root) {
-  constexpr std::array<std::string_view, 5> kTelling = {"image_width", "image_height", "camera_matrix",
-                                                        "distortion_model", "distortion_coefficients"};
-  return std::any_of(kTelling.begin(), kTelling.end(), [&root](auto key) { return root.Find(key) != nullptr; });
+  constexpr std::array<std::string_view, 5> kCameraInfoKeys = {"image_width", "image_height", "camera_matrix",
+                                                               "distortion_model", "distortion_coefficients"};
+  return std::any_of(kCameraInfoKeys.begin(), kCameraInfoKeys.end(),
+                     [&root](auto key) { return root.Find(key) != nullptr; });
 }
 
 ConfigNode CameraModelFromCameraInfo(const ConfigNode& root) {
@@ -102,8 +104,8 @@ ConfigNode CameraModelFromCameraInfo(const ConfigNode& root) {
                {"cx_px", item("camera_matrix", 2)},        {"cy_px", item("camera_matrix", 5)},
                {"k1", item("distortion_coefficients", 0)}, {"k2", item("distortion_coefficients", 1)},
                {"p1", item("distortion_coefficients", 2)}, {"p2", item("distortion_coefficients", 3)}};
-  constexpr std::size_t kTermsWithK3 = 5;
-  if (root.Find("distortion_coefficients")->Find("data")->items.size() == kTermsWithK3) {
+  constexpr std::size_t kCoefficientsWithK3 = 5;
+  if (root.Find("distortion_coefficients")->Find("data")->items.size() == kCoefficientsWithK3) {
     keys.keys.push_back({"k3", item("distortion_coefficients", 4)});
   }
   return keys;

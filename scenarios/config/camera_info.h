@@ -7,15 +7,15 @@
 
 namespace touchdown::config {
 
-/// Whether a file's root is a ROS `camera_info` calibration rather than the keys of `camera` or `camera.model`.
+/// Whether the root of a file is a ROS `camera_info` calibration and not the keys of `camera` or `camera.model`.
 bool IsCameraInfo(const ConfigNode& root);
 
-/// Converts a `camera_info` calibration to the keys of `camera.model`. It is read as strictly as a scenario: throws
-/// InputError, with place and key, for a layout other than ROS's, a model other than plumb_bob, a skewed matrix, and
-/// a rectification or projection of a camera that is one of a pair.
+/// Converts a `camera_info` calibration to the keys of `camera.model`. Unknown keys are errors, as
+/// in a scenario. Throws InputError with place and key for a layout that differs from that of ROS, a distortion model
+/// other than plumb_bob, a camera matrix with skew, or the rectification or projection of a stereo camera.
 ConfigNode CameraModelFromCameraInfo(const ConfigNode& root);
 
-/// ROS `camera_info` YAML of a camera model; LoadCameraModel reads back the same bits.
+/// ROS `camera_info` YAML of a camera model; LoadCameraModel reads back identical values.
 std::string CameraInfoYaml(const models::CameraModel& model, const std::string& camera_name);
 
 }  // namespace touchdown::config

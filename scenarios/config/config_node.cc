@@ -17,9 +17,9 @@
 namespace touchdown::config {
 namespace {
 
-constexpr std::size_t kDeepestNesting = 32;
-constexpr std::streamsize kLargestFile = 1 << 20;
-constexpr std::size_t kLongestMessagePart = 400;
+constexpr std::size_t kMaxLevels = 32;
+constexpr std::streamsize kMaxFile_bytes = 1 << 20;
+constexpr std::size_t kMaxMessagePart = 400;
 
 using OriginOf = std::function<Origin(const YAML::Mark&)>;
 
@@ -35,7 +35,7 @@ class TreeBuilder : public YAML::EventHandler {
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     ConfigNode node = MakeNode(ConfigNode::Kind::kNothing, mark, "?", anchor);
-    // The parser notices that nothing was given only on the next line.
+    // The parser reports a missing value on the next line, so the location of the key is used.
     if (!open_.empty() && open_.back().pending) node.origin = open_.back().pending->origin;
     Add(std::move(node));
   }
@@ -78,8 +78,8 @@ class TreeBuilder : public YAML::EventHandler {
   };
   struct OpenNode {
     ConfigNode* node;
-    std::optional<PendingKey> pending;                    ///< Waits for its value.
-    std::unordered_map<std::string, std::string> places;  ///< Origins of its keys so far.
+    std::optional<PendingKey> pending;                    ///< Key whose value follows.
+    std::unordered_map<std::string, std::string> places;  ///< Places of the keys so far.
   };
 
   ConfigNode MakeNode(ConfigNode::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
@@ -114,8 +114,8 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   void Open(ConfigNode node) {
-    if (open_.size() >= kDeepestNesting) {
-      throw ConfigError(node.origin, "", fmt::format("nested more than {} deep", kDeepestNesting));
+    if (open_.size() >= kMaxLevels) {
+      throw ConfigError(node.origin, "", fmt::format("nested more than {} levels deep", kMaxLevels));
     }
     ConfigNode* const opened = Add(std::move(node));
     open_.push_back({opened, {}, {}});
@@ -125,7 +125,7 @@ class TreeBuilder : public YAML::EventHandler {
 
   OriginOf origin_of_;
   ConfigNode root_;
-  // Only the innermost open node grows, so that the addresses of those around it hold.
+  // Only the innermost open node grows, so the addresses of the enclosing nodes remain valid.
   std::vector<OpenNode> open_;
 };
 
@@ -143,7 +143,7 @@ ConfigNode Parse(const std::string& text, const OriginOf& origin_of) {
     if (!parser.HandleNextDocument(builder)) return builder.root();
     TreeBuilder second(origin_of);
     if (parser.HandleNextDocument(second)) {
-      throw ConfigError(second.root().origin, "", "must hold one YAML document only");
+      throw ConfigError(second.root().origin, "", "must contain only one YAML document");
     }
   } catch (const YAML::Exception& error) {
     throw ConfigError(origin_of(error.mark), "", "is not YAML: " + error.msg);
@@ -153,10 +153,10 @@ ConfigNode Parse(const std::string& text, const OriginOf& origin_of) {
 
 std::string OneLine(std::string_view text) {
   std::string line;
-  for (const char c : text.substr(0, kLongestMessagePart)) {
+  for (const char c : text.substr(0, kMaxMessagePart)) {
     line += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
   }
-  if (text.size() > kLongestMessagePart) line += "...";
+  if (text.size() > kMaxMessagePart) line += "...";
   return line;
 }
 
@@ -189,12 +189,12 @@ ConfigNode ReadConfigFile(const std::filesystem::path& file) {
   if (!std::filesystem::exists(status)) throw ConfigError(origin, "", "no such file");
   if (std::filesystem::is_directory(status)) throw ConfigError(origin, "", "is a folder, not a file");
   const std::string name = file.filename().string();
-  if (util::Utf8Bytes(name) < name.size()) throw ConfigError(origin, "", "its name is not UTF-8");
+  if (util::Utf8Bytes(name) < name.size()) throw ConfigError(origin, "", "the file name is not UTF-8");
   std::ifstream stream(file, std::ios::binary);
-  std::string text(kLargestFile + 1, '\0');
+  std::string text(kMaxFile_bytes + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (stream.bad() || (stream.fail() && !stream.eof())) throw ConfigError(origin, "", "cannot be read");
-  if (stream.gcount() > kLargestFile) throw ConfigError(origin, "", "is larger than 1 MiB");
+  if (stream.gcount() > kMaxFile_bytes) throw ConfigError(origin, "", "is larger than 1 MiB");
   text.resize(static_cast<std::size_t>(stream.gcount()));
   return ParseConfig(text, file.string(), file.parent_path());
 }
@@ -208,10 +208,10 @@ ConfigNode ParseOverride(const std::string& assignment, const std::string& place
   node.origin = origin;
   std::size_t end = path.size();
   for (int depth = 0;; ++depth) {
-    if (depth > static_cast<int>(kDeepestNesting)) throw ConfigError(origin, "", "has too many dots in its key");
+    if (depth > static_cast<int>(kMaxLevels)) throw ConfigError(origin, "", "the key has too many dots");
     const std::size_t dot = path.rfind('.', end - 1);
     const std::size_t begin = dot == std::string::npos || end == 0 ? 0 : dot + 1;
-    if (begin >= end) throw ConfigError(origin, path, "has an empty part in its key");
+    if (begin >= end) throw ConfigError(origin, path, "the key has an empty part");
     ConfigNode parent;
     parent.kind = ConfigNode::Kind::kKeys;
     parent.origin = origin;

@@ -22,10 +22,9 @@ double ParseNumber(const ConfigNode& node, const std::string& path, const models
   if (node.kind != ConfigNode::Kind::kText || node.quoted) throw fail("must be a number");
   static constexpr std::string_view kNotFinite[] = {".nan", ".NaN",  ".NAN",  ".inf",  ".Inf",
                                                     ".INF", "-.inf", "-.Inf", "-.INF", "+.inf"};
-  const bool named_not_finite =
-      std::find(std::begin(kNotFinite), std::end(kNotFinite), node.text) != std::end(kNotFinite);
+  const bool is_not_finite = std::find(std::begin(kNotFinite), std::end(kNotFinite), node.text) != std::end(kNotFinite);
   const util::NumberToken<double> parsed = util::ReadNumber<double>(node.text);
-  if (named_not_finite || parsed.is_out_of_range || (parsed.value && !std::isfinite(*parsed.value))) {
+  if (is_not_finite || parsed.is_out_of_range || (parsed.value && !std::isfinite(*parsed.value))) {
     throw fail("must be a finite number, is " + Excerpt(node.text));
   }
   if (!parsed.value) throw fail("must be a number, is " + Excerpt(node.text));
@@ -54,7 +53,7 @@ std::string UnknownKeyMessage(std::string_view key, const std::set<std::string, 
     return EditDistance(key, a) < EditDistance(key, b);
   });
   if (EditDistance(key, nearest) <= 1 + key.size() / 3) return fmt::format("unknown key, did you mean {}?", nearest);
-  return fmt::format("unknown key, known here: {}", fmt::join(known, ", "));
+  return fmt::format("unknown key; allowed: {}", fmt::join(known, ", "));
 }
 
 }  // namespace
@@ -119,13 +118,13 @@ void ConfigReader::Numbers(const models::Key& key, const std::vector<double*>& v
 }
 
 void ConfigReader::Integer64(const models::Key& key, std::int64_t& value, const models::Range& range) {
-  const ConfigNode* const node = VisitText(key, "a whole number");
+  const ConfigNode* const node = VisitText(key, "an integer");
   if (node == nullptr) return;
   const util::NumberToken<std::int64_t> parsed =
       node->quoted ? util::NumberToken<std::int64_t>{} : util::ReadNumber<std::int64_t>(node->text);
   const auto fail = [&](const std::string& message) { return ConfigError(node->origin, PathOf(key.name), message); };
-  if (parsed.is_out_of_range) throw fail("is too large a number");
-  if (!parsed.value) throw fail("must be a whole number, is " + Excerpt(node->text));
+  if (parsed.is_out_of_range) throw fail("is too large");
+  if (!parsed.value) throw fail("must be an integer, is " + Excerpt(node->text));
   if (!range.Contains(static_cast<double>(*parsed.value))) {
     throw fail(fmt::format("{}, is {}", range.Sentence(), node->text));
   }
@@ -210,7 +209,7 @@ void ConfigReader::List(const models::Key& key, std::size_t count, const std::fu
 void ConfigReader::Renamed(std::string_view old_key, std::string_view new_key) {
   const ConfigNode* const node = open_.back().node != nullptr ? open_.back().node->Find(old_key) : nullptr;
   if (node != nullptr) {
-    throw ConfigError(node->origin, PathOf(old_key), fmt::format("is now called {}", PathOf(new_key)));
+    throw ConfigError(node->origin, PathOf(old_key), fmt::format("was renamed to {}", PathOf(new_key)));
   }
 }
 
@@ -220,7 +219,7 @@ void ConfigReader::PatchItems(const ConfigNode& node, const std::string& path, s
     const std::string item_path = path + "." + index_text;
     const auto index = util::FiniteNumber<std::size_t>(index_text);
     if (!index || *index >= count) {
-      throw ConfigError(item.origin, item_path, fmt::format("unknown key, the list has {} items", count));
+      throw ConfigError(item.origin, item_path, fmt::format("unknown key; the list has {} items", count));
     }
     if (item.kind != ConfigNode::Kind::kKeys) throw ConfigError(item.origin, item_path, "must be keys");
     origins_[item_path] = item.origin;

@@ -11,20 +11,20 @@
 
 namespace touchdown::config {
 
-/// Origins of the sections and keys that were given, by path ("camera.model").
+/// Origins of the sections and keys in the configuration, by path ("camera.model").
 using OriginByPath = std::map<std::string, Origin, std::less<>>;
 
-/// Sets the fields that a node gives; others keep their values. Every member throws InputError, naming place
-/// and key, for a value of the wrong type, not finite or out of range, and for a required key that is absent.
+/// Sets the fields whose keys a node contains; other fields keep their values. Every member throws InputError with
+/// place and key for a value that has the wrong type, is not finite or is out of range, and for a missing required key.
 class ConfigReader : public models::ConfigVisitor {
  public:
   /// `origins` receives the origin of every key that was read.
   ConfigReader(const ConfigNode& root, OriginByPath& origins);
 
-  /// Keys of the root that other code reads.
+  /// Accepts keys of the root without reading them, because other code does.
   void LeaveAlone(std::span<const std::string_view> keys) { open_.back().visited.insert(keys.begin(), keys.end()); }
 
-  /// Throws InputError when the root holds a key that was not visited. Call it last.
+  /// Throws InputError if the root contains a key that was not visited. Call it last.
   void Finish() { LeaveKeys(); }
 
   void Number(const models::Key& key, double& value, const models::Unit& unit, const models::Range& range) override;
@@ -47,13 +47,13 @@ class ConfigReader : public models::ConfigVisitor {
 
  private:
   struct Open {
-    const ConfigNode* node;  ///< Null in a section that is not written.
+    const ConfigNode* node;  ///< Null for a section that is absent.
     std::string path;
     std::set<std::string, std::less<>> visited;
   };
 
   const ConfigNode* Visit(const models::Key& key);
-  /// Node of a visited key, which must be text; nullptr when absent.
+  /// Node of a key, which must be a scalar; nullptr if the key is absent.
   const ConfigNode* VisitText(const models::Key& key, std::string_view what);
   std::string PathOf(std::string_view key) const;
   void EnterKeys(const ConfigNode* node, const std::string& path);
@@ -63,29 +63,29 @@ class ConfigReader : public models::ConfigVisitor {
 
   OriginByPath& origins_;
   std::vector<Open> open_;
-  std::deque<ConfigNode> files_;  ///< Roots of files that sections name.
+  std::deque<ConfigNode> files_;  ///< Roots of the files that sections refer to.
 };
 
-/// Checks a configuration after reading. Throws InputError with the origin of the key, or of the section that contains
+/// Checks a configuration after reading. Throws InputError with the origin of the key or of the section that contains
 /// it.
 class OriginChecker : public models::ConfigChecker {
  public:
-  /// `fallback` is the origin of keys that were not given, in sections that were not given.
+  /// `fallback` is the origin of absent keys in absent sections.
   OriginChecker(const OriginByPath& origins, Origin fallback) : origins_(origins), fallback_(std::move(fallback)) {}
 
  protected:
   InputError Error(const std::string& path, const std::string& message) const override;
 
  private:
-  /// Origin of the innermost part of `path` that was given.
+  /// Origin of the innermost part of `path` that is present.
   const Origin& OriginOf(std::string_view path) const;
 
   const OriginByPath& origins_;
   Origin fallback_;
 };
 
-/// Reads and checks a struct with the keys of `root`, except some that other code reads. Throws InputError,
-/// naming place and key.
+/// Reads a struct from the keys of `root` and checks it. Skips the keys `read_elsewhere`. Throws InputError with place
+/// and key.
 template <typename T>
 T ReadAlone(const ConfigNode& root, std::span<const std::string_view> read_elsewhere = {}) {
   T value;

@@ -12,7 +12,7 @@
 namespace touchdown::config {
 namespace {
 
-/// Integers carry their unit in their name alone.
+/// Unit of an integer key, from the suffix of its name.
 std::string_view UnitOfInteger(std::string_view name) {
   if (name.ends_with("_hz")) return "Hz";
   return name.ends_with("_px") ? "px" : "-";
@@ -37,9 +37,9 @@ void ConfigReference::Row(const models::Key& key, std::string_view unit, const s
     next_ = static_cast<std::size_t>(known - rows_.begin()) + 1;
     return;
   }
-  const std::string shown = key.required ? "required" : is_optional_ ? "none" : default_value;
+  const std::string displayed_default = key.required ? "required" : is_optional_ ? "none" : default_value;
   rows_.insert(rows_.begin() + static_cast<std::ptrdiff_t>(next_),
-               {path, std::string(unit), shown, range, std::string(key.doc)});
+               {path, std::string(unit), displayed_default, range, std::string(key.doc)});
   ++next_;
 }
 
@@ -81,7 +81,7 @@ void ConfigReference::Choice(const models::Key& key, int& index, std::span<const
 
 void ConfigReference::Section(const models::Key& key, const models::SectionFile& file,
                               const std::function<void(models::ConfigVisitor&)>& describe) {
-  Row(key, "-", file.allowed ? "keys, or a file" : "keys", "");
+  Row(key, "-", file.allowed ? "keys or file name" : "keys", "");
   const std::string parent = path_;
   path_ += std::string(key.name) + ".";
   describe(*this);
@@ -90,9 +90,9 @@ void ConfigReference::Section(const models::Key& key, const models::SectionFile&
 
 void ConfigReference::OptionalSection(const models::Key& key, bool /*is_set*/, const models::SectionFile& file,
                                       const std::function<void(models::ConfigVisitor&)>& describe) {
-  const bool around = std::exchange(is_optional_, true);
+  const bool outer = std::exchange(is_optional_, true);
   Section(key, file, describe);
-  is_optional_ = around;
+  is_optional_ = outer;
 }
 
 void ConfigReference::List(const models::Key& key, std::size_t, const std::function<void(std::size_t)>& resize,

@@ -9,20 +9,20 @@ namespace touchdown::config {
 
 /// Reference row of a configuration key.
 struct KeyRow {
-  std::string path;           ///< "camera.model.k1"; items of lists as "events.N.at_s".
+  std::string path;           ///< "camera.model.k1"; "events.N.at_s" for items of lists.
   std::string unit;           ///< "-" for none.
-  std::string default_value;  ///< As YAML.
+  std::string default_value;  ///< In YAML.
   std::string range;          ///< "must be above 0"; empty without limits.
   std::string doc;
 };
 
-/// Lists every visited key with the default of its struct. The visited keys depend on the values of choices and
-/// booleans: `variant` selects these values. The rows of several variants are merged into one reference.
+/// Lists all visited keys with the defaults of their structs. Which keys are visited depends on the values of choices
+/// and booleans; the variant selects these values. The rows of all variants are merged into one reference.
 class ConfigReference : public models::ConfigVisitor {
  public:
   const std::vector<KeyRow>& rows() const { return rows_; }
 
-  /// Call before visiting the description again.
+  /// Selects the values of choices and booleans. Call before each visit of the description.
   void BeginVariant(int variant);
 
   void Number(const models::Key& key, double& value, const models::Unit& unit, const models::Range& range) override;
@@ -48,7 +48,7 @@ class ConfigReference : public models::ConfigVisitor {
   std::vector<KeyRow> rows_;
   std::size_t next_ = 0;  ///< Position of the next new row.
   std::string path_;
-  bool is_optional_ = false;  ///< In an optional section, whose keys have no defaults.
+  bool is_optional_ = false;  ///< Within an optional section, whose keys have no defaults.
   int variant_ = 0;
 };
 

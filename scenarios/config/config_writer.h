@@ -4,13 +4,13 @@
 
 namespace touchdown::config {
 
-/// The shortest decimal number that reads back to the same bits.
+/// Decimal number with the fewest digits that reads back to the same double.
 std::string WriteNumber(double value);
 
 /// `text` as a quoted YAML scalar.
 std::string WriteText(const std::string& text);
 
-/// Writes every visited field as YAML, without empty sections.
+/// Writes all visited fields as YAML. Omits empty sections.
 class ConfigWriter : public models::ConfigVisitor {
  public:
   const std::string& yaml() const { return yaml_; }

@@ -24,7 +24,7 @@ ConfigNode SectionKeys(ConfigNode root, const models::SectionFile& file) {
   if (file.format.empty()) return root;
   const auto format = std::find_if(kFileFormats.begin(), kFileFormats.end(),
                                    [&file](const FileFormat& known) { return known.name == file.format; });
-  if (format == kFileFormats.end()) throw std::logic_error("no reader of the format " + std::string(file.format));
+  if (format == kFileFormats.end()) throw std::logic_error("no reader for the format " + std::string(file.format));
   if (!format->matches(root)) return root;
   ConfigNode keys = format->keys(root);
   if (file.format_key.empty()) return keys;

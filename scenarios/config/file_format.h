@@ -5,9 +5,8 @@
 
 namespace touchdown::config {
 
-/// Returns the keys of a section from the root of a file that replaces it. The file may have the format named by
-/// `file`. Throws InputError for a file of that format which is not valid, and std::logic_error for a format without a
-/// reader.
+/// Keys of a section from the root of a file that defines it. The file has these keys or the format that `file` names.
+/// Throws InputError for an invalid file of that format and std::logic_error for an unknown format.
 ConfigNode SectionKeys(ConfigNode root, const models::SectionFile& file);
 
 }  // namespace touchdown::config

@@ -256,7 +256,7 @@ void ReportFalse(const FalseCounts& sum, PaperSection& section) {
                 {"landing pad, verify: none (as published)", "-", Percent(unverified, 3)},
                 {"landing pad, verify: template", "-", Percent(pads, 3)}}});
   section.compared.push_back(
-      {.quantity = "False pads, share of frames with decoys alone",
+      {.quantity = "False pads, fraction of frames with decoys alone",
        .unit = "%",
        .published = 100.0 * std::min(frames_p1.value, frames_p2.value),
        .ours = 100.0 * pads.value,

@@ -31,7 +31,7 @@ constexpr const char* kReportSignature = "touchdown.paper";
 
 util::FolderKind PaperFolder() {
   return {.files = {"paper.json", "report.html", "README.md", "summary.csv", "table_1.tex"},
-          .mark = kReportSignature,
+          .signature = kReportSignature,
           .subfolders = {{"figures", [](const fs::path& file) {
                             const std::string ending = file.extension().string();
                             return ending == ".csv" || ending == ".pdf" || ending == ".svg" || ending == ".jpg";

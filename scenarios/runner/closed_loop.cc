@@ -32,15 +32,15 @@ Eigen::Isometry3d StartPose(const Start& start, const sim::World& world) {
   return X_WB;
 }
 
-/// A vehicle that is in the air at tick 0 has taken off before: at rest on the ground, heading as it starts, it has
-/// learned the biases of its IMU.
-void StandBeforeFlight(const Start& start, const models::TimeBase& time, sim::Imu& imu,
-                       estimator::StateEstimator& estimator, FlightAudience& audience) {
+/// Simulates the time at rest before a flight that starts in the air. The vehicle stands on the ground with
+/// its initial heading, and the estimator estimates the biases of the IMU.
+void SimulateRestBeforeFlight(const Start& start, const models::TimeBase& time, sim::Imu& imu,
+                              estimator::StateEstimator& estimator, FlightAudience& audience) {
   constexpr double kTimeAtRest_s = 2.0;
-  sim::TrueState standing;
-  standing.X_WB.linear() = Upright(start.yaw_deg);
-  for (standing.tick = -time.FromSeconds(kTimeAtRest_s); standing.tick < 0; ++standing.tick) {
-    const auto sample = imu.Sample(standing);
+  sim::TrueState truth;
+  truth.X_WB.linear() = Upright(start.yaw_deg);
+  for (truth.tick = -time.FromSeconds(kTimeAtRest_s); truth.tick < 0; ++truth.tick) {
+    const auto sample = imu.Sample(truth);
     if (!sample) continue;
     estimator.AddImu(*sample, true);
     audience.OnImu(*sample, true);
@@ -66,7 +66,7 @@ FlightLog FlyClosedLoop(const Scenario& s, FlightObservers observers, const util
                                                                 .R_BU = assumed.X_BU().linear(),
                                                                 .time = s.time,
                                                                 .on_stage = vision_timer.listener()});
-  if (s.start.airborne) StandBeforeFlight(s.start, s.time, imu, *estimator, audience);
+  if (s.start.airborne) SimulateRestBeforeFlight(s.start, s.time, imu, *estimator, audience);
   std::optional<sim::Hand> hand;
   std::optional<controller::FlightController> controller;
   if (s.hand.carries) {
@@ -80,10 +80,10 @@ FlightLog FlyClosedLoop(const Scenario& s, FlightObservers observers, const util
   EndWatch end_watch(s);
   FlightRecorder recorder(s);
   const util::Stopwatch flight_clock;
-  const double watched_before_s = audience.seconds();
+  const double observers_before_s = audience.seconds();
   const auto finish = [&](const Ending& ending) {
     FlightLog log = recorder.Finish(ending.outcome, ending.reason);
-    log.wall_s = flight_clock.seconds() - (audience.seconds() - watched_before_s);
+    log.wall_s = flight_clock.seconds() - (audience.seconds() - observers_before_s);
     return log;
   };
 
@@ -95,9 +95,9 @@ FlightLog FlyClosedLoop(const Scenario& s, FlightObservers observers, const util
 
       if (const auto frame = camera.Sample(truth); frame && !events.frames_are_lost()) {
         vision_timer.Start();
-        const estimator::FrameResult seen = estimator->AddFrame(frame->image.View(), frame->mid_exposure);
-        const FrameRecord& record = recorder.OnFrame(seen, camera.render_ms(), vision_timer.Stop());
-        audience.OnFrame(*frame, seen, record);
+        const estimator::FrameResult result = estimator->AddFrame(frame->image.View(), frame->mid_exposure);
+        const FrameRecord& record = recorder.OnFrame(result, camera.render_ms(), vision_timer.Stop());
+        audience.OnFrame(*frame, result, record);
       }
       if (const auto tracked = tracking_system.Sample(truth)) recorder.OnTracking(*tracked);
 

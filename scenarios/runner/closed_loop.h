@@ -7,9 +7,10 @@
 
 namespace touchdown::runner {
 
-/// Flies a scenario from start to end: world -> sensors -> estimator -> filter -> guidance -> controller -> mixer ->
+/// Flies a scenario in closed loop: world -> sensors -> estimator -> filter -> guidance -> controller -> mixer ->
 /// world. A failure of the simulation ends the log with outcome `error`. Throws InputError for a scenario that cannot
-/// be set up, Interrupted when a stop is requested, and the exceptions of observers. `stop_requested` may be null.
+/// be set up and Interrupted when a stop is requested; exceptions of observers propagate. `stop_requested` may be
+/// null.
 FlightLog FlyClosedLoop(const Scenario& scenario, FlightObservers observers, const util::StopRequested& stop_requested);
 
 }  // namespace touchdown::runner

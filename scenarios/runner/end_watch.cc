@@ -13,28 +13,28 @@ constexpr double kRestDeadline_s = 5.0;
 EndWatch::EndWatch(const Scenario& scenario)
     : time_(scenario.time),
       time_limit_(scenario.time.FromSeconds(scenario.time_limit_s)),
-      half_room_m_(scenario.scene.floor_size_m / 2.0),
+      half_width_m_(scenario.scene.floor_size_m / 2.0),
       ceiling_m_(scenario.ceiling_m()) {
   if (scenario.hand.carries) {
-    hand_ends_ = time_.FromSeconds(sim::Hand::kTimeAtRest_s + scenario.hand.duration_s);
+    hand_held_end_ = time_.FromSeconds(sim::Hand::kTimeAtRest_s + scenario.hand.duration_s);
   }
 }
 
 std::optional<Ending> EndWatch::Judge(const sim::TrueState& truth, const controller::ControlOutput& control) {
   if (auto danger = JudgeDanger(truth)) return danger;
   if (auto end = JudgeScript(truth, control)) return end;
-  if (truth.tick >= time_limit_) return Ending{Outcome::kGaveUp, "the time limit passed"};
+  if (truth.tick >= time_limit_) return Ending{Outcome::kGaveUp, "the time limit was reached"};
   return std::nullopt;
 }
 
 std::optional<Ending> EndWatch::JudgeScript(const sim::TrueState& truth, const controller::ControlOutput& control) {
-  if (hand_ends_) {
-    if (truth.tick < *hand_ends_) return std::nullopt;
-    return Ending{Outcome::kHovered, "the hand came to its end in the air"};
+  if (hand_held_end_) {
+    if (truth.tick < *hand_held_end_) return std::nullopt;
+    return Ending{Outcome::kHovered, "the hand motion ended in the air"};
   }
   switch (control.phase) {
     case controller::Phase::kGaveUp:
-      return Ending{Outcome::kGaveUp, "control was handed over"};
+      return Ending{Outcome::kGaveUp, "the guidance gave up"};
     case controller::Phase::kTouchdown:
       if (auto rest = JudgeRest(truth)) return rest;
       break;
@@ -51,7 +51,7 @@ std::optional<Ending> EndWatch::JudgeDanger(const sim::TrueState& truth) const {
   const Eigen::Vector3d p_WB = truth.X_WB.translation();
   if (truth.body_in_contact) return Ending{Outcome::kCrashed, "the body touched the ground or an object"};
   if (truth.X_WB.linear()(2, 2) < 0.0) return Ending{Outcome::kCrashed, "the vehicle tipped over"};
-  if (p_WB.head<2>().cwiseAbs().maxCoeff() > half_room_m_ || p_WB.z() > ceiling_m_) {
+  if (p_WB.head<2>().cwiseAbs().maxCoeff() > half_width_m_ || p_WB.z() > ceiling_m_) {
     return Ending{Outcome::kCrashed, "the vehicle left the room"};
   }
   return std::nullopt;
@@ -67,7 +67,7 @@ std::optional<Ending> EndWatch::JudgeRest(const sim::TrueState& truth) {
     return Ending{Outcome::kLanded, "at rest on the gear, motors off"};
   }
   if (truth.tick - *motors_off_ >= time_.FromSeconds(kRestDeadline_s)) {
-    return Ending{Outcome::kCrashed, "the vehicle did not come to rest after its motors went off"};
+    return Ending{Outcome::kCrashed, "the vehicle did not come to rest after the motors stopped"};
   }
   return std::nullopt;
 }

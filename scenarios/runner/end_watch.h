@@ -9,7 +9,7 @@
 
 namespace touchdown::runner {
 
-/// Outcome of a flight, with a short reason.
+/// Outcome of a flight and a short reason.
 struct Ending {
   Outcome outcome = Outcome::kError;
   std::string reason;
@@ -30,12 +30,12 @@ class EndWatch {
   std::optional<Ending> JudgeRest(const sim::TrueState& truth);
 
   models::TimeBase time_;
-  std::optional<models::Tick> hand_ends_;
+  std::optional<models::Tick> hand_held_end_;
   models::Tick time_limit_;
-  double half_room_m_;
+  double half_width_m_;
   double ceiling_m_;
   std::optional<models::Tick> motors_off_;  ///< Tick at which the motors stopped after a landing.
-  std::optional<models::Tick> at_rest_;     ///< Tick since which the vehicle has been at rest after that.
+  std::optional<models::Tick> at_rest_;     ///< Tick since which the vehicle has been at rest after motors_off_.
 };
 
 }  // namespace touchdown::runner

@@ -15,9 +15,9 @@ double Takeoff_s(const GuidanceConfig& c, double height_m) {
 }
 
 double Landing_s(const GuidanceConfig& c, double height_m) {
-  constexpr double kSettlingShare = 1.3;  // Steps wait until the vehicle is in the cone.
+  constexpr double kSettlingFactor = 1.3;  // Each step waits until the vehicle is in the cone.
   const double blind_s = (c.blind_clearance_m - c.h_land_clearance_m) / c.blind_descent_rate_m_s;
-  return kSettlingShare * height_m / c.step_rate_m_s + blind_s;
+  return kSettlingFactor * height_m / c.step_rate_m_s + blind_s;
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 namespace touchdown::runner {
 
-/// Approximate duration of a flight that follows its script, s; at most its time limit. It is used for progress
+/// Approximate duration, s, of a flight that completes its script; at most the time limit. It is used for progress
 /// reports; the actual duration may differ.
 double ExpectedDuration_s(const Scenario& scenario);
 

@@ -8,7 +8,7 @@ namespace touchdown::runner {
 
 using FlightObservers = std::span<FlightObserver* const>;
 
-/// Forwards to several observers, and measures their wall-clock time.
+/// Forwards to several observers and measures the wall-clock time that they use.
 class FlightAudience final : public FlightObserver {
  public:
   explicit FlightAudience(FlightObservers observers) : observers_(observers) {}
@@ -18,6 +18,7 @@ class FlightAudience final : public FlightObserver {
   void OnFrame(const models::CameraFrame& frame, const estimator::FrameResult& estimate,
                const FrameRecord& record) override;
 
+  /// Wall-clock time of the observers, s.
   double seconds() const { return seconds_; }
 
  private:

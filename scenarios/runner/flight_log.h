@@ -32,23 +32,23 @@ struct FrameRecord {
   std::optional<estimator::VisionPose> pose;  ///< Unfiltered.
   std::optional<Eigen::Vector2d> pad_px;      ///< Detected center of the pad.
 
-  // The truth at mid-exposure.
+  // Truth at mid-exposure.
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  std::optional<Eigen::Vector2d>
-      true_pad_px;            ///< nullopt when no pad is visible: absent, covered or behind the camera.
-  bool ring_in_view = false;  ///< The whole ring is in the image, uncovered.
+  /// nullopt if the pad is absent, covered or behind the camera.
+  std::optional<Eigen::Vector2d> true_pad_px;
+  bool ring_in_view = false;  ///< The whole ring is in the image and not covered.
   bool pad_is_covered = false;
 
   // Wall-clock times.
   double render_ms = 0.0;
   double vision_ms = 0.0;
-  double geometry_ms = 0.0;  ///< Part of vision_ms in FrameStage::kGeometry.
+  double geometry_ms = 0.0;  ///< Portion of vision_ms spent in FrameStage::kGeometry.
 };
 
 /// Record of a pose of the tracking system.
 struct TrackingRecord {
   models::TrackedPose tracked;
-  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  ///< The truth.
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  ///< True pose.
 };
 
 /// Complete record of a flight, the source of its logs, metrics and figures.
@@ -67,7 +67,7 @@ struct FlightLog {
 
   Outcome outcome = Outcome::kError;
   std::string reason;   ///< Reason for the outcome, in a few words.
-  double wall_s = 0.0;  ///< Duration of the loop without its observers.
+  double wall_s = 0.0;  ///< Wall-clock duration of the loop without its observers.
 };
 
 }  // namespace touchdown::runner

@@ -7,17 +7,17 @@
 
 namespace touchdown::runner {
 
-/// Observes a flight while it is flown, to draw it, to record it or to report progress. Nothing that it does reaches
-/// the flight, unless it throws, which ends it.
+/// Interface of observers of a running flight, which draw or record it or report progress. An observer cannot affect
+/// the flight, except that an exception ends it.
 class FlightObserver {
  public:
   virtual ~FlightObserver() = default;
 
-  /// Called first, with the vehicle at its start.
+  /// Called before the first tick, with the vehicle at its start.
   virtual void OnStart(const sim::World& /*world*/) {}
 
-  /// Called for each IMU sample that the estimator gets. `at_rest`: the vehicle is on the ground with its motors off.
-  /// Negative ticks precede a flight that starts in the air.
+  /// Called for each IMU sample of the estimator. `at_rest` is true while the vehicle is on the ground with its motors
+  /// off. Samples with negative ticks precede a flight that starts in the air.
   virtual void OnImu(const models::ImuSample& /*sample*/, bool /*at_rest*/) {}
 
   /// Called for a frame that is delivered at this tick, with its estimate and its record.

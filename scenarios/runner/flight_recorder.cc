@@ -26,8 +26,8 @@ void FlightRecorder::OnTruth(const sim::TrueState& truth, const Eigen::Isometry3
 
 void FlightRecorder::WatchContact(const sim::TrueState& truth, controller::Phase phase) {
   using controller::Phase;
-  const bool coming_down = phase == Phase::kLanding || phase == Phase::kBlindDescent || phase == Phase::kTouchdown;
-  if (coming_down && is_clear_of_ground_ && truth.gear_in_contact && !log_.touchdown) {
+  const bool landing = phase == Phase::kLanding || phase == Phase::kBlindDescent || phase == Phase::kTouchdown;
+  if (landing && is_clear_of_ground_ && truth.gear_in_contact && !log_.touchdown) {
     log_.touchdown = FlightLog::FirstContact{history_.back().truth, truth};
   }
   is_clear_of_ground_ = !truth.gear_in_contact && !history_.empty();
@@ -35,7 +35,8 @@ void FlightRecorder::WatchContact(const sim::TrueState& truth, controller::Phase
 
 const FlightRecorder::Instant& FlightRecorder::At(models::Tick tick) const {
   const models::Tick age = history_.back().truth.tick - tick;
-  if (age < 0 || age >= std::ssize(history_)) throw std::logic_error("a frame is older than the recorder's history");
+  if (age < 0 || age >= std::ssize(history_))
+    throw std::logic_error("the frame is older than the history of the recorder");
   return history_[history_.size() - 1 - static_cast<std::size_t>(age)];
 }
 

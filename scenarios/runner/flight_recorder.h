@@ -8,15 +8,16 @@
 
 namespace touchdown::runner {
 
-/// Records the log of a flight while it is flown. It sees the truth and passes none of it on.
+/// Records the log of a running flight. It reads the truth but does not pass it to estimator or controller.
 class FlightRecorder {
  public:
   explicit FlightRecorder(const Scenario& scenario);
 
-  /// Records the true state of each tick, in order, with the true camera pose and whether the pad is covered.
+  /// Records the true state of a tick, the true camera pose and whether the pad is covered. Call once per tick, in
+  /// order.
   void OnTruth(const sim::TrueState& truth, const Eigen::Isometry3d& X_WC, bool pad_is_covered,
                controller::Phase phase);
-  /// Records the estimate of a frame that is delivered now. Returns the record of the frame.
+  /// Records the estimate of a frame that is delivered at this tick. Returns the record of the frame.
   const FrameRecord& OnFrame(const estimator::FrameResult& estimate, double render_ms, const VisionTime& vision);
   void OnTracking(const models::TrackedPose& tracked);
   void OnControl(const models::VehicleEstimate& estimate, const controller::ControlOutput& control);

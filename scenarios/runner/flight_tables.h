@@ -8,15 +8,15 @@
 
 namespace touchdown::runner {
 
-/// flight.csv: one row for each IMU tick. A cell is empty where there is no value, as before the first vision pose.
-/// Numbers are the shortest that read back to the same double.
+/// flight.csv: one row for each IMU tick. A cell is empty if it has no value, for example before the first vision
+/// pose. Numbers have the fewest digits that read back to the same double.
 std::string FlightCsv(const FlightLog& log);
 
-/// frames.csv: one row for each delivered frame; true values are at mid-exposure. The covariance is of (position in m,
-/// rotation vector in W in rad), its upper triangle by rows.
+/// frames.csv: one row for each delivered frame; true values are at mid-exposure. The covariance refers to (position in
+/// m, rotation vector in W in rad); its upper triangle is listed row by row.
 std::string FramesCsv(const FlightLog& log);
 
-/// tracking.csv: one row for each pose of the tracking system, beside the true pose.
+/// tracking.csv: one row for each pose of the tracking system, with the true pose.
 std::string TrackingCsv(const FlightLog& log);
 
 /// frame_timing.csv: one row for each delivered frame with its wall-clock times.
@@ -25,11 +25,11 @@ std::string FrameTimingCsv(const FlightLog& log);
 /// Name and content of a file.
 using NamedText = std::pair<std::string, std::string>;
 
-/// Every table and trajectory of a flight: flight.csv, frames.csv, tracking.csv, frame_timing.csv, truth.tum,
+/// All tables and trajectories of a flight: flight.csv, frames.csv, tracking.csv, frame_timing.csv, truth.tum,
 /// estimate.tum, tracking.tum.
 std::vector<NamedText> WriteTables(const FlightLog& log);
 
-/// SHA-256, in hexadecimal, of flight.csv followed by frames.csv. Builds no text in memory.
+/// SHA-256, in hexadecimal, of flight.csv followed by frames.csv. The text is not built in memory.
 std::string LogDigest(const FlightLog& log);
 
 }  // namespace touchdown::runner

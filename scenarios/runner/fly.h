@@ -20,6 +20,7 @@ struct Timing {
   double realtime_factor = 0.0;  ///< Simulated time divided by wall-clock time.
 };
 
+/// Verdict of a flight with its metrics and checks.
 struct FlightResult {
   Verdict verdict = Verdict::kError;
   Outcome outcome = Outcome::kError;
@@ -30,10 +31,10 @@ struct FlightResult {
   std::string log_sha256;  ///< See LogDigest.
 };
 
-/// Judges a flight: its metrics, its checks, its verdict. Renders no table.
+/// Evaluates a flight: computes its metrics, checks and verdict. Does not write tables.
 FlightResult JudgeFlight(const Scenario& scenario, const FlightLog& log);
 
-/// Flies a scenario and judges the flight. Writes no file. Throws as FlyClosedLoop does.
+/// Flies a scenario and evaluates the flight. Writes no file. Throws like FlyClosedLoop.
 FlightResult Fly(const Scenario& scenario, FlightObservers observers = {},
                  const util::StopRequested& stop_requested = nullptr);
 

@@ -17,7 +17,7 @@ using controller::Phase;
 using models::RadToDeg;
 
 constexpr double kExcursion_m = 0.30;
-constexpr double kBackFromExcursion_m = 0.15;
+constexpr double kExcursionEnd_m = 0.15;
 
 constexpr MetricInfo kMetrics[] = {
     {"flight.sim_time_s", "s", "Simulated duration of the flight."},
@@ -27,23 +27,23 @@ constexpr MetricInfo kMetrics[] = {
     {"flight.max_xy_offset_m", "m", "Largest true horizontal distance from the set-point in the hover phase."},
     {"flight.excursions", "",
      "Number of times the distance of flight.max_xy_offset_m rose above 0.3 m after being below 0.15 m."},
-    {"flight.max_tilt_deg", "deg", "Largest true tilt of the flight."},
-    {"flight.landing_time_s", "s", "Time from the start of the landing phase to first contact."},
+    {"flight.max_tilt_deg", "deg", "Largest true tilt during the flight."},
+    {"flight.landing_time_s", "s", "Time from the start of the landing phase to the first contact of the gear."},
     {"flight.touchdown_time_s", "s", "Simulated time of the first contact of the gear in a landing."},
     {"flight.touchdown_xy_error_m", "m",
-     "True horizontal distance from the pad's center at first contact of the gear."},
-    {"flight.touchdown_x_m", "m", "True X of the body's origin in W at first contact."},
-    {"flight.touchdown_y_m", "m", "True Y of the body's origin in W at first contact."},
-    {"flight.touchdown_yaw_error_deg", "deg", "Absolute true yaw at first contact, modulo 180 degrees."},
-    {"flight.touchdown_speed_m_s", "m/s", "True sink rate just before first contact."},
-    {"flight.touchdown_tilt_deg", "deg", "True tilt at first contact."},
-    {"flight.rest_xy_error_m", "m", "True horizontal distance from the pad's center at the end of a landing."},
-    {"estimate.xy_rmse_m", "m", "RMS horizontal error of vision's unfiltered position in frames with status ok."},
-    {"estimate.z_rmse_m", "m", "RMS vertical error of vision's unfiltered position in frames with status ok."},
-    {"estimate.xyz_rmse_m", "m", "RMS 3D error of vision's unfiltered position in frames with status ok."},
-    {"estimate.roll_rmse_deg", "deg", "RMS error of vision's roll in frames with status ok."},
-    {"estimate.pitch_rmse_deg", "deg", "RMS error of vision's pitch in frames with status ok."},
-    {"estimate.yaw_rmse_deg", "deg", "RMS error of vision's yaw, modulo 180 degrees, in frames with status ok."},
+     "True horizontal distance from the center of the pad at the first contact of the gear."},
+    {"flight.touchdown_x_m", "m", "True X of the body origin in W at the first contact."},
+    {"flight.touchdown_y_m", "m", "True Y of the body origin in W at the first contact."},
+    {"flight.touchdown_yaw_error_deg", "deg", "Absolute true yaw at the first contact, modulo 180 degrees."},
+    {"flight.touchdown_speed_m_s", "m/s", "True sink rate just before the first contact."},
+    {"flight.touchdown_tilt_deg", "deg", "True tilt at the first contact."},
+    {"flight.rest_xy_error_m", "m", "True horizontal distance from the center of the pad at the end of a landing."},
+    {"estimate.xy_rmse_m", "m", "RMS horizontal error of the unfiltered vision position in frames with status ok."},
+    {"estimate.z_rmse_m", "m", "RMS vertical error of the unfiltered vision position in frames with status ok."},
+    {"estimate.xyz_rmse_m", "m", "RMS 3D error of the unfiltered vision position in frames with status ok."},
+    {"estimate.roll_rmse_deg", "deg", "RMS error of the vision roll in frames with status ok."},
+    {"estimate.pitch_rmse_deg", "deg", "RMS error of the vision pitch in frames with status ok."},
+    {"estimate.yaw_rmse_deg", "deg", "RMS error of the vision yaw, modulo 180 degrees, in frames with status ok."},
     {"estimate.tilt_rmse_deg", "deg",
      "RMS angle between the true and the estimated body Z axis in frames with status ok."},
     {"estimate.availability", "", "Frames with status ok divided by frames with the whole ring in view.", true},
@@ -52,7 +52,7 @@ constexpr MetricInfo kMetrics[] = {
      "Number of frames with a detected center of the pad more than 30 px from the true one."},
 };
 
-/// Root of the mean of squares; absent when nothing was added.
+/// Root mean square of the added values. Put adds no metric without values.
 class RootMeanSquare {
  public:
   void Add(double squared) {
@@ -93,7 +93,7 @@ void PutHover(const FlightLog& log, Metrics& metrics) {
     const double xy = offset.head<2>().norm();
     largest = std::max(largest, xy);
     if (!away && xy > kExcursion_m) ++excursions;
-    away = away ? xy > kBackFromExcursion_m : xy > kExcursion_m;
+    away = away ? xy > kExcursionEnd_m : xy > kExcursion_m;
   }
   if (!FirstTickIn(log, Phase::kHover)) return;
   metrics.emplace("flight.hover_time_s", log.time.ToSeconds(hovering));
@@ -168,16 +168,16 @@ Metrics PoseErrors(std::span<const FrameRecord> frames) {
 }
 
 Metrics Detection(std::span<const FrameRecord> frames) {
-  int in_view = 0, seen = 0, false_pads = 0;
+  int in_view = 0, detected = 0, false_pads = 0;
   for (const FrameRecord& frame : frames) {
     if (frame.ring_in_view) ++in_view;
-    if (frame.ring_in_view && frame.status == estimator::FrameStatus::kOk) ++seen;
+    if (frame.ring_in_view && frame.status == estimator::FrameStatus::kOk) ++detected;
     if (frame.pad_px && (!frame.true_pad_px || (*frame.pad_px - *frame.true_pad_px).norm() > kFalsePad_px)) {
       ++false_pads;
     }
   }
   Metrics metrics;
-  if (in_view > 0) metrics.emplace("estimate.availability", static_cast<double>(seen) / in_view);
+  if (in_view > 0) metrics.emplace("estimate.availability", static_cast<double>(detected) / in_view);
   metrics.emplace("estimate.ring_frames", in_view);
   metrics.emplace("estimate.false_pads", false_pads);
   return metrics;

@@ -12,7 +12,7 @@ namespace touchdown::runner {
 
 struct FlightLog;
 
-/// Distance from the true center beyond which a detected pad is a false pad.
+/// Image distance between the detected and the true center of the pad above which the detection is a false pad.
 inline constexpr double kFalsePad_px = 30.0;
 
 /// Stable name and meaning of a metric.
@@ -26,7 +26,7 @@ struct MetricInfo {
 /// All metrics, in display order.
 std::span<const MetricInfo> AllMetrics();
 
-/// Metric of a name; nullptr for an unknown name.
+/// Metric with the given name; nullptr for an unknown name.
 const MetricInfo* FindMetric(std::string_view name);
 
 /// Values by name. A metric that the flight does not have is absent.
@@ -46,17 +46,17 @@ Metrics Detection(std::span<const FrameRecord> frames);
 /// Result of one check of a flight.
 struct Check {
   std::string name = {};             ///< Name of the metric, or "outcome".
-  std::optional<double> value = {};  ///< nullopt for a metric that the flight does not have, and for the outcome.
+  std::optional<double> value = {};  ///< nullopt for an absent metric and for the outcome.
   std::string text = {};             ///< The outcome; empty for a metric.
   std::string unit = {};
   std::string limit = {};  ///< "<= 0.06", ">= 0.95", "0 .. 3", "landed".
   bool pass = false;
 };
 
-/// "<= 0.06", ">= 0.95", "0 .. 3".
+/// Text of the limits of a criterion: "<= 0.06", ">= 0.95" or "0 .. 3".
 std::string LimitText(const Criterion& criterion);
 
-/// Checks of a flight: the outcome against the expected one, then the criteria in order.
+/// Checks a flight: first whether the outcome is the expected one, then the criteria in order.
 std::vector<Check> Judge(const Scenario& scenario, Outcome outcome, const Metrics& metrics);
 
 }  // namespace touchdown::runner

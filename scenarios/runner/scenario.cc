@@ -22,7 +22,7 @@ Scenario ReadScenario(const config::ConfigNode& root, const std::string& default
     Describe(reader, scenario);
     reader.Finish();
   }
-  // Keys that a calibration leaves out are the truth's, which only the last override completes.
+  // Keys that are absent from a calibration default to the true values, which are known only after the last override.
   scenario.calibration = {};
   for (const config::ConfigNode& layer : layers) {
     config::ConfigReader reader(layer, origins);

@@ -34,8 +34,8 @@ namespace touchdown::runner {
 enum class Outcome {
   kLanded,   ///< Motors off after touchdown, at rest on the gear.
   kHovered,  ///< The script ended in the air.
-  kGaveUp,   ///< Control was handed over, or the time limit was reached.
-  kCrashed,  ///< A part other than the gear had contact, the vehicle tipped over, or it left the room.
+  kGaveUp,   ///< The guidance gave up, or the time limit was reached.
+  kCrashed,  ///< A part other than the gear touched something, or the vehicle tipped over or left the room.
   kError,    ///< The simulation failed.
 };
 inline constexpr std::array<std::string_view, 5> kOutcomeNames = {"landed", "hovered", "gave_up", "crashed", "error"};
@@ -49,15 +49,15 @@ struct Start {
   double yaw_deg = 0.0;
 };
 
-/// Bounds of a metric, which a flight must meet to pass.
+/// Bounds of a metric that a flight must meet to pass.
 struct Criterion {
   std::string metric;
   std::optional<double> min;
   std::optional<double> max;
 };
 
-/// Camera and mountings as estimator and controller assume them (Sec. III-D), where they differ from the truth: the
-/// result of a calibration, or an error of one.
+/// Camera and mountings that estimator and controller assume (Sec. III-D). An absent value equals the true one. The
+/// values are the result of a calibration, or add a calibration error.
 struct Calibration {
   std::optional<models::CameraModel> camera_model;
   std::optional<models::Mounting> camera;
@@ -90,9 +90,9 @@ struct Scenario {
   controller::FlightControllerConfig controller;
 
   Outcome expected_outcome() const;
-  /// Camera model that estimator and controller assume: the calibration's, or the true one.
+  /// Camera model that estimator and controller assume: that of the calibration, or the true one.
   models::CameraModel assumed_camera() const { return calibration.camera_model.value_or(camera.model); }
-  /// Vehicle that estimator and controller assume: the true one with the mountings of the calibration, where given.
+  /// Vehicle that estimator and controller assume: the true one, with the mountings that the calibration defines.
   models::Vehicle assumed_vehicle() const;
   /// Height of the room, which is a cube.
   double ceiling_m() const { return scene.floor_size_m; }
@@ -106,17 +106,17 @@ struct Override {
       : assignment(std::move(assignment_text)), place(std::move(typed)), folder(std::move(named_from)) {}
 
   std::string assignment;
-  std::string place;             ///< Location in messages.
+  std::string place;             ///< Location for messages.
   std::filesystem::path folder;  ///< Base folder of file names in the value.
 };
 
 /// Throws InputError for a duration shorter than the frame period of the scenario's camera.
 void RequireCameraFrame(const Scenario& scenario, double duration_s);
 
-/// Reads a scenario file and applies overrides in order. Throws InputError, naming file, line and key, for input that
+/// Reads a scenario file and applies overrides in order. Throws InputError with file, line and key for input that
 /// docs/scenarios.md does not allow.
 ///
-/// Reading the ScenarioYaml of the result gives an identical scenario, so that a flight can be repeated from the
+/// The ScenarioYaml of the result reads back as an identical scenario, so that a flight can be repeated from the
 /// scenario.yaml in its output directory.
 Scenario LoadScenario(const std::filesystem::path& file, std::span<const Override> overrides = {});
 
@@ -124,7 +124,7 @@ Scenario LoadScenario(const std::filesystem::path& file, std::span<const Overrid
 Scenario ParseScenario(const std::string& text, const std::string& name, const std::filesystem::path& folder,
                        std::span<const Override> overrides = {});
 
-/// YAML of the scenario with every key, without references to other files.
+/// YAML of the scenario with all keys, without references to other files.
 std::string ScenarioYaml(const Scenario& scenario);
 
 /// Reference of all keys of a scenario, one row each.
@@ -145,7 +145,7 @@ models::Vehicle LoadVehicle(const std::filesystem::path& file);
 /// Reads a pad description from a file with the keys of `pad`. Throws InputError.
 models::LandingPad LoadPad(const std::filesystem::path& file);
 
-/// YAML of a pad with every key; LoadPad reads back the same bits.
+/// YAML of a pad with all keys. LoadPad reads back identical values.
 std::string PadYaml(const models::LandingPad& pad);
 
 }  // namespace touchdown::runner

@@ -7,28 +7,27 @@
 namespace touchdown::runner {
 namespace {
 
-/// Throws InputError for a place along X or Y of the body's origin at which the vehicle reaches out of the room.
+/// Throws InputError if the vehicle extends beyond the room at `x_m`, the X or Y of the body origin in W.
 void RequireInRoom(const Scenario& s, double x_m) {
-  const double farthest_m = 0.5 * s.scene.floor_size_m - s.vehicle.arm_m - 0.5 * s.vehicle.rotor.propeller_diameter_m;
-  if (std::abs(x_m) > farthest_m) {
-    throw InputError(
-        fmt::format("{} m lies outside the room: a vehicle of this size and a floor of {} m allow {:.3g} m", x_m,
-                    s.scene.floor_size_m, farthest_m));
+  const double limit_m = 0.5 * s.scene.floor_size_m - s.vehicle.arm_m - 0.5 * s.vehicle.rotor.propeller_diameter_m;
+  if (std::abs(x_m) > limit_m) {
+    throw InputError(fmt::format(
+        "{} m is outside the room; allowed with this vehicle and a floor of {} m: -{limit:.3g} to {limit:.3g} m", x_m,
+        s.scene.floor_size_m, fmt::arg("limit", limit_m)));
   }
 }
 
-/// Same for a position in the air.
+/// Throws InputError if the vehicle extends beyond the room at `p_WB`, a position in the air.
 void RequireInRoom(const Scenario& s, const Eigen::Vector3d& p_WB) {
   RequireInRoom(s, p_WB.x());
   RequireInRoom(s, p_WB.y());
   if (p_WB.z() < s.vehicle.gear.height_m || p_WB.z() > s.ceiling_m()) {
-    throw InputError(
-        fmt::format("a height of {} m is not between the floor (with the gear below, {} m) and the ceiling ({} m)",
-                    p_WB.z(), s.vehicle.gear.height_m, s.ceiling_m()));
+    throw InputError(fmt::format("the height is {} m; allowed: {} (standing on the floor) to {} m (ceiling)", p_WB.z(),
+                                 s.vehicle.gear.height_m, s.ceiling_m()));
   }
 }
 
-void CheckPlaces(models::ConfigVisitor& v, const Scenario& s) {
+void CheckPositions(models::ConfigVisitor& v, const Scenario& s) {
   if (s.start.airborne) {
     v.Check("start.position_m", [&s] { RequireInRoom(s, s.start.position_m); });
   } else {
@@ -56,7 +55,7 @@ void CheckEvents(models::ConfigVisitor& v, const Scenario& s) {
 }  // namespace
 
 void RequireCameraFrame(const Scenario& s, double duration_s) {
-  if (duration_s * s.camera.rate_hz < 1.0) throw InputError("lasts less than a camera frame's period");
+  if (duration_s * s.camera.rate_hz < 1.0) throw InputError("must not be shorter than the frame period of the camera");
 }
 
 void CheckScenario(models::ConfigVisitor& v, const Scenario& s) {
@@ -64,23 +63,24 @@ void CheckScenario(models::ConfigVisitor& v, const Scenario& s) {
     const double oldest_s = s.camera.latency_s() + 1.0 / s.camera.rate_hz;
     if (oldest_s >= s.controller.vision_fresh_s || s.camera.latency_s() >= s.estimator.filters.attitude.history_s) {
       throw InputError(
-          "with a frame's period on top must stay below controller.vision_fresh_s, and below "
-          "attitude_estimator.history_s: the frames would come too late to be used");
+          "is too large: the latency plus the frame period must be below controller.vision_fresh_s, and the latency "
+          "below attitude_estimator.history_s");
     }
   });
   v.Check("calibration.camera", [&s] { s.assumed_vehicle().Validate(); });
   v.Check("calibration.camera_model", [&s] {
     const models::CameraModel assumed = s.assumed_camera();
     if (assumed.width_px != s.camera.model.width_px || assumed.height_px != s.camera.model.height_px) {
-      throw InputError(fmt::format("is for {} x {} px, but the camera's images have {} x {} px", assumed.width_px,
+      throw InputError(fmt::format("is for {} x {} px, but the camera has {} x {} px", assumed.width_px,
                                    assumed.height_px, s.camera.model.width_px, s.camera.model.height_px));
     }
   });
   v.Check("scene", [&s] { sim::MakeScene(s.scene, s.pad, s.seed); });
-  CheckPlaces(v, s);
+  CheckPositions(v, s);
   CheckEvents(v, s);
   v.Check("hand.carries", [&s] {
-    if (s.hand.carries && s.start.airborne) throw InputError("the vehicle starts on its feet: start.airborne is true");
+    if (s.hand.carries && s.start.airborne)
+      throw InputError("cannot be true if start.airborne is true: a hand-held flight starts on the ground");
   });
   v.Check("script", [&s] {
     if (s.hand.carries) return;

@@ -5,7 +5,7 @@
 namespace touchdown::runner {
 
 std::vector<config::KeyRow> ScenarioReference() {
-  constexpr int kVariants = 4;  // The most names that a choice has.
+  constexpr int kVariants = 4;  // Largest number of names of a choice.
   config::ConfigReference reference;
   for (int variant = 0; variant < kVariants; ++variant) {
     Scenario scenario;

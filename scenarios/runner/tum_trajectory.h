@@ -9,11 +9,12 @@
 
 namespace touchdown::runner {
 
+/// Poses X_WB by tick.
 using Trajectory = std::map<models::Tick, Eigen::Isometry3d>;
 
-/// Trajectory of a body in W in the format of the TUM RGB-D benchmark, which evo and other tools read: a line
-/// "t_s x_m y_m z_m qx qy qz qw" for each pose, rising in time. Numbers are the shortest that read back to the same
-/// double.
+/// Trajectory of a body in W in the format of the TUM RGB-D benchmark, which evo and other tools read: one line
+/// "t_s x_m y_m z_m qx qy qz qw" for each pose, with increasing time. Numbers have the fewest digits that read back to
+/// the same double.
 std::string TumText(const Trajectory& trajectory, const models::TimeBase& time);
 
 /// True trajectory, at every IMU tick, mid-exposure and tick of the tracking system, so that it has a pose at each time

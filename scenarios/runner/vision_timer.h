@@ -8,16 +8,16 @@
 
 namespace touchdown::runner {
 
-/// Wall-clock times of a frame.
+/// Wall-clock times of the estimation of a frame.
 struct VisionTime {
   double total_ms = 0.0;
-  double geometry_ms = 0.0;  ///< Part of it in FrameStage::kGeometry.
+  double geometry_ms = 0.0;  ///< Portion of total_ms spent in FrameStage::kGeometry.
 };
 
-/// Measures the time of an estimator, per frame and per stage.
+/// Measures the wall-clock time of an estimator per frame and stage.
 class VisionTimer {
  public:
-  /// For EstimatorSetup::on_stage; the timer must outlive the estimator.
+  /// Listener for EstimatorSetup::on_stage. The timer must outlive the estimator.
   std::function<void(estimator::FrameStage)> listener() {
     return [this](estimator::FrameStage stage) { Enter(stage); };
   }

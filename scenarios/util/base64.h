@@ -4,9 +4,9 @@
 
 namespace touchdown::util {
 
-/// Converts bytes to Base64 text (RFC 4648) on one line, and back.
+/// Encodes bytes as Base64 text (RFC 4648) without line breaks.
 std::string Base64(const std::string& bytes);
-/// Throws std::invalid_argument for text that is not Base64.
+/// Decodes Base64 text. Throws std::invalid_argument if the text is not valid Base64.
 std::string FromBase64(const std::string& text);
 
 }  // namespace touchdown::util

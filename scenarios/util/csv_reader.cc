@@ -60,7 +60,7 @@ std::string_view CsvReader::Unquoted() {
     if (rest_.starts_with('"')) cell += '"';
   } while (rest_.starts_with('"'));
   line_ += static_cast<int>(std::count(cell.begin(), cell.end(), '\n'));
-  return cell += NextCell();  // Nothing, where the text is well-formed.
+  return cell += NextCell();  // Empty if the text is well-formed.
 }
 
 void CsvReader::SkipLine() {

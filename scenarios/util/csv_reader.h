@@ -8,15 +8,15 @@
 
 namespace touchdown::util {
 
-/// A row of a CSV text.
+/// Row of a CSV text.
 struct CsvRow {
   std::vector<std::string_view> cells = {};
-  int line = 0;                ///< The line of the text on which the row begins, from 1.
-  bool is_terminated = false;  ///< A line end follows the row. The last row of a text that is cut off has none.
+  int line = 0;                ///< Number of the line on which the row begins, from 1.
+  bool is_terminated = false;  ///< A line end follows the row. It is missing if the text is truncated.
 };
 
-/// Reads the rows of a CSV text (RFC 4180): cells are separated by commas; a cell in double quotes may hold commas,
-/// line ends and, doubled, quotes; a line ends with LF or CRLF.
+/// Reads the rows of a CSV text (RFC 4180): cells are separated by commas; a cell in double quotes may contain
+/// commas, line ends and doubled quotes; a line ends with LF or CRLF.
 class CsvReader {
  public:
   struct Options {
@@ -30,7 +30,7 @@ class CsvReader {
   CsvReader(const CsvReader&) = delete;
   CsvReader& operator=(const CsvReader&) = delete;
 
-  /// The next row; nullopt at the end of the text. Its cells are valid as long as the reader and its text.
+  /// Returns the next row; nullopt at the end of the text. The cells are valid during the lifetime of reader and text.
   std::optional<CsvRow> Next();
 
  private:
@@ -42,7 +42,7 @@ class CsvReader {
   std::string_view rest_;
   Options options_;
   int line_ = 1;
-  std::deque<std::string> unquoted_;  ///< Unescaped cells, which do not occur literally in the text.
+  std::deque<std::string> unquoted_;  ///< Cells without their quotes.
 };
 
 }  // namespace touchdown::util

@@ -17,15 +17,15 @@
 
 namespace touchdown::util {
 
-/// Receives a text piece by piece.
+/// Function that receives consecutive pieces of a text.
 using TextSink = std::function<void(std::string_view)>;
 
-/// Writes a CSV text (RFC 4180): cells are separated by commas, texts are quoted where they need it, and lines end with
-/// LF. Numbers are the shortest that read back to the same double.
+/// Writes a CSV text (RFC 4180): cells are separated by commas, texts are quoted if necessary, and lines end with LF.
+/// Numbers have the fewest digits that read back to the same double.
 class CsvWriter {
  public:
   CsvWriter() = default;
-  /// Begins with a header line, given as its text.
+  /// Begins with the header line `header`, without a line end.
   explicit CsvWriter(std::string_view header) : text_(std::string(header) + '\n') {}
   /// Passes the text to `sink` instead of storing it. Take passes the last piece.
   CsvWriter(std::string_view header, TextSink sink) : text_(std::string(header) + '\n'), sink_(std::move(sink)) {}
@@ -42,11 +42,11 @@ class CsvWriter {
     return *this;
   }
   CsvWriter& Vector(const Eigen::Vector3d& v) { return *this << v.x() << v.y() << v.z(); }
-  /// Angles, written in degrees.
+  /// Writes angles in degrees.
   CsvWriter& Angles(const models::TaitBryan& a) {
     return *this << models::RadToDeg(a.roll) << models::RadToDeg(a.pitch) << models::RadToDeg(a.yaw);
   }
-  /// An angular velocity, written in degrees per second.
+  /// Writes an angular velocity in degrees per second.
   CsvWriter& Rates(const Eigen::Vector3d& w) { return Vector(w * (180.0 / models::kPi)); }
   CsvWriter& Pose(const Eigen::Isometry3d& X_WB) {
     return Vector(X_WB.translation()).Angles(models::TaitBryanFromRotation(X_WB.linear()));
@@ -62,7 +62,7 @@ class CsvWriter {
     constexpr std::size_t kPiece_bytes = 1 << 16;
     if (sink_ && text_.size() >= kPiece_bytes) Flush();
   }
-  /// The text; empty when a sink received it.
+  /// Returns the text; empty if the writer has a sink.
   std::string Take() {
     if (sink_) Flush();
     return std::move(text_);
@@ -88,7 +88,7 @@ class CsvWriter {
   bool at_line_start_ = true;
 };
 
-/// One line of CSV.
+/// One line of CSV, with its line end.
 inline std::string CsvLine(const std::vector<std::string>& cells) {
   CsvWriter line;
   for (const std::string& cell : cells) line << cell;

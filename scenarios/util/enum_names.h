@@ -6,10 +6,10 @@
 
 namespace touchdown::util {
 
-/// Value of an enum by its name; nullopt for an unknown name.
+/// Enum value with the given name; nullopt for an unknown name.
 ///
-/// The enum has its names beside it: a function `NamesOf(Enum)` that returns an array of them, in the
-/// order of the enum's values, which count up from 0.
+/// A function `NamesOf(Enum)` must return an array of the names, in the order of the enum values, which count up from
+/// 0.
 template <typename Enum>
 constexpr std::optional<Enum> EnumFromName(std::string_view name) {
   const auto& names = NamesOf(Enum{});

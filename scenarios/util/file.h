@@ -6,10 +6,10 @@
 
 namespace touchdown::util {
 
-/// Content of a file, byte for byte. Throws InputError, "PATH: cannot be read: CAUSE", when it cannot be read.
+/// Content of a file. Throws InputError "PATH: cannot be read: CAUSE" on failure.
 std::string ReadTextFile(const std::filesystem::path& file);
 
-/// Same as above; nullopt when the file does not exist.
+/// Content of a file; nullopt if the file does not exist. Throws InputError on other failures.
 std::optional<std::string> ReadTextFileIfPresent(const std::filesystem::path& file);
 
 }  // namespace touchdown::util

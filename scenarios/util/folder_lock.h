@@ -4,13 +4,14 @@
 
 namespace touchdown::util {
 
-/// Creates the folder of a sweep. Throws InputError when it cannot be created or contains something else.
+/// Creates the output folder of a sweep. Throws InputError if it cannot be created or contains files but no sweep.
 void ClaimFolder(const std::filesystem::path& folder);
 
-/// Exclusive lock of a folder for the lifetime of the object. The lock also ends with the program, however that ends.
+/// Exclusive lock of a folder for the lifetime of the object. The operating system releases it
+/// when the program ends for any reason.
 class FolderLock {
  public:
-  /// Throws InputError when another program holds the lock, or the lock cannot be created.
+  /// Throws InputError if another program holds the lock or the lock cannot be created.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;

@@ -5,7 +5,7 @@
 
 namespace touchdown::util {
 
-/// Thrown when the user requests a stop. No file is half-written. The program exits with status 130.
+/// Thrown when the user requests a stop. No file is left half-written. The program exits with status 130.
 class Interrupted : public std::runtime_error {
  public:
   Interrupted() : std::runtime_error("interrupted") {}

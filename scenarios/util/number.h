@@ -9,11 +9,11 @@
 
 namespace touchdown::util {
 
-/// Result of reading a token as a number.
+/// Result of parsing a token as a number.
 template <typename T>
 struct NumberToken {
-  std::optional<T> value = {};   ///< nullopt when the token is not a number as a whole. "inf" and "nan" are numbers.
-  bool is_out_of_range = false;  ///< The token is a number, but T cannot hold it: "1e999", "300" for a byte.
+  std::optional<T> value = {};   ///< nullopt if the whole token is not a number. "inf" and "nan" are numbers.
+  bool is_out_of_range = false;  ///< The token is a number, but T cannot represent it: "1e999", "300" for a byte.
 };
 
 /// Reads a whole token as a decimal number of type T, in the format of std::from_chars: no blanks, no leading "+".
@@ -27,7 +27,7 @@ NumberToken<T> ReadNumber(std::string_view token) {
   return error == std::errc() ? NumberToken<T>{.value = value} : NumberToken<T>{};
 }
 
-/// Finite number from a whole token; nullopt for any other token.
+/// Parses a whole token as a finite number; nullopt for any other token.
 template <typename T = double>
 std::optional<T> FiniteNumber(std::string_view token) {
   const std::optional<T> value = ReadNumber<T>(token).value;

@@ -22,33 +22,35 @@ InputError UnusableFile(const fs::path& place, std::string_view why) {
   return InputError(fmt::format("output file {}: {}", place.string(), why));
 }
 
-bool Holds(const fs::path& place, std::string_view mark) {
+bool ContainsSignature(const fs::path& place, std::string_view signature) {
   const std::optional<std::string> content = ReadTextFileIfPresent(place);
-  return content && content->find(mark) != std::string::npos;
+  return content && content->find(signature) != std::string::npos;
 }
 
-/// Brings a file's content, or a folder's names, onto the disk, where the machine's sudden end does not undo it.
+/// Flushes the content of a file, or the entries of a folder, to the disk, so that it survives a power loss.
 void Sync(const fs::path& place) {
   const int fd = open(place.c_str(), O_RDONLY | O_CLOEXEC);
   if (fd < 0) return;
-  fsync(fd);  // Some file systems know no such thing; then this is all that can be done.
+  fsync(fd);  // Failures are ignored, because some file systems do not support fsync.
   close(fd);
 }
 
 }  // namespace
 
-void CheckOutputFile(const fs::path& place, std::string_view mark) {
+void CheckOutputFile(const fs::path& place, std::string_view signature) {
   std::error_code error;
   const fs::file_status status = fs::status(place, error);
-  if (!place.has_filename()) throw UnusableFile(place, "is no place for a file");
+  if (!place.has_filename()) throw UnusableFile(place, "is not a file name");
   if (!fs::exists(status)) return;
-  if (!fs::is_regular_file(status)) throw UnusableFile(place, "is something else than a file");
-  if (!Holds(place, mark)) throw UnusableFile(place, "is there already, and something else; nothing was written");
+  if (!fs::is_regular_file(status)) throw UnusableFile(place, "exists and is not a regular file");
+  if (!ContainsSignature(place, signature))
+    throw UnusableFile(place, "already exists and is not an earlier output; nothing was written");
 }
 
-void WriteOutputFile(const fs::path& place, std::string_view content, std::string_view mark) {
-  if (content.find(mark) == std::string_view::npos) throw std::logic_error("a file must hold its mark");
-  CheckOutputFile(place, mark);
+void WriteOutputFile(const fs::path& place, std::string_view content, std::string_view signature) {
+  if (content.find(signature) == std::string_view::npos)
+    throw std::logic_error("the content must contain the signature");
+  CheckOutputFile(place, signature);
   std::error_code error;
   if (place.has_parent_path()) fs::create_directories(place.parent_path(), error);
   if (error) throw UnusableFile(place, error.message());

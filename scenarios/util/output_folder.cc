@@ -28,7 +28,7 @@ OutputFolder::OutputFolder(const fs::path& place, FolderKind kind) : kind_(std::
     if (!error && place_.has_parent_path() && place_ != place_.root_path()) {
       place_ = place_.parent_path();
     } else {
-      throw UnusableFolder(place, "is no place for a folder");
+      throw UnusableFolder(place, "is not a folder name");
     }
   }
   CheckPlace();
@@ -41,12 +41,12 @@ void OutputFolder::CheckPlace() const {
   if (!fs::exists(status)) return;
   if (!fs::is_directory(status)) throw UnusableFolder(place_, "is a file");
   if (fs::equivalent(place_, fs::current_path(error), error)) {
-    throw UnusableFolder(place_, "is the folder you are in; name another");
+    throw UnusableFolder(place_, "is the current folder; choose another one");
   }
   const bool empty = fs::is_empty(place_, error);
   if (error) throw UnusableFolder(place_, error.message());
   if (!empty && !IsOfKind()) {
-    throw UnusableFolder(place_, fmt::format("holds other files (and no {} of an earlier run); nothing was written",
+    throw UnusableFolder(place_, fmt::format("contains other files, but no {} of an earlier run; nothing was written",
                                              kind_.files.front()));
   }
   CheckSubfolders();
@@ -60,7 +60,7 @@ void OutputFolder::CheckSubfolders() const {
     for (fs::recursive_directory_iterator entry(inside, error), end; !error && entry != end; entry.increment(error)) {
       const fs::path file = entry->path().lexically_relative(inside);
       if (entry->is_directory() || subfolder.holds(file)) continue;
-      throw UnusableFolder(place_, fmt::format("{} is no file of an earlier run; nothing was written",
+      throw UnusableFolder(place_, fmt::format("{} is not a file of an earlier run; nothing was written",
                                                (subfolder.name / file).string()));
     }
     if (error) throw UnusableFolder(inside, error.message());
@@ -69,7 +69,7 @@ void OutputFolder::CheckSubfolders() const {
 
 bool OutputFolder::IsOfKind() const {
   const std::optional<std::string> content = ReadTextFileIfPresent(place_ / kind_.files.front());
-  return content && content->find(kind_.mark) != std::string::npos;
+  return content && content->find(kind_.signature) != std::string::npos;
 }
 
 void OutputFolder::MakeFolders() {
@@ -111,7 +111,7 @@ void OutputFolder::Commit() {
   if (temporary_.parent_path() == place_) {
     ReplaceFiles();
   } else {
-    if (fs::exists(place_, error)) throw UnusableFolder(place_, "has come into being meanwhile");
+    if (fs::exists(place_, error)) throw UnusableFolder(place_, "was created by another program in the meantime");
     fs::rename(temporary_, place_, error);
     if (error) throw UnusableFolder(place_, error.message());
   }
@@ -119,7 +119,7 @@ void OutputFolder::Commit() {
 }
 
 void OutputFolder::ReplaceFiles() const {
-  // The first file marks the set as complete: it is removed first and written last.
+  // The first file indicates a complete set, so it is removed first and written last.
   std::error_code error;
   for (const std::string& name : kind_.files) {
     fs::remove(place_ / name, error);
@@ -129,11 +129,11 @@ void OutputFolder::ReplaceFiles() const {
     fs::remove_all(place_ / subfolder.name, error);
     if (error) throw UnusableFolder(place_, fmt::format("{}: {}", subfolder.name, error.message()));
   }
-  for (const SubfolderKind& subfolder : kind_.subfolders) MoveIn(subfolder.name);
-  for (auto name = kind_.files.rbegin(); name != kind_.files.rend(); ++name) MoveIn(*name);
+  for (const SubfolderKind& subfolder : kind_.subfolders) MoveToPlace(subfolder.name);
+  for (auto name = kind_.files.rbegin(); name != kind_.files.rend(); ++name) MoveToPlace(*name);
 }
 
-void OutputFolder::MoveIn(const std::string& name) const {
+void OutputFolder::MoveToPlace(const std::string& name) const {
   std::error_code error;
   if (!fs::exists(temporary_ / name, error)) return;
   fs::rename(temporary_ / name, place_ / name, error);

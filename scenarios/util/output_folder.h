@@ -11,39 +11,39 @@ namespace touchdown::util {
 /// Subfolder of a results folder.
 struct SubfolderKind {
   std::string name;
-  std::function<bool(const std::filesystem::path&)>
-      holds;  ///< Whether a file, relative to the subfolder, belongs to it.
+  /// Whether a file, given relative to the subfolder, is one of its results.
+  std::function<bool(const std::filesystem::path&)> holds;
 };
 
-/// Signature of a folder of results, by which it is recognized.
+/// Files and signature by which a results folder is recognized.
 struct FolderKind {
   std::vector<std::string> files;  ///< Names of its files; the first one always exists.
-  std::string mark;                ///< Text that the first file contains.
+  std::string signature;           ///< Text that the first file contains.
   std::vector<SubfolderKind> subfolders = {};
 };
 
-/// A results folder that appears completely or not at all: it is filled under a hidden name and renamed by Commit.
-/// Without Commit, nothing appears.
+/// Results folder that is created atomically. The files are written to a hidden folder, which Commit renames. Without
+/// Commit, the hidden folder is removed.
 ///
-/// No file of a user is lost: a path with anything other than an earlier folder of the same kind is refused. In an
-/// earlier folder, Commit replaces the files of its kind and touches no others. A folder with foreign files in its
-/// subfolders is refused.
+/// No file of the user is lost. An existing path must be empty or an earlier folder of the same kind, and its
+/// subfolders must not contain other files. In an earlier folder, Commit replaces the files of its kind and keeps all
+/// others.
 class OutputFolder {
  public:
-  /// Throws InputError when `place` contains something else or cannot be written.
+  /// Throws InputError if `place` is not such a path or cannot be written.
   OutputFolder(const std::filesystem::path& place, FolderKind kind);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// Writes a file. Throws InputError when it cannot, e.g. on a full disk.
+  /// Writes a file. Throws InputError on failure, for example if the disk is full.
   void Write(std::string_view name, std::string_view content);
 
   /// Path of a file before Commit, for code that writes it directly.
   std::filesystem::path PathOf(std::string_view name) const { return temporary_ / name; }
 
-  /// Moves the files to their final path. Throws InputError when it cannot. In an earlier folder of the same kind,
-  /// whose first file is removed before the others change and comes back last, a failure halfway leaves no first file.
+  /// Moves the files to their final path. Throws InputError on failure. In an earlier folder of the same kind, the
+  /// first file is removed first and written last, so that it is missing after an incomplete replacement.
   void Commit();
 
  private:
@@ -52,7 +52,7 @@ class OutputFolder {
   bool IsOfKind() const;
   void CheckSubfolders() const;
   void ReplaceFiles() const;
-  void MoveIn(const std::string& name) const;
+  void MoveToPlace(const std::string& name) const;
 
   std::filesystem::path place_;
   FolderKind kind_;

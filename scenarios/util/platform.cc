@@ -8,7 +8,7 @@
 namespace touchdown::util {
 namespace {
 
-/// The instruction sets among which llvmpipe, OpenCV and libm choose their code.
+/// Supported instruction sets, on which the code that llvmpipe, OpenCV and libm select depends.
 std::string CpuFlags() {
   std::string flags;
 #if defined(__x86_64__)

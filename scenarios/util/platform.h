@@ -6,10 +6,10 @@
 
 namespace touchdown::util {
 
-/// Properties that affect the last bits of a flight, apart from scenario and seed: names and values, in a fixed order.
+/// Names and values of the platform properties that affect the last bits of a flight, in a fixed order.
 std::vector<std::pair<std::string, std::string>> PlatformFacts();
 
-/// Properties of this machine.
+/// Network name of this computer.
 std::string HostName();
 
 }  // namespace touchdown::util

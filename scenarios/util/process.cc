@@ -10,7 +10,7 @@
 namespace touchdown::util {
 namespace {
 
-/// A file in memory that captures what a process writes.
+/// File in memory that captures the output of a process.
 class CapturedOutput {
  public:
   CapturedOutput() : fd_(memfd_create("output", MFD_CLOEXEC)) {}

@@ -8,13 +8,13 @@ namespace touchdown::util {
 
 /// Result of a process that exited.
 struct ProcessResult {
-  bool succeeded = false;  ///< It exited with status 0.
+  bool succeeded = false;  ///< The process exited with status 0.
   std::string out = {};    ///< Output on stdout.
   std::string err = {};    ///< Output on stderr.
 };
 
-/// Runs a program, found on the PATH by the first of `arguments`, and waits for its end. nullopt when the program does
-/// not exist.
+/// Runs a program and waits for its end. The first of `arguments` is its name, which is searched on the PATH. Returns
+/// nullopt if the program cannot be started.
 std::optional<ProcessResult> RunProcess(std::vector<std::string> arguments);
 
 }  // namespace touchdown::util

@@ -4,7 +4,7 @@
 
 namespace touchdown::util {
 
-/// SHA-256 of the running program's file. It identifies the build that produced a result.
+/// SHA-256 of the executable of this process. It identifies the build that produced a result.
 const std::string& ProgramDigest();
 
 }  // namespace touchdown::util

@@ -13,7 +13,7 @@ class ScratchFolder {
  public:
   ScratchFolder() {
     std::string pattern = (std::filesystem::temp_directory_path() / "touchdown.XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw InputError("no temporary folder can be made");
+    if (mkdtemp(pattern.data()) == nullptr) throw InputError("a temporary folder cannot be created");
     path_ = pattern;
   }
   ~ScratchFolder() {

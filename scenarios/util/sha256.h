@@ -6,14 +6,14 @@
 
 namespace touchdown::util {
 
-/// SHA-256 of a text, computed piece by piece.
+/// SHA-256 of a text that is added in pieces.
 class Sha256Stream {
  public:
   Sha256Stream();
   ~Sha256Stream();
 
   void Add(std::string_view piece);
-  /// The digest in lower-case hexadecimal. Ends the stream.
+  /// Ends the stream. Returns the digest in lower-case hexadecimal.
   std::string Finish();
 
  private:

@@ -17,11 +17,12 @@ namespace {
 constexpr double kUpper = 0.975;  // Upper quantile of a two-sided 95 % interval.
 
 void RequireSome(std::size_t count) {
-  if (count == 0) throw std::invalid_argument("there are no values to sum up");
+  if (count == 0) throw std::invalid_argument("there are no values");
 }
 
 void RequireClusters(int clusters, std::size_t trials) {
-  if (clusters < 1 || static_cast<std::size_t>(clusters) > trials) throw std::invalid_argument("no such clusters");
+  if (clusters < 1 || static_cast<std::size_t>(clusters) > trials)
+    throw std::invalid_argument("the number of clusters must be between 1 and the number of trials");
 }
 
 }  // namespace
@@ -74,10 +75,11 @@ Interval QuantileInterval(std::vector<double> values, double q, int clusters) {
 }
 
 int FewestForQuantile(double q) {
-  // All of them on one side of the quantile must be rarer than an interval's miss on that side.
-  const double nearer = std::max(q, 1.0 - q);
-  if (!(nearer < 1.0)) throw std::invalid_argument("no number of values bounds a quantile of 0 or 1");
-  return static_cast<int>(std::ceil(std::log(1.0 - kUpper) / std::log(nearer)));
+  // The probability that all values are on one side of the quantile must be at most 1 - kUpper.
+  const double larger = std::max(q, 1.0 - q);
+  if (!(larger < 1.0))
+    throw std::invalid_argument("the interval of a quantile of 0 or 1 is not bounded by any number of values");
+  return static_cast<int>(std::ceil(std::log(1.0 - kUpper) / std::log(larger)));
 }
 
 double NormalQuantile(double probability) { return boost::math::quantile(boost::math::normal(), probability); }
@@ -86,9 +88,9 @@ double StudentsTQuantile(double probability, int degrees_of_freedom) {
   return boost::math::quantile(boost::math::students_t(degrees_of_freedom), probability);
 }
 
-double BinomialTail(int least, int trials, double probability) {
-  if (least <= 0) return 1.0;
-  return boost::math::cdf(boost::math::complement(boost::math::binomial(trials, probability), least - 1));
+double BinomialTail(int min_successes, int trials, double probability) {
+  if (min_successes <= 0) return 1.0;
+  return boost::math::cdf(boost::math::complement(boost::math::binomial(trials, probability), min_successes - 1));
 }
 
 Interval MeanInterval(std::span<const double> values) {

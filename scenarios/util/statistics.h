@@ -5,7 +5,7 @@
 
 namespace touchdown::util {
 
-/// A value with its 95 % confidence interval.
+/// Value with its 95 % confidence interval.
 struct Interval {
   double value = 0.0;
   double low = 0.0;
@@ -21,29 +21,32 @@ double StandardDeviation(std::span<const double> values);
 /// Quantile `q` of at least one value, interpolated between order statistics.
 double Quantile(std::span<const double> values, double q);
 
-/// Quantile with its distribution-free interval from order statistics (David and
-/// Nagaraja 2003, section 7.1): an end that the values do not bound is infinite. `clusters`: see WilsonInterval.
+/// Quantile with its distribution-free interval from order statistics (David and Nagaraja 2003, section 7.1). A bound
+/// that the number of values does not determine is infinite. For `clusters` see WilsonInterval.
 Interval QuantileInterval(std::vector<double> values, double q, int clusters);
 
-/// Smallest number of values that bound both ends of the interval of quantile `q`, in (0, 1).
+/// Smallest number of values for which both bounds of the interval of quantile `q`, in (0, 1), are finite.
 int FewestForQuantile(double q);
 
-/// Normal quantile (inverse CDF), and quantile of Student's t distribution.
+/// Quantile (inverse CDF) of the standard normal distribution.
 double NormalQuantile(double probability);
+/// Quantile of Student's t distribution.
 double StudentsTQuantile(double probability, int degrees_of_freedom);
 
-/// P(X >= least) for X ~ Binomial(trials, probability).
-double BinomialTail(int least, int trials, double probability);
+/// P(X >= min_successes) for X ~ Binomial(trials, probability).
+double BinomialTail(int min_successes, int trials, double probability);
 
-/// Mean with its interval by Student's t with n - 1 degrees of freedom; the interval of a single value is the value.
+/// Mean of n values with its interval by Student's t with n - 1 degrees of freedom. For n = 1 both bounds are the
+/// value.
 Interval MeanInterval(std::span<const double> values);
 
-/// Rate of `successes` in `trials` with Wilson's score interval (Wilson 1927), which is valid at 0 and 1, too. `trials`
+/// Rate of `successes` in `trials` with Wilson's score interval (Wilson 1927), which is valid at 0 and 1 too. `trials`
 /// must be positive.
 Interval WilsonInterval(int successes, int trials);
 
-/// Same for trials in clusters that may succeed or fail together, as the flights of one seed: each cluster counts as a
-/// single trial, a lower bound of its information. `clusters` is between 1 and `trials`.
+/// Wilson's score interval for correlated trials, such as flights of the same seed. The trials form `clusters` groups.
+/// Each group counts as a single trial, which is a lower bound of its information. `clusters` is between 1 and
+/// `trials`.
 Interval WilsonInterval(int successes, int trials, int clusters);
 
 }  // namespace touchdown::util

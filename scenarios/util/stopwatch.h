@@ -4,7 +4,7 @@
 
 namespace touchdown::util {
 
-/// Wall-clock time since its construction: for timing.json, not for the loop.
+/// Measures the wall-clock time since its construction. Use it for timing reports only, not within the simulation.
 class Stopwatch {
  public:
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }

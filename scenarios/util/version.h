@@ -4,7 +4,7 @@
 
 namespace touchdown::util {
 
-/// The project's version, "0.2.0".
+/// Version of the project, for example "0.2.0".
 std::string_view Version();
 
 }  // namespace touchdown::util

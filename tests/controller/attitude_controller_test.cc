@@ -23,8 +23,8 @@ using tests::kVehicle;
 
 struct LoopConfig {
   models::Vehicle truth;
-  int delay_periods = 0;                        ///< Of the attitude and rate that the controller sees.
-  Vector3d disturbance_n_m = Vector3d::Zero();  ///< By an off-center push at the body's origin: as a rate step.
+  int delay_periods = 0;                        ///< Delay of the attitude and rate inputs of the controller.
+  Vector3d disturbance_n_m = Vector3d::Zero();  ///< Constant torque of an off-center load.
   double thrust_n = kVehicle.mass_kg * models::kGravity_m_s2;
 };
 
@@ -56,7 +56,7 @@ void FlyAttitude(const LoopConfig& config, const TaitBryan& start, const TaitBry
   }
 }
 
-TEST(AttitudeLoop, FollowsAStepOfRollQuicklyWithLittleOvershoot) {
+TEST(AttitudeLoop, TracksRollStepWithSmallOvershoot) {
   const double step = DegToRad(10.0);
   double rise_s = 0.0, peak = 0.0, last = 0.0;
   FlyAttitude({}, {}, {.roll = step}, 2.0, [&](double t, const TaitBryan& attitude, const Vector3d&) {
@@ -70,7 +70,7 @@ TEST(AttitudeLoop, FollowsAStepOfRollQuicklyWithLittleOvershoot) {
   EXPECT_NEAR(last, step, 0.02 * step);
 }
 
-TEST(AttitudeLoop, StaysDampedWithMoreDelayAndSlowerRotorsThanItWasTunedFor) {
+TEST(AttitudeLoop, IsDampedWithLargerDelayAndRotorLag) {
   LoopConfig config;
   config.delay_periods = 2;
   config.truth.rotor.time_constant_s = 0.06;
@@ -82,7 +82,7 @@ TEST(AttitudeLoop, StaysDampedWithMoreDelayAndSlowerRotorsThanItWasTunedFor) {
   EXPECT_LT(late, DegToRad(0.5));
 }
 
-TEST(AttitudeLoop, TurnsToAFarYawAtALimitedRateWhileItStaysLevel) {
+TEST(AttitudeLoop, LimitsYawRateAndStaysLevel) {
   double fastest = 0.0, tilt = 0.0, last = 0.0;
   FlyAttitude({}, {.yaw = DegToRad(120.0)}, {}, 8.0, [&](double, const TaitBryan& attitude, const Vector3d& w) {
     fastest = std::max(fastest, std::abs(w.z()));
@@ -94,7 +94,7 @@ TEST(AttitudeLoop, TurnsToAFarYawAtALimitedRateWhileItStaysLevel) {
   EXPECT_NEAR(last, 0.0, DegToRad(1.0));
 }
 
-TEST(AttitudeLoop, TakesTheShortWayAroundInYaw) {
+TEST(AttitudeLoop, UsesShortestYawRotation) {
   double smallest = DegToRad(170.0);
   FlyAttitude({}, {.yaw = DegToRad(170.0)}, {.yaw = DegToRad(-170.0)}, 2.0,
               [&](double, const TaitBryan& attitude, const Vector3d&) {
@@ -103,7 +103,7 @@ TEST(AttitudeLoop, TakesTheShortWayAroundInYaw) {
   EXPECT_GT(smallest, DegToRad(165.0));
 }
 
-TEST(AttitudeLoop, IntegratesAConstantTorqueAway) {
+TEST(AttitudeLoop, CompensatesConstantTorque) {
   LoopConfig config;
   config.disturbance_n_m = {0.03, -0.02, 0.005};
   TaitBryan last;
@@ -113,7 +113,7 @@ TEST(AttitudeLoop, IntegratesAConstantTorqueAway) {
   EXPECT_NEAR(last.yaw, 0.0, DegToRad(1.0));
 }
 
-TEST(AttitudeController, AsksForTheSameAngularAccelerationWhateverTheInertia) {
+TEST(AttitudeController, CommandsAngularAccelerationIndependentOfInertia) {
   models::Vehicle heavy = kVehicle;
   heavy.inertia_kg_m2 *= 3.0;
   const TaitBryan set_point{.roll = 0.1, .pitch = -0.05, .yaw = 0.2};
@@ -125,7 +125,7 @@ TEST(AttitudeController, AsksForTheSameAngularAccelerationWhateverTheInertia) {
   EXPECT_GT(light_torque.z(), 0.0);
 }
 
-TEST(AttitudeController, DoesNotWindUpOnAnAxisThatTheRotorsCannotServe) {
+TEST(AttitudeController, DoesNotWindUpOnSaturatedAxis) {
   AttitudeController saturated({}, kVehicle, kPeriod_s), free({}, kVehicle, kPeriod_s);
   const TaitBryan set_point{.roll = 0.3};
   for (int i = 0; i < 400; ++i) {
@@ -139,7 +139,7 @@ TEST(AttitudeController, DoesNotWindUpOnAnAxisThatTheRotorsCannotServe) {
   EXPECT_NEAR(free.Torque({}, {}, Vector3d::Zero()).x(), limit, 1e-9);
 }
 
-TEST(AttitudeController, UnwindsWhileSaturatedTheOtherWay) {
+TEST(AttitudeController, UnwindsWhileSaturated) {
   AttitudeController controller({}, kVehicle, kPeriod_s);
   for (int i = 0; i < 400; ++i) controller.Integrate(controller.Torque({.roll = 0.3}, {}, Vector3d::Zero()));
   const double wound = controller.Torque({}, {}, Vector3d::Zero()).x();
@@ -150,14 +150,14 @@ TEST(AttitudeController, UnwindsWhileSaturatedTheOtherWay) {
   EXPECT_LT(controller.Torque({}, {}, Vector3d::Zero()).x(), wound);
 }
 
-TEST(AttitudeController, ForgetsOnReset) {
+TEST(AttitudeController, ClearsStateOnReset) {
   AttitudeController controller({}, kVehicle, kPeriod_s);
   for (int i = 0; i < 50; ++i) controller.Integrate(controller.Torque({.roll = 0.3}, {}, Vector3d(0.1, 0.0, 0.0)));
   controller.Reset();
   EXPECT_EQ(controller.Torque({}, {}, Vector3d::Zero()), Vector3d::Zero());
 }
 
-TEST(AttitudeControllerConfig, RefusesNumbersThatMakeNoController) {
+TEST(AttitudeControllerConfig, RejectsInvalidValues) {
   EXPECT_NO_THROW(AttitudeControllerConfig{}.Validate());
   AttitudeControllerConfig negative;
   negative.yaw_rate_gain_1_s = -1.0;

@@ -29,7 +29,7 @@ models::VehicleEstimate At(double time_s, const Vector3d& p_m) {
   return estimate;
 }
 
-TEST(FlightController, KeepsTheMotorsOffInStandby) {
+TEST(FlightController, KeepsMotorsOffInStandby) {
   FlightController controller({}, {}, kTime, 200, {TakeoffTo(1.0)}, false);
   EXPECT_EQ(controller.phase(), Phase::kStandby);
   const ControlOutput output = controller.Update({});
@@ -37,7 +37,7 @@ TEST(FlightController, KeepsTheMotorsOffInStandby) {
   EXPECT_EQ(output.thrust_n, 0.0);
 }
 
-TEST(FlightController, ClimbsBlindInTheStanceThatItStoodIn) {
+TEST(FlightController, KeepsStandingTiltInBlindClimb) {
   FlightController controller({}, {}, kTime, 200, {TakeoffTo(1.0)}, false);
   ControlOutput output;
   const models::TaitBryan stance{.roll = 0.02, .pitch = -0.01};
@@ -53,7 +53,7 @@ TEST(FlightController, ClimbsBlindInTheStanceThatItStoodIn) {
   EXPECT_GT(output.thrust_n, models::Vehicle{}.mass_kg * models::kGravity_m_s2);
 }
 
-TEST(FlightController, HoldsLevelAtHoverThrustBeforeTheFirstSighting) {
+TEST(FlightController, HoldsLevelAtHoverThrustBeforeFirstDetection) {
   FlightController controller({}, {}, kTime, 200, {HoverAt({0.0, 0.0, 1.0}, 1.0)}, true);
   const ControlOutput output = controller.Update({});
   EXPECT_EQ(output.phase, Phase::kHold);
@@ -62,7 +62,7 @@ TEST(FlightController, HoldsLevelAtHoverThrustBeforeTheFirstSighting) {
   EXPECT_NEAR(output.torque_n_m.norm(), 0.0, 1e-12);
 }
 
-TEST(FlightController, FliesByVisionWhileItIsFreshAndByPredictionOtherwise) {
+TEST(FlightController, UsesVisionWhileFreshAndPredictionOtherwise) {
   FlightController controller({}, {}, kTime, 200, {HoverAt({0.0, 0.0, 1.0}, 60.0)}, true);
   ControlOutput output;
   for (double t = 0.0; t < 1.0; t += 0.005) output = controller.Update(At(t, {0.1, 0.0, 1.0}));
@@ -75,7 +75,7 @@ TEST(FlightController, FliesByVisionWhileItIsFreshAndByPredictionOtherwise) {
   EXPECT_NEAR(output.motion.p_WB.x(), 0.1, 0.01);
 }
 
-TEST(FlightController, RefusesWhatCannotBeFlown) {
+TEST(FlightController, RejectsInvalidConfigurationAndScript) {
   models::Vehicle weak;
   weak.rotor.max_speed_rad_s = 300.0;
   EXPECT_THROW(FlightController({}, weak, kTime, 200, {TakeoffTo(1.0)}, false), InputError);
@@ -93,14 +93,14 @@ RigConfig TakeoffHoverLand(std::uint64_t seed) {
   return config;
 }
 
-TEST(Flight, TakesOffHoversAndLandsThroughThePhasesInOrder) {
+TEST(Flight, PassesPhasesInOrderFromTakeoffToLanding) {
   const RigResult result = Fly(TakeoffHoverLand(1));
   const std::vector<Phase> expected{Phase::kStandby, Phase::kBlindClimb,   Phase::kRamp,     Phase::kHover,
                                     Phase::kLanding, Phase::kBlindDescent, Phase::kTouchdown};
   EXPECT_EQ(result.phases, expected);
 }
 
-TEST(Flight, GivesUpWhenThePadIsNeverSeen) {
+TEST(Flight, GivesUpWithoutPad) {
   RigConfig config = TakeoffHoverLand(1);
   config.events = [](double, tests::QuadrotorOde&) { return false; };
   const RigResult result = Fly(config);
@@ -110,7 +110,7 @@ TEST(Flight, GivesUpWhenThePadIsNeverSeen) {
   EXPECT_LT(result.max_tilt_rad, models::DegToRad(10.0));
 }
 
-TEST(Flight, GivesUpWhenThePadIsCoveredForGood) {
+TEST(Flight, GivesUpIfPadStaysCovered) {
   RigConfig config = TakeoffHoverLand(2);
   config.events = [](double t, tests::QuadrotorOde&) { return t < 7.0; };
   const RigResult result = Fly(config);
@@ -118,7 +118,7 @@ TEST(Flight, GivesUpWhenThePadIsCoveredForGood) {
   EXPECT_FALSE(result.crashed);
 }
 
-TEST(Flight, CarriesOnWhenThePadIsCoveredForAWhile) {
+TEST(Flight, ContinuesAfterPadIsCoveredTemporarily) {
   RigConfig config = TakeoffHoverLand(3);
   config.events = [](double t, tests::QuadrotorOde&) { return t < 7.0 || t > 8.2; };
   const RigResult result = Fly(config);
@@ -128,7 +128,7 @@ TEST(Flight, CarriesOnWhenThePadIsCoveredForAWhile) {
   EXPECT_LT(result.touchdown->xy_m, 0.06);
 }
 
-TEST(Flight, IsTheSameBitForBitForTheSameSeed) {
+TEST(Flight, IsBitIdenticalForSameSeed) {
   const RigResult a = Fly(TakeoffHoverLand(4)), b = Fly(TakeoffHoverLand(4)), other = Fly(TakeoffHoverLand(5));
   ASSERT_TRUE(a.touchdown && b.touchdown && other.touchdown);
   EXPECT_EQ(a.touchdown->xy_m, b.touchdown->xy_m);

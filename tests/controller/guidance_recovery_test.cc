@@ -15,7 +15,7 @@ using tests::kPeriod_s;
 using tests::kTakeoff;
 using Flight = tests::GuidedFlight;
 
-TEST(Guidance, StopsTheMotorsOfABlindDescentThatTakesTooLong) {
+TEST(Guidance, StopsMotorsWhenBlindDescentTimesOut) {
   Flight flight({kLand}, true);
   flight.follows = true;
   ASSERT_TRUE(flight.RunUntil(Phase::kBlindDescent, 15.0));
@@ -23,7 +23,7 @@ TEST(Guidance, StopsTheMotorsOfABlindDescentThatTakesTooLong) {
   EXPECT_TRUE(flight.RunUntil(Phase::kTouchdown, 2.0));
 }
 
-TEST(Guidance, HoldsThenClimbsThenGivesUpWithoutThePad) {
+TEST(Guidance, HoldsThenClimbsThenGivesUpWithoutPad) {
   Flight flight({kHover}, true);
   flight.p.z() = 1.0;
   flight.Run(0.5);
@@ -39,7 +39,7 @@ TEST(Guidance, HoldsThenClimbsThenGivesUpWithoutThePad) {
   EXPECT_EQ(flight.output.phase, Phase::kGaveUp);
 }
 
-TEST(Guidance, GivesUpWhenItHasClimbedFarEnoughFromAnyHeight) {
+TEST(Guidance, GivesUpAtLimitOfSearchClimbFromAnyHeight) {
   for (const double height_m : {0.5, 1.0, 4.0}) {
     Flight flight({kHover}, true);
     flight.p.z() = height_m;
@@ -53,16 +53,16 @@ TEST(Guidance, GivesUpWhenItHasClimbedFarEnoughFromAnyHeight) {
   }
 }
 
-TEST(Guidance, GivesUpALandingThatTakesTooLong) {
+TEST(Guidance, GivesUpWhenLandingTimesOut) {
   Flight flight({kLand}, true);
-  flight.p = {1.0, 0.0, 1.0};  // Outside the cone, for good.
+  flight.p = {1.0, 0.0, 1.0};  // Outside the cone until the end.
   ASSERT_TRUE(flight.RunUntil(Phase::kLanding, 1.0));
   flight.Run(kConfig.landing_limit_s - 1.0);
   EXPECT_EQ(flight.output.phase, Phase::kLanding);
   EXPECT_TRUE(flight.RunUntil(Phase::kGaveUp, 1.5));
 }
 
-TEST(Guidance, RestartsALandingFromTheHeightWhereThePadIsFoundAgain) {
+TEST(Guidance, RestartsLandingAtHeightWherePadIsFoundAgain) {
   Flight flight({kLand}, true);
   flight.follows = true;
   flight.Run(2.0);
@@ -76,7 +76,7 @@ TEST(Guidance, RestartsALandingFromTheHeightWhereThePadIsFoundAgain) {
   EXPECT_EQ(flight.output.p_m, Vector3d(0.0, 0.0, 1.3));
 }
 
-/// A takeoff that has reached the ramp, the vehicle at 0.35 m.
+/// Takeoff in the ramp phase with the vehicle at 0.35 m.
 Flight OnTheRamp() {
   Flight flight({kTakeoff, kLand}, false);
   flight.LosePad();
@@ -87,7 +87,7 @@ Flight OnTheRamp() {
   return flight;
 }
 
-TEST(Guidance, HoldsWhenABlindClimbThatStaysLowTakesTooLong) {
+TEST(Guidance, HoldsWhenBlindClimbTimesOut) {
   Flight flight({kTakeoff}, false);
   flight.LosePad();
   ASSERT_TRUE(flight.RunUntil(Phase::kBlindClimb, 2.0));
@@ -96,14 +96,14 @@ TEST(Guidance, HoldsWhenABlindClimbThatStaysLowTakesTooLong) {
   EXPECT_TRUE(flight.RunUntil(Phase::kHold, 0.1));
 }
 
-TEST(Guidance, GivesUpARampThatNeverArrives) {
+TEST(Guidance, GivesUpWhenRampTimesOut) {
   Flight flight = OnTheRamp();
   flight.Run(kConfig.ramp_limit_s - 0.05);
   EXPECT_EQ(flight.output.phase, Phase::kRamp);
   EXPECT_TRUE(flight.RunUntil(Phase::kGaveUp, 0.1));
 }
 
-TEST(Guidance, HoldsTheRampsSetPointWhileThePadIsLostAndGoesOnFromTheVehiclesHeight) {
+TEST(Guidance, HoldsRampSetPointDuringLossAndResumesFromVehicleHeight) {
   Flight flight = OnTheRamp();
   flight.Run(1.0);
   const Vector3d set_point = flight.output.p_m;
@@ -119,7 +119,7 @@ TEST(Guidance, HoldsTheRampsSetPointWhileThePadIsLostAndGoesOnFromTheVehiclesHei
   EXPECT_NEAR(flight.output.p_m.z(), 0.55, kConfig.climb_rate_m_s * kPeriod_s + 1e-12);
 }
 
-TEST(Guidance, GoesFromTheSearchBackToTheRampOfAnUnfinishedTakeoff) {
+TEST(Guidance, ReturnsFromSearchToRampOfUnfinishedTakeoff) {
   Flight flight = OnTheRamp();
   flight.LosePad();
   ASSERT_TRUE(flight.RunUntil(Phase::kSearchClimb, kConfig.hold_limit_s + 0.1));
@@ -132,7 +132,7 @@ TEST(Guidance, GoesFromTheSearchBackToTheRampOfAnUnfinishedTakeoff) {
   EXPECT_EQ(flight.Step().phase, Phase::kLanding);
 }
 
-TEST(Guidance, GoesFromTheSearchBackToTheHoversSetPoint) {
+TEST(Guidance, ReturnsFromSearchToHoverSetPoint) {
   Flight flight({kHover, kLand}, true);
   flight.p = kHover.position_m;
   flight.Run(0.5);

@@ -22,7 +22,7 @@ using tests::kTakeoff;
 using tests::kTime;
 using Flight = tests::GuidedFlight;
 
-TEST(Guidance, FliesAScriptFromStandbyToTouchdown) {
+TEST(Guidance, FliesScriptFromStandbyToTouchdown) {
   Flight flight({kTakeoff, kHover, kLand}, false);
   flight.LosePad();
   flight.Step();
@@ -44,7 +44,7 @@ TEST(Guidance, FliesAScriptFromStandbyToTouchdown) {
   EXPECT_EQ(flight.output.phase, Phase::kTouchdown);
 }
 
-TEST(Guidance, RaisesTheThrustInTheBlindClimbUpToItsLimit) {
+TEST(Guidance, RaisesThrustToLimitInBlindClimb) {
   Flight flight({kTakeoff}, false);
   flight.LosePad();
   ASSERT_TRUE(flight.RunUntil(Phase::kBlindClimb, 2.0));
@@ -55,7 +55,7 @@ TEST(Guidance, RaisesTheThrustInTheBlindClimbUpToItsLimit) {
   EXPECT_DOUBLE_EQ(flight.output.thrust_ratio, kConfig.max_thrust_ratio);
 }
 
-TEST(Guidance, ClimbsBlindUpToTheVisionFloorThoughThePadIsSeen) {
+TEST(Guidance, ClimbsBlindToVisionFloorEvenWithPadInView) {
   Flight flight({kTakeoff}, false);
   ASSERT_TRUE(flight.RunUntil(Phase::kBlindClimb, 2.0));
   flight.p.z() = kStanding_m + 0.9 * kConfig.vision_floor_clearance_m;
@@ -64,7 +64,7 @@ TEST(Guidance, ClimbsBlindUpToTheVisionFloorThoughThePadIsSeen) {
   EXPECT_EQ(flight.Step().phase, Phase::kRamp);
 }
 
-TEST(Guidance, StopsTheBlindClimbAtItsHeight) {
+TEST(Guidance, StopsBlindClimbAtHeightLimit) {
   Flight flight({kTakeoff}, false);
   flight.LosePad();
   ASSERT_TRUE(flight.RunUntil(Phase::kBlindClimb, 2.0));
@@ -72,10 +72,10 @@ TEST(Guidance, StopsTheBlindClimbAtItsHeight) {
   EXPECT_EQ(flight.Step().phase, Phase::kBlindClimb);
   flight.p.z() = kStanding_m + 1.01 * kConfig.blind_climb_limit_m;
   EXPECT_EQ(flight.Step().phase, Phase::kHold);
-  EXPECT_EQ(flight.output.p_m, flight.p);  // Never saw the pad: it holds where it thinks it is.
+  EXPECT_EQ(flight.output.p_m, flight.p);  // Without a detection, it holds its predicted position.
 }
 
-TEST(Guidance, RampsUpAtAConstantRate) {
+TEST(Guidance, RampsUpAtConstantRate) {
   Flight flight({kTakeoff}, false);
   flight.LosePad();
   ASSERT_TRUE(flight.RunUntil(Phase::kBlindClimb, 2.0));
@@ -87,7 +87,7 @@ TEST(Guidance, RampsUpAtAConstantRate) {
   EXPECT_NEAR(flight.output.p_m.z(), 0.35 + kConfig.climb_rate_m_s, 0.01);
   EXPECT_DOUBLE_EQ(flight.output.v_m_s.z(), kConfig.climb_rate_m_s);
   EXPECT_EQ(flight.output.p_m.head<2>(), Eigen::Vector2d::Zero());
-  flight.Run(2.0);  // The set-point has arrived, the vehicle has not.
+  flight.Run(2.0);  // The set-point has reached the height, but the vehicle has not.
   EXPECT_EQ(flight.output.phase, Phase::kRamp);
   EXPECT_DOUBLE_EQ(flight.output.p_m.z(), 1.0);
   EXPECT_EQ(flight.output.v_m_s, Vector3d::Zero());
@@ -95,7 +95,7 @@ TEST(Guidance, RampsUpAtAConstantRate) {
   EXPECT_EQ(flight.Step().phase, Phase::kHover);
 }
 
-TEST(Guidance, HoversForAsLongAsTheScriptSaysNotCountingLosses) {
+TEST(Guidance, ExcludesLossesFromHoverDuration) {
   Flight flight({kHover, kLand}, true);
   flight.Run(1.0);
   EXPECT_EQ(flight.output.phase, Phase::kHover);
@@ -111,7 +111,7 @@ TEST(Guidance, HoversForAsLongAsTheScriptSaysNotCountingLosses) {
   EXPECT_EQ(flight.output.phase, Phase::kLanding);
 }
 
-TEST(Guidance, SaysWhenAScriptThatEndsInTheAirIsDone) {
+TEST(Guidance, ReportsEndOfScriptInTheAir) {
   Flight flight({kHover}, true);
   flight.Run(1.9);
   EXPECT_FALSE(flight.output.script_done);
@@ -121,7 +121,7 @@ TEST(Guidance, SaysWhenAScriptThatEndsInTheAirIsDone) {
   EXPECT_EQ(flight.output.p_m, kHover.position_m);
 }
 
-TEST(Guidance, StartsInTheAirInAHoldUntilThePadIsFound) {
+TEST(Guidance, HoldsAfterAirborneStartUntilPadIsFound) {
   Flight flight({kLand}, true);
   flight.LosePad();
   flight.p.setZero();
@@ -134,7 +134,7 @@ TEST(Guidance, StartsInTheAirInAHoldUntilThePadIsFound) {
   EXPECT_EQ(flight.output.p_m, Vector3d(0.0, 0.0, 1.5));
 }
 
-TEST(Guidance, StepsDownOnlyAfterT0InTheCone) {
+TEST(Guidance, StepsDownAfterT0InCone) {
   Flight flight({kLand}, true);
   const double cone_m =
       kConfig.cone_radius_m + (1.5 - kBlindHeight_m) * std::tan(models::DegToRad(kConfig.cone_half_angle_deg));
@@ -146,11 +146,11 @@ TEST(Guidance, StepsDownOnlyAfterT0InTheCone) {
   EXPECT_DOUBLE_EQ(flight.output.p_m.z(), 1.5);
   flight.Run(0.03);
   EXPECT_LT(flight.output.p_m.z(), 1.5);
-  flight.Run(1.0);  // Not following: the height error keeps it from taking the next step.
+  flight.Run(1.0);  // The vehicle does not follow, so the height error prevents the next step.
   EXPECT_NEAR(flight.output.p_m.z(), 1.5 - kConfig.h_step_m, 1e-9);
 }
 
-TEST(Guidance, WaitsForTheHeightErrorBeforeItSteps) {
+TEST(Guidance, WaitsForHeightErrorBeforeStep) {
   Flight flight({kLand}, true);
   flight.Step();
   flight.p.z() = 1.5 + 1.05 * kConfig.h_err_m;
@@ -161,7 +161,7 @@ TEST(Guidance, WaitsForTheHeightErrorBeforeItSteps) {
   EXPECT_LT(flight.output.p_m.z(), 1.5);
 }
 
-TEST(Guidance, StartsTheWaitOverWhenTheConeIsLeft) {
+TEST(Guidance, RestartsWaitWhenVehicleLeavesCone) {
   Flight flight({kLand}, true);
   flight.Run(0.8 * kConfig.t_0_s);
   flight.p.x() = 1.0;
@@ -171,12 +171,12 @@ TEST(Guidance, StartsTheWaitOverWhenTheConeIsLeft) {
   EXPECT_DOUBLE_EQ(flight.output.p_m.z(), 1.5);
 }
 
-TEST(Guidance, NarrowsTheConeTowardsThePad) {
+TEST(Guidance, NarrowsConeTowardsPad) {
   Flight flight({kLand}, true);
   flight.follows = true;
   flight.Run(0.5);
   flight.follows = false;
-  // Follows in height, at an offset that only the upper part of Q' allows.
+  // The vehicle follows in height, with an offset that only the upper part of Q' allows.
   const double offset_m = kConfig.cone_radius_m + 0.5 * std::tan(models::DegToRad(kConfig.cone_half_angle_deg));
   for (int i = 0; i < 4000; ++i) {
     flight.p = {offset_m, 0.0, flight.output.p_m.z()};
@@ -186,7 +186,7 @@ TEST(Guidance, NarrowsTheConeTowardsThePad) {
   EXPECT_NEAR(flight.output.p_m.z(), kBlindHeight_m + 0.5, kConfig.h_step_m);
 }
 
-TEST(Guidance, DescendsBlindOnlyWhenSlow) {
+TEST(Guidance, BeginsBlindDescentOnlyAtLowSpeed) {
   Flight flight({kLand}, true);
   flight.follows = true;
   flight.v = {1.1 * kConfig.blind_entry_speed_m_s, 0.0, 0.0};
@@ -197,7 +197,7 @@ TEST(Guidance, DescendsBlindOnlyWhenSlow) {
   EXPECT_EQ(flight.Step().phase, Phase::kBlindDescent);
 }
 
-TEST(Guidance, DescendsBlindAtAConstantRateWithOrWithoutThePad) {
+TEST(Guidance, DescendsBlindAtConstantRateWithAndWithoutPad) {
   for (const bool seen : {true, false}) {
     Flight flight({kLand}, true);
     flight.follows = true;
@@ -210,7 +210,7 @@ TEST(Guidance, DescendsBlindAtAConstantRateWithOrWithoutThePad) {
   }
 }
 
-TEST(Guidance, RefusesAScriptThatCannotBeFlown) {
+TEST(Guidance, RejectsInvalidScript) {
   const auto make = [](std::vector<Maneuver> script, bool airborne) {
     Guidance(kConfig, kTime, kPeriod_s, kStanding_m, std::move(script), airborne);
   };
@@ -232,7 +232,7 @@ TEST(Guidance, RefusesAScriptThatCannotBeFlown) {
   EXPECT_THROW(make({backwards}, true), InputError);
 }
 
-TEST(GuidanceConfig, RefusesNumbersThatContradictEachOther) {
+TEST(GuidanceConfig, RejectsContradictoryValues) {
   EXPECT_NO_THROW(GuidanceConfig{}.Validate());
   const auto refuses = [](const std::function<void(GuidanceConfig&)>& change) {
     GuidanceConfig config;

@@ -56,11 +56,11 @@ TEST(ManyFlights, TakeOffHoverAndLand) {
   }
 }
 
-TEST(ManyFlights, LandFromAsideWithTheGyroBiasUnknown) {
+TEST(ManyFlights, LandFromOffsetWithUnknownGyroBias) {
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) ExpectLanded(Fly(LandingFromAside(seed)), seed);
 }
 
-TEST(ManyFlights, LandWithAWrongMass) {
+TEST(ManyFlights, LandWithMassError) {
   for (const double ratio : {0.95, 1.05}) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
       RigConfig config = TakeoffHoverLand(seed);
@@ -70,7 +70,7 @@ TEST(ManyFlights, LandWithAWrongMass) {
   }
 }
 
-TEST(ManyFlights, LandInAWindThatComesUpInFlight) {
+TEST(ManyFlights, LandWhenWindRisesDuringFlight) {
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     RigConfig config = TakeoffHoverLand(seed);
     config.events = [](double t, QuadrotorOde& truth) {
@@ -89,7 +89,7 @@ TEST(ManyFlights, LandFromAnyHeading) {
   }
 }
 
-TEST(ManyFlights, HoverThroughPushes) {
+TEST(ManyFlights, HoverDespitePushes) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     RigConfig config;
     config.seed = seed;

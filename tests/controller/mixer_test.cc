@@ -19,7 +19,7 @@ using tests::kWeight_n;
 
 Wrench Wanted(double thrust_n, const Vector3d& torque_n_m) { return {.thrust_n = thrust_n, .torque_n_m = torque_n_m}; }
 
-TEST(Mixer, GivesTheWantedWrenchByThePhysicsOfTheRotors) {
+TEST(Mixer, ProducesDemandedWrench) {
   const Mixer mixer(kVehicle);
   models::RandomStream random(1, "mixer_test");
   for (int i = 0; i < 200; ++i) {
@@ -34,7 +34,7 @@ TEST(Mixer, GivesTheWantedWrenchByThePhysicsOfTheRotors) {
   }
 }
 
-TEST(Mixer, SpeedsUpTheRotorsThatTurnTheVehicleAsAsked) {
+TEST(Mixer, SpeedsUpRotorsInDemandedDirection) {
   const Mixer mixer(kVehicle);
   enum { kFrontLeft, kFrontRight, kRearRight, kRearLeft };
   const auto speeds = [&](const Vector3d& torque) { return mixer.Mix(Wanted(kWeight_n, torque)).rotors.speed_rad_s; };
@@ -50,7 +50,7 @@ TEST(Mixer, SpeedsUpTheRotorsThatTurnTheVehicleAsAsked) {
   EXPECT_GT(turn_left[kRearRight], turn_left[kRearLeft]);
 }
 
-TEST(Mixer, ReportsTheWrenchThatItsSpeedsGiveWhateverIsAsked) {
+TEST(Mixer, ReportsAchievedWrenchForAnyDemand) {
   const Mixer mixer(kVehicle);
   models::RandomStream random(2, "mixer_test");
   for (int i = 0; i < 500; ++i) {
@@ -67,7 +67,7 @@ TEST(Mixer, ReportsTheWrenchThatItsSpeedsGiveWhateverIsAsked) {
   }
 }
 
-TEST(Mixer, GivesUpYawBeforeAnythingElse) {
+TEST(Mixer, ReducesYawTorqueFirst) {
   const Wrench wanted = Wanted(kWeight_n, {0.5, -0.3, 5.0});
   const Wrench achieved = Mixer(kVehicle).Mix(wanted).achieved;
   EXPECT_NEAR(achieved.thrust_n, wanted.thrust_n, 1e-9);
@@ -77,7 +77,7 @@ TEST(Mixer, GivesUpYawBeforeAnythingElse) {
   EXPECT_LT(achieved.torque_n_m.z(), 0.2);
 }
 
-TEST(Mixer, GivesUpThrustBeforeRollAndPitch) {
+TEST(Mixer, ReducesThrustBeforeRollAndPitchTorque) {
   const double most_n = 4.0 * kVehicle.rotor.ThrustAt(kVehicle.rotor.max_speed_rad_s);
   for (const double thrust_n : {2.0 * most_n, 0.0}) {
     const Wrench wanted = Wanted(thrust_n, {0.6, 0.2, 0.1});
@@ -91,7 +91,7 @@ TEST(Mixer, GivesUpThrustBeforeRollAndPitch) {
   }
 }
 
-TEST(Mixer, KeepsTheDirectionOfATiltingTorqueThatIsTooLarge) {
+TEST(Mixer, KeepsDirectionOfSaturatedTiltTorque) {
   const Wrench achieved = Mixer(kVehicle).Mix(Wanted(kWeight_n, {30.0, 10.0, 0.0})).achieved;
   EXPECT_NEAR(achieved.torque_n_m.x() / achieved.torque_n_m.y(), 3.0, 1e-6);
   const double span_n =
@@ -101,7 +101,7 @@ TEST(Mixer, KeepsTheDirectionOfATiltingTorqueThatIsTooLarge) {
   EXPECT_NEAR(achieved.torque_n_m.x() + achieved.torque_n_m.y(), 2.0 * span_n * lever_m, 1e-6);
 }
 
-TEST(Mixer, NeverStopsARotorInFlight) {
+TEST(Mixer, NeverStopsRotorInFlight) {
   const Mixer::Result result = Mixer(kVehicle).Mix(Wanted(-10.0, Vector3d::Zero()));
   for (const double speed : result.rotors.speed_rad_s) EXPECT_NEAR(speed, kVehicle.rotor.min_speed_rad_s, 1e-9);
 }

@@ -13,7 +13,7 @@ using tests::kPeriod_s;
 using tests::kVehicle;
 using tests::kWeight_n;
 
-TEST(MotionPredictor, CoastsWhenThrustBalancesWeight) {
+TEST(MotionPredictor, KeepsVelocityWhenThrustBalancesWeight) {
   MotionPredictor predictor(kVehicle, kPeriod_s, kWeight_n);
   predictor.Set({.p_WB = {0.0, 0.0, 1.0}, .v_WB = {0.1, -0.2, 0.05}});
   for (int i = 0; i < 200; ++i) predictor.Step({}, kWeight_n, Vector3d::Zero());
@@ -21,7 +21,7 @@ TEST(MotionPredictor, CoastsWhenThrustBalancesWeight) {
   EXPECT_NEAR((predictor.motion().v_WB - Vector3d(0.1, -0.2, 0.05)).norm(), 0.0, 1e-9);
 }
 
-TEST(MotionPredictor, TakesTheTrimToBalanceADisturbance) {
+TEST(MotionPredictor, SubtractsTrimAcceleration) {
   MotionPredictor predictor(kVehicle, kPeriod_s, kWeight_n);
   const double tilt = 0.05;
   const Vector3d trim = models::kGravity_m_s2 * std::tan(tilt) * Vector3d::UnitX();
@@ -29,7 +29,7 @@ TEST(MotionPredictor, TakesTheTrimToBalanceADisturbance) {
   EXPECT_NEAR(predictor.motion().v_WB.norm(), 0.0, 1e-3);
 }
 
-TEST(MotionPredictor, AgreesWithTheRigidBodyOverASecondOfManeuver) {
+TEST(MotionPredictor, MatchesRigidBodyDuringOneSecondManeuver) {
   models::Vehicle no_drag = kVehicle;
   no_drag.linear_drag_n_s_m.setZero();
   no_drag.quadratic_drag_n_s2_m2.setZero();
@@ -50,7 +50,7 @@ TEST(MotionPredictor, AgreesWithTheRigidBodyOverASecondOfManeuver) {
   EXPECT_NEAR((predictor.motion().v_WB - truth.state.v).norm(), 0.0, 0.03);
 }
 
-TEST(MotionPredictor, StandsOnTheGroundUntilThrustLiftsIt) {
+TEST(MotionPredictor, StaysOnGroundUntilThrustExceedsWeight) {
   MotionPredictor predictor(kVehicle, kPeriod_s, 0.0);
   predictor.Set({.p_WB = {0.0, 0.0, 0.14}, .v_WB = Vector3d::Zero()});
   const auto run = [&](double thrust_n) {

@@ -7,7 +7,7 @@ namespace {
 
 constexpr PadWatch::Settings kSettings{.lost_after = 300, .found_after = 100, .fresh_for = 60};
 
-TEST(PadWatch, HasLostAPadThatItNeverSaw) {
+TEST(PadWatch, IsLostWithoutDetection) {
   PadWatch watch(kSettings);
   watch.Update(1000, {});
   EXPECT_TRUE(watch.lost());
@@ -15,7 +15,7 @@ TEST(PadWatch, HasLostAPadThatItNeverSaw) {
   EXPECT_FALSE(watch.fresh());
 }
 
-TEST(PadWatch, FindsThePadAfterEnoughSightings) {
+TEST(PadWatch, IsFoundAfterEnoughDetections) {
   PadWatch watch(kSettings);
   for (models::Tick seen = 0; seen <= 80; seen += 20) {
     watch.Update(seen + 25, seen);
@@ -27,7 +27,7 @@ TEST(PadWatch, FindsThePadAfterEnoughSightings) {
   EXPECT_TRUE(watch.fresh());
 }
 
-TEST(PadWatch, DoesNotCountTheAgeOfASingleSighting) {
+TEST(PadWatch, IgnoresAgeOfSingleDetection) {
   PadWatch watch(kSettings);
   for (models::Tick tick = 25; tick < 300; tick += 5) {
     watch.Update(tick, 0);
@@ -35,7 +35,7 @@ TEST(PadWatch, DoesNotCountTheAgeOfASingleSighting) {
   }
 }
 
-TEST(PadWatch, LosesThePadOnlyAfterItsTime) {
+TEST(PadWatch, IsLostOnlyAfterLostTime) {
   PadWatch watch(kSettings);
   watch.Update(0, 0);
   watch.Update(100, 100);
@@ -50,7 +50,7 @@ TEST(PadWatch, LosesThePadOnlyAfterItsTime) {
   EXPECT_FALSE(watch.found());
 }
 
-TEST(PadWatch, StartsOverAfterALossButNotAfterAShortGap) {
+TEST(PadWatch, RestartsAfterLossButNotAfterShortGap) {
   PadWatch watch(kSettings);
   watch.Update(0, 0);
   watch.Update(100, 100);

@@ -30,21 +30,21 @@ PositionController::Demand DemandFor(const Vector3d& error, double yaw = 0.0) {
   return Fresh().Update({.p_m = error}, Motion{}, {.yaw = yaw});
 }
 
-TEST(PositionController, AsksForItsWeightAndNoTiltAtTheSetPoint) {
+TEST(PositionController, CommandsWeightWithoutTiltAtSetPoint) {
   const PositionController::Demand demand = DemandFor(Vector3d::Zero());
   EXPECT_DOUBLE_EQ(demand.thrust_n, kWeight_n);
   EXPECT_DOUBLE_EQ(demand.roll, 0.0);
   EXPECT_DOUBLE_EQ(demand.pitch, 0.0);
 }
 
-TEST(PositionController, TiltsTowardsTheSetPoint) {
+TEST(PositionController, TiltsTowardsSetPoint) {
   EXPECT_GT(DemandFor({0.2, 0.0, 0.0}).pitch, 0.0);  // Nose down: forward.
   EXPECT_LT(DemandFor({0.0, 0.2, 0.0}).roll, 0.0);   // Left side down: to the left.
   EXPECT_GT(DemandFor({0.0, 0.0, 0.2}).thrust_n, kWeight_n);
   EXPECT_LT(DemandFor({0.0, 0.0, -0.2}).thrust_n, kWeight_n);
 }
 
-TEST(PositionController, PointsTheThrustTheSameWayInTheWorldAtEveryYaw) {
+TEST(PositionController, KeepsThrustDirectionInWorldAtEveryYaw) {
   const Vector3d error(0.2, -0.1, 0.05);
   const auto force = [&](double yaw) -> Vector3d {
     const PositionController::Demand demand = DemandFor(error, yaw);
@@ -55,7 +55,7 @@ TEST(PositionController, PointsTheThrustTheSameWayInTheWorldAtEveryYaw) {
   }
 }
 
-TEST(PositionController, KeepsItsTiltAndAccelerationLimits) {
+TEST(PositionController, RespectsTiltAndAccelerationLimits) {
   const PositionControllerConfig config;
   for (const double z : {-50.0, 0.0, 50.0}) {
     PositionController controller = Fresh();
@@ -69,14 +69,14 @@ TEST(PositionController, KeepsItsTiltAndAccelerationLimits) {
   }
 }
 
-TEST(PositionController, MakesUpForThePresentTilt) {
+TEST(PositionController, CompensatesCurrentTilt) {
   PositionController controller = Fresh();
   const auto level = controller.Update({}, Motion{}, {});
   const auto tilted = controller.Update({}, Motion{}, {.roll = DegToRad(20.0)});
   EXPECT_NEAR(tilted.thrust_n * std::cos(DegToRad(20.0)), level.thrust_n, 1e-9);
 }
 
-TEST(PositionController, DoesNotWindUpWhereALimitHolds) {
+TEST(PositionController, DoesNotWindUpAtLimit) {
   PositionController tilting = Fresh();
   for (int i = 0; i < 2000; ++i) {
     tilting.Update({.p_m = {0.0, 0.0, 0.0}, .v_m_s = {5.0, 0.0, 0.0}}, Motion{}, {});
@@ -92,7 +92,7 @@ TEST(PositionController, DoesNotWindUpWhereALimitHolds) {
   EXPECT_DOUBLE_EQ(lifting.trim_m_s2().z(), 0.0);
 }
 
-TEST(PositionController, BoundsItsTrim) {
+TEST(PositionController, BoundsTrim) {
   const PositionControllerConfig config;
   PositionController controller = Fresh();
   for (int i = 0; i < 20000; ++i) {
@@ -103,7 +103,7 @@ TEST(PositionController, BoundsItsTrim) {
   EXPECT_NEAR(controller.trim_m_s2().z(), config.max_z_integral_m_s2, 1e-9);
 }
 
-TEST(PositionController, HoldsTheStanceInWhichItStood) {
+TEST(PositionController, UsesStandingTiltAsTrim) {
   PositionController controller = Fresh();
   const TaitBryan stance{.roll = 0.02, .pitch = -0.03, .yaw = 0.4};
   controller.SetTrimFromStance(stance);
@@ -120,7 +120,7 @@ struct PositionFlight {
   Vector3d target_m{0.0, 0.0, 1.0};
 };
 
-/// Both loops around the rigid body, with true position and an attitude that is off by level_error.
+/// Simulates both loops with the rigid body, the true position, and an attitude with the error level_error.
 void FlyPosition(const PositionFlight& flight, double duration_s,
                  const std::function<void(double, const Vector3d&)>& observe) {
   tests::QuadrotorOde truth(flight.truth);
@@ -146,7 +146,7 @@ void FlyPosition(const PositionFlight& flight, double duration_s,
   }
 }
 
-TEST(PositionLoop, FollowsAStepOfTheSetPointWithLittleOvershoot) {
+TEST(PositionLoop, TracksSetPointStepWithSmallOvershoot) {
   Vector3d peak = Vector3d::Zero(), last;
   FlyPosition({.truth = kVehicle, .target_m = {0.5, -0.3, 1.4}}, 6.0, [&](double, const Vector3d& p) {
     peak = peak.cwiseMax(Vector3d(p.x(), -p.y(), p.z() - 1.0));
@@ -158,7 +158,7 @@ TEST(PositionLoop, FollowsAStepOfTheSetPointWithLittleOvershoot) {
   EXPECT_LT(peak.z(), 0.4 * 1.2);
 }
 
-TEST(PositionLoop, LearnsTheTrimAgainstWind) {
+TEST(PositionLoop, IntegratesTrimAgainstWind) {
   double farthest = 0.0;
   Vector3d last;
   FlyPosition({.truth = kVehicle, .wind_m_s = {3.0, 0.0, 0.0}}, 12.0, [&](double, const Vector3d& p) {
@@ -169,7 +169,7 @@ TEST(PositionLoop, LearnsTheTrimAgainstWind) {
   EXPECT_LT(last.head<2>().norm(), 0.02);
 }
 
-TEST(PositionLoop, LearnsTheTrimAgainstALevelErrorAndAWrongMass) {
+TEST(PositionLoop, IntegratesTrimAgainstLevelAndMassErrors) {
   models::Vehicle heavy = kVehicle;
   heavy.mass_kg *= 1.05;
   Vector3d last;
@@ -178,7 +178,7 @@ TEST(PositionLoop, LearnsTheTrimAgainstALevelErrorAndAWrongMass) {
   EXPECT_LT((last - Vector3d(0.0, 0.0, 1.0)).norm(), 0.02);
 }
 
-TEST(PositionControllerConfig, RefusesNumbersThatMakeNoController) {
+TEST(PositionControllerConfig, RejectsInvalidValues) {
   EXPECT_NO_THROW(PositionControllerConfig{}.Validate());
   PositionControllerConfig upside_down;
   upside_down.max_tilt_deg = 90.0;

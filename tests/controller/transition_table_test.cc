@@ -21,7 +21,7 @@ PhaseLimits AllLimited() {
   return limits;
 }
 
-/// What happens in `phase` under `conditions` while its time is not up, and when it is.
+/// Next phases from `phase` under `conditions`, before and after its time limit.
 Phase Before(Phase phase, const Conditions& conditions) {
   return NextPhase(phase, conditions, kLimit - 1, AllLimited());
 }
@@ -34,7 +34,7 @@ constexpr Conditions kLand{.task = Kind::kLand};
 constexpr Phase kAllPhases[] = {kStandby,      kBlindClimb, kRamp, kHover,       kLanding,
                                 kBlindDescent, kTouchdown,  kHold, kSearchClimb, kGaveUp};
 
-/// Every set of conditions that there is.
+/// All combinations of conditions.
 std::vector<Conditions> AllConditions() {
   std::vector<Conditions> all;
   const std::optional<Kind> tasks[] = {std::nullopt, Kind::kTakeoff, Kind::kHover, Kind::kLand};
@@ -52,39 +52,39 @@ std::vector<Conditions> AllConditions() {
   return all;
 }
 
-TEST(TransitionTable, StandbyEndsWhenTheImuHasSettledAndATakeoffIsTheTask) {
+TEST(TransitionTable, StandbyEndsAfterStandbyTimeIfTaskIsTakeoff) {
   EXPECT_EQ(Before(kStandby, kTakeoff), kStandby);
   EXPECT_EQ(After(kStandby, kTakeoff), kBlindClimb);
   EXPECT_EQ(After(kStandby, kLand), kStandby);
   EXPECT_EQ(After(kStandby, kNothing), kStandby);
 }
 
-TEST(TransitionTable, BlindClimbEndsInARampWhenThePadIsFound) {
+TEST(TransitionTable, BlindClimbEndsInRampWhenPadIsFound) {
   EXPECT_EQ(Before(kBlindClimb, kTakeoff), kBlindClimb);
   EXPECT_EQ(Before(kBlindClimb, {.task = Kind::kTakeoff, .pad_found = true}), kRamp);
   EXPECT_EQ(After(kBlindClimb, {.task = Kind::kTakeoff, .pad_found = true, .high_enough = true}), kRamp);
 }
 
-TEST(TransitionTable, BlindClimbEndsInAHoldWhenItIsHighOrLongEnough) {
+TEST(TransitionTable, BlindClimbEndsInHoldAtHeightOrTimeLimit) {
   EXPECT_EQ(Before(kBlindClimb, {.pad_lost = true, .high_enough = true}), kHold);
   EXPECT_EQ(After(kBlindClimb, {.pad_lost = true}), kHold);
 }
 
-TEST(TransitionTable, RampEndsInAHoverOnArrivalAndGivesUpWhenItNeverArrives) {
+TEST(TransitionTable, RampEndsInHoverOnArrivalAndGivesUpAtTimeLimit) {
   EXPECT_EQ(Before(kRamp, kTakeoff), kRamp);
   EXPECT_EQ(Before(kRamp, {.arrived = true}), kHover);
   EXPECT_EQ(Before(kRamp, {.pad_lost = true, .arrived = true}), kHold);
   EXPECT_EQ(After(kRamp, kTakeoff), kGaveUp);
 }
 
-TEST(TransitionTable, HoverLastsUntilALandingIsTheTask) {
+TEST(TransitionTable, HoverEndsWhenTaskIsLanding) {
   EXPECT_EQ(After(kHover, kNothing), kHover);
   EXPECT_EQ(After(kHover, {.task = Kind::kHover}), kHover);
   EXPECT_EQ(Before(kHover, kLand), kLanding);
   EXPECT_EQ(Before(kHover, {.task = Kind::kLand, .pad_lost = true}), kHold);
 }
 
-TEST(TransitionTable, LandingEndsInTheBlindDescentWhenReady) {
+TEST(TransitionTable, LandingEndsInBlindDescentWhenReady) {
   EXPECT_EQ(Before(kLanding, kLand), kLanding);
   EXPECT_EQ(Before(kLanding, {.task = Kind::kLand, .low_enough = true}), kLanding);
   EXPECT_EQ(Before(kLanding, {.task = Kind::kLand, .ready_for_blind_descent = true}), kBlindDescent);
@@ -92,14 +92,14 @@ TEST(TransitionTable, LandingEndsInTheBlindDescentWhenReady) {
   EXPECT_EQ(After(kLanding, kLand), kGaveUp);
 }
 
-TEST(TransitionTable, BlindDescentEndsOnTheGroundWhetherThePadIsSeenOrNot) {
+TEST(TransitionTable, BlindDescentEndsInTouchdownWithAndWithoutPad) {
   EXPECT_EQ(Before(kBlindDescent, {.task = Kind::kLand, .pad_lost = true}), kBlindDescent);
   EXPECT_EQ(Before(kBlindDescent, {.task = Kind::kLand, .pad_found = true}), kBlindDescent);
   EXPECT_EQ(Before(kBlindDescent, {.task = Kind::kLand, .low_enough = true}), kTouchdown);
   EXPECT_EQ(After(kBlindDescent, kLand), kTouchdown);
 }
 
-TEST(TransitionTable, HoldAndSearchClimbGoBackToTheTaskWhenThePadIsFound) {
+TEST(TransitionTable, HoldAndSearchClimbReturnToTaskWhenPadIsFound) {
   for (const Phase phase : {kHold, kSearchClimb}) {
     const auto found = [&](std::optional<Kind> task) {
       return After(phase, {.task = task, .pad_found = true, .high_enough = true});
@@ -111,7 +111,7 @@ TEST(TransitionTable, HoldAndSearchClimbGoBackToTheTaskWhenThePadIsFound) {
   }
 }
 
-TEST(TransitionTable, HoldEndsInASearchClimbAndThatInGivingUp) {
+TEST(TransitionTable, HoldEndsInSearchClimbWhichEndsInGivingUp) {
   EXPECT_EQ(Before(kHold, {.pad_lost = true, .high_enough = true}), kHold);
   EXPECT_EQ(After(kHold, {.pad_lost = true}), kSearchClimb);
   EXPECT_EQ(Before(kSearchClimb, {.pad_lost = true}), kSearchClimb);
@@ -119,14 +119,14 @@ TEST(TransitionTable, HoldEndsInASearchClimbAndThatInGivingUp) {
   EXPECT_EQ(After(kSearchClimb, {.pad_lost = true}), kGaveUp);
 }
 
-TEST(TransitionTable, TouchdownAndGivingUpAreFinal) {
+TEST(TransitionTable, TouchdownAndGaveUpAreFinal) {
   for (const Conditions& conditions : AllConditions()) {
     EXPECT_EQ(After(kTouchdown, conditions), kTouchdown);
     EXPECT_EQ(After(kGaveUp, conditions), kGaveUp);
   }
 }
 
-TEST(TransitionTable, HasARowForEveryTransitionThatCanHappenAndNoneThatCannot) {
+TEST(TransitionTable, HasRowForEveryReachableTransitionOnly) {
   std::set<std::pair<Phase, Phase>> happening, listed;
   for (const Transition& row : TransitionTable()) listed.insert({row.from, row.to});
   for (const Phase phase : kAllPhases) {
@@ -140,13 +140,13 @@ TEST(TransitionTable, HasARowForEveryTransitionThatCanHappenAndNoneThatCannot) {
   EXPECT_EQ(listed.size(), 20U);
 }
 
-TEST(TransitionTable, ReachesEveryPhaseButTheTwoThatAFlightStartsIn) {
+TEST(TransitionTable, ReachesEveryPhaseExceptInitialPhases) {
   std::set<Phase> reached{kStandby, kHold};
   for (const Transition& row : TransitionTable()) reached.insert(row.to);
   EXPECT_EQ(reached.size(), static_cast<std::size_t>(kPhaseCount));
 }
 
-TEST(TransitionTable, StopsTheMotorsOnlyOutOfTheBlindDescent) {
+TEST(TransitionTable, StopsMotorsOnlyAfterBlindDescent) {
   for (const Transition& row : TransitionTable()) {
     if (row.to == kTouchdown) {
       EXPECT_EQ(row.from, kBlindDescent);
@@ -155,13 +155,13 @@ TEST(TransitionTable, StopsTheMotorsOnlyOutOfTheBlindDescent) {
   }
 }
 
-TEST(TransitionTable, NeverRunsOutOfTimeInAPhaseWithoutALimit) {
+TEST(TransitionTable, NeverTimesOutInPhaseWithoutLimit) {
   for (const Phase phase : kAllPhases) {
     EXPECT_EQ(NextPhase(phase, kNothing, models::Tick{1} << 40, PhaseLimits{}), phase) << Name(phase);
   }
 }
 
-TEST(TransitionTable, NamesEveryPhaseDifferently) {
+TEST(TransitionTable, NamesAreUnique) {
   std::set<std::string_view> names;
   for (const Phase phase : kAllPhases) names.insert(Name(phase));
   EXPECT_EQ(names.size(), static_cast<std::size_t>(kPhaseCount));

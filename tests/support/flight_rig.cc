@@ -19,7 +19,7 @@ using models::Tick;
 /// Model of vision: position and yaw with slow and white noise, if the whole ring is in view.
 class VisionModel {
  public:
-  struct Sighting {
+  struct Measurement {
     Tick mid_exposure = 0, delivered = 0;
     Vector3d p = Vector3d::Zero();
     double yaw = 0.0;
@@ -27,29 +27,29 @@ class VisionModel {
 
   VisionModel(const RigConfig& config, const models::Vehicle& vehicle)
       : config_(config), X_BC_(vehicle.X_BC()), random_(config.seed, "rig.vision") {
-    slow_ = random_.NormalVector3();
+    slow_error_ = random_.NormalVector3();
     slow_yaw_ = random_.Normal();
   }
 
-  std::optional<Sighting> Observe(Tick tick, Tick latency, double dt, const QuadrotorOde::State& truth) {
-    const double keep = std::exp(-dt / 0.5), renew = std::sqrt(1.0 - keep * keep);
-    slow_ = keep * slow_ + renew * random_.NormalVector3();
-    slow_yaw_ = keep * slow_yaw_ + renew * random_.Normal();
+  std::optional<Measurement> Observe(Tick tick, Tick latency, double dt, const QuadrotorOde::State& truth) {
+    const double decay = std::exp(-dt / 0.5), drive = std::sqrt(1.0 - decay * decay);
+    slow_error_ = decay * slow_error_ + drive * random_.NormalVector3();
+    slow_yaw_ = decay * slow_yaw_ + drive * random_.Normal();
     const Vector3d white = random_.NormalVector3();
     const double white_yaw = random_.Normal();
-    if (!random_.Bernoulli(config_.detection) || !RingInView(truth)) return std::nullopt;
+    if (!random_.Bernoulli(config_.detection) || !IsRingInView(truth)) return std::nullopt;
 
     const double xy = config_.xy_noise_per_height * truth.p.z() / std::sqrt(2.0);
     const double z = std::max(0.001, config_.z_noise_per_height * truth.p.z()) / std::sqrt(2.0);
-    Sighting sighting{.mid_exposure = tick, .delivered = tick + latency, .p = truth.p};
-    sighting.p += Vector3d(xy, xy, z).cwiseProduct(slow_ + white);
+    Measurement measurement{.mid_exposure = tick, .delivered = tick + latency, .p = truth.p};
+    measurement.p += Vector3d(xy, xy, z).cwiseProduct(slow_error_ + white);
     const double yaw_error = config_.yaw_noise_rad / std::sqrt(2.0) * (slow_yaw_ + white_yaw);
-    sighting.yaw = models::WrapToHalfPi(models::TaitBryanFromRotation(truth.R).yaw + yaw_error);
-    return sighting;
+    measurement.yaw = models::WrapToHalfPi(models::TaitBryanFromRotation(truth.R).yaw + yaw_error);
+    return measurement;
   }
 
  private:
-  bool RingInView(const QuadrotorOde::State& truth) const {
+  bool IsRingInView(const QuadrotorOde::State& truth) const {
     Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
     X_WB.linear() = truth.R;
     X_WB.translation() = truth.p;
@@ -69,7 +69,7 @@ class VisionModel {
   models::CameraModel camera_;
   models::LandingPad pad_;
   models::RandomStream random_;
-  Vector3d slow_;
+  Vector3d slow_error_;
   double slow_yaw_ = 0.0;
 };
 
@@ -123,7 +123,7 @@ class Rig {
 
   RigResult Fly() {
     const Tick end = time_.FromSeconds(config_.time_limit_s);
-    for (tick_ = 0; tick_ < end && !IsOver(); ++tick_) Tick_();
+    for (tick_ = 0; tick_ < end && !IsOver(); ++tick_) StepTick();
     result_.last_phase = output_.phase;
     result_.script_done = output_.script_done;
     if (hover_samples_ > 0) result_.hover_rmse_m = std::sqrt(hover_sum_ / hover_samples_);
@@ -140,27 +140,27 @@ class Rig {
     return vehicle;
   }
 
-  void Tick_() {
+  void StepTick() {
     const double time_s = time_.ToSeconds(tick_);
     const bool pad_visible = !config_.events || config_.events(time_s, truth_);
     imu_.Accumulate(truth_);
     if (tick_ % time_.PeriodOf(60) == 0) {
-      const auto sighting = vision_.Observe(tick_, time_.FromSeconds(config_.latency_s),
-                                            time_.ToSeconds(time_.PeriodOf(60)), truth_.state);
-      if (sighting.has_value() && pad_visible) in_flight_.push_back(*sighting);
+      const auto measurement = vision_.Observe(tick_, time_.FromSeconds(config_.latency_s),
+                                               time_.ToSeconds(time_.PeriodOf(60)), truth_.state);
+      if (measurement.has_value() && pad_visible) pending_.push_back(*measurement);
     }
     if (tick_ % time_.PeriodOf(kRate_hz) == 0) Control();
-    const double falling = -truth_.state.v.z();
+    const double sink_rate = -truth_.state.v.z();
     truth_.Step(output_.rotors, time_.period_s());
-    Judge(falling);
+    RecordTouchdown(sink_rate);
   }
 
   void Control() {
     attitude_.Update(imu_.Sample(tick_, truth_.state.rotor_speed[0] > 50.0), controller_.phase() == Phase::kStandby);
-    while (!in_flight_.empty() && in_flight_.front().delivered <= tick_) {
-      filter_.Update(in_flight_.front().mid_exposure, in_flight_.front().p, Eigen::Matrix3d::Zero());
-      attitude_.CorrectYaw(in_flight_.front().mid_exposure, in_flight_.front().yaw);
-      in_flight_.pop_front();
+    while (!pending_.empty() && pending_.front().delivered <= tick_) {
+      filter_.Update(pending_.front().mid_exposure, pending_.front().p, Eigen::Matrix3d::Zero());
+      attitude_.CorrectYaw(pending_.front().mid_exposure, pending_.front().yaw);
+      pending_.pop_front();
     }
     output_ = controller_.Update({.tick = tick_,
                                   .attitude = attitude_.attitude(),
@@ -169,10 +169,10 @@ class Rig {
                                   .pad_seen = filter_.newest()});
     if (result_.phases.empty() || result_.phases.back() != output_.phase) {
       result_.phases.push_back(output_.phase);
-      if (output_.phase == Phase::kLanding) landing_begun_ = tick_;
+      if (output_.phase == Phase::kLanding) landing_start_ = tick_;
       if (output_.phase == Phase::kTouchdown) {
         motors_off_ = tick_;
-        result_.landing_s = time_.ToSeconds(tick_ - landing_begun_);
+        result_.landing_s = time_.ToSeconds(tick_ - landing_start_);
       }
     }
     Observe();
@@ -209,13 +209,13 @@ class Rig {
                  << output_.attitude_set_point.pitch << ',' << output_.thrust_n << '\n';
   }
 
-  void Judge(double falling) {
+  void RecordTouchdown(double sink_rate) {
     const bool landing =
         output_.phase == Phase::kLanding || output_.phase == Phase::kBlindDescent || output_.phase == Phase::kTouchdown;
     if (landing && truth_.contact() && !result_.touchdown.has_value()) {
       const double tilt = std::acos(std::min(1.0, truth_.state.R(2, 2)));
       const double yaw = models::WrapToHalfPi(models::TaitBryanFromRotation(truth_.state.R).yaw);
-      result_.touchdown = {truth_.state.p.head<2>().norm(), falling, tilt, yaw, 0.0};
+      result_.touchdown = {truth_.state.p.head<2>().norm(), sink_rate, tilt, yaw, 0.0};
       contact_ = tick_;
     }
     if (result_.touchdown && motors_off_ && *motors_off_ == tick_) {
@@ -243,10 +243,10 @@ class Rig {
   controller::FlightController controller_;
 
   Tick tick_ = 0;
-  std::deque<VisionModel::Sighting> in_flight_;
+  std::deque<VisionModel::Measurement> pending_;
   controller::ControlOutput output_;
   RigResult result_;
-  Tick landing_begun_ = 0, contact_ = 0;
+  Tick landing_start_ = 0, contact_ = 0;
   std::optional<Tick> motors_off_;
   double hover_sum_ = 0.0, attitude_sum_ = 0.0;
   int hover_samples_ = 0, attitude_samples_ = 0;

@@ -15,8 +15,8 @@
 
 namespace touchdown::tests {
 
-/// Flight without images: the filters of the estimator and the whole controller, with QuadrotorOde and a model of
-/// vision.
+/// Configuration of a flight without images: the filters of the estimator and the whole controller fly QuadrotorOde
+/// with a model of vision.
 struct RigConfig {
   std::uint64_t seed = 1;
   std::vector<controller::Maneuver> script;
@@ -63,6 +63,7 @@ struct RigResult {
   std::optional<Touchdown> touchdown;
 };
 
+/// Flies until touchdown, the end of the script, a crash or the time limit.
 RigResult Fly(const RigConfig& config);
 
 controller::Maneuver TakeoffTo(double height_m);

@@ -6,11 +6,10 @@
 
 namespace touchdown::tests {
 
-/// Nominal clock, vehicle, weight in N, period of IMU and attitude loop in s, and gravity in m/s^2.
 inline constexpr models::TimeBase kTime;
 inline const models::Vehicle kVehicle;
 inline const double kWeight_n = kVehicle.mass_kg * models::kGravity_m_s2;
-inline constexpr double kPeriod_s = 0.005;
+inline constexpr double kPeriod_s = 0.005;  ///< Period of IMU and attitude loop.
 inline constexpr double kG = models::kGravity_m_s2;
 
 }  // namespace touchdown::tests

@@ -19,7 +19,7 @@ inline constexpr models::Tick kFrame = 20;
 /// Estimator that receives consecutive synthetic frames of the pad.
 class PaperEstimatorFixture : public testing::Test {
  protected:
-  /// Pose of the body whose camera looks straight down from `p_WC`, tilted as in CameraAbovePad.
+  /// X_WB with the camera at `p_WC`. The arguments are those of CameraAbovePad.
   Eigen::Isometry3d BodyWithCameraAt(const Eigen::Vector3d& p_WC, double yaw = 0.0, double tilt = 0.0,
                                      double direction = 0.0) const {
     return CameraAbovePad(p_WC, yaw, tilt, direction) * setup_.X_BC.inverse();

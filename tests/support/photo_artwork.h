@@ -17,10 +17,10 @@ struct Artwork {
 
   Artwork(const models::LandingPad& pad, double px_per_meter);
 
-  cv::Point2d At(double x_m, double y_m) const;
+  cv::Point2d At(double x_m, double y_m) const;                                    ///< Pixel of a point in W.
   void FillPolygon(const std::vector<cv::Point2d>& corners_m, bool black = true);  ///< (x, y) in W.
   void FillBox(double x_m, double y_m, double size_x_m, double size_y_m, double yaw = 0.0);
-  void FillRing(double x_m, double y_m, double outer_m, double inner_m);  ///< The inside of the ring does not change.
+  void FillRing(double x_m, double y_m, double outer_m, double inner_m);  ///< Keeps the inside of the ring.
   void Line(double x1_m, double y1_m, double x2_m, double y2_m, double width_m);
   /// Draws text whose box is centered at (x, y).
   void Text(const std::string& text, double x_m, double y_m, double height_m, double stroke_fraction, double yaw = 0.0);
@@ -30,8 +30,9 @@ struct Artwork {
 /// slender or wide H.
 models::LandingPad DrawAnyPad(models::RandomStream& random);
 
+/// Prints ring and H of the pad.
 void PrintPad(const models::LandingPad& pad, Artwork& art);
-/// `kind` is one of MarkingKinds().
+/// Prints markings inside the ring; `kind` is one of MarkingKinds().
 void PrintMarkings(const models::LandingPad& pad, const std::string& kind, models::RandomStream& random, Artwork& art);
 const std::vector<std::string>& MarkingKinds();
 

@@ -49,9 +49,11 @@ cv::Rect2d RingBox(const models::CameraModel& camera, const Eigen::Isometry3d& X
 models::CameraModel DrawCamera(RandomStream& random) {
   static constexpr std::array<std::array<int, 2>, 9> kSizes = {
       {{320, 240}, {640, 480}, {640, 480}, {480, 640}, {752, 480}, {800, 600}, {1280, 720}, {960, 1280}, {2000, 1500}}};
-  static constexpr std::array<double, 9> kUntil = {0.12, 0.30, 0.48, 0.58, 0.70, 0.82, 0.91, 0.96, 1.0};
+  static constexpr std::array<double, 9> kCumulativeProbability = {0.12, 0.30, 0.48, 0.58, 0.70, 0.82, 0.91, 0.96, 1.0};
   const double draw = random.Uniform();
-  const auto size = static_cast<std::size_t>(std::upper_bound(kUntil.begin(), kUntil.end() - 1, draw) - kUntil.begin());
+  const auto size = static_cast<std::size_t>(
+      std::upper_bound(kCumulativeProbability.begin(), kCumulativeProbability.end() - 1, draw) -
+      kCumulativeProbability.begin());
   models::CameraModel camera;
   camera.width_px = kSizes[size][0];
   camera.height_px = kSizes[size][1];

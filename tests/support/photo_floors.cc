@@ -29,7 +29,8 @@ cv::Mat1b Gray(const cv::Mat1f& values) {
   return gray;
 }
 
-cv::Point DrawPlace(double free_radius, double reach, RandomStream& random) {
+/// Draws a position of an object with radius `reach` outside the free disc.
+cv::Point DrawPosition(double free_radius, double reach, RandomStream& random) {
   while (true) {
     const cv::Point2d p(random.Uniform(0.0, kSide), random.Uniform(0.0, kSide));
     if (cv::norm(p - cv::Point2d(kSide / 2.0, kSide / 2.0)) > free_radius + reach) return p;
@@ -162,8 +163,8 @@ void AddCable(cv::Mat1b& floor, double free_radius, RandomStream& random) {
 cv::Mat1b Page(double free_radius, RandomStream& random) {
   cv::Mat1b floor = Plain(random);
   for (int i = 0; i < 12; ++i) {
-    AddPage(floor, DrawPlace(0.6 * free_radius, 0.0, random), random.Uniform(300.0, 600.0), random.Uniform(-kPi, kPi),
-            random);
+    AddPage(floor, DrawPosition(0.6 * free_radius, 0.0, random), random.Uniform(300.0, 600.0),
+            random.Uniform(-kPi, kPi), random);
   }
   return floor;
 }
@@ -172,11 +173,11 @@ cv::Mat1b Cups(double free_radius, RandomStream& random) {
   cv::Mat1b floor = random.Bernoulli(0.5) ? Wood(random) : Plain(random);
   for (int i = 0; i < 12; ++i) {
     const int radius = random.UniformInt(20, 90);
-    AddCup(floor, DrawPlace(free_radius, 1.7 * radius, random), radius, random);
+    AddCup(floor, DrawPosition(free_radius, 1.7 * radius, random), radius, random);
   }
   for (int i = 0; i < 10; ++i) {
     const int radius = random.UniformInt(8, 20);
-    const cv::Point at = DrawPlace(free_radius, radius, random);
+    const cv::Point at = DrawPosition(free_radius, radius, random);
     cv::circle(floor, at, radius, cv::Scalar(random.UniformInt(60, 200)), cv::FILLED, cv::LINE_AA);
     cv::circle(floor, at, radius * 4 / 5, cv::Scalar(random.UniformInt(20, 120)), std::max(1, radius / 8), cv::LINE_AA);
   }
@@ -187,10 +188,10 @@ cv::Mat1b Desk(double free_radius, RandomStream& random) {
   cv::Mat1b floor = random.Bernoulli(0.6) ? Wood(random) : Plain(random);
   for (int i = 0; i < 4; ++i) {
     const double height = random.Uniform(150.0, 350.0);
-    AddPage(floor, DrawPlace(free_radius, 0.2 * height, random), height, random.Uniform(-kPi, kPi), random);
+    AddPage(floor, DrawPosition(free_radius, 0.2 * height, random), height, random.Uniform(-kPi, kPi), random);
   }
   for (int i = 0; i < 5; ++i) {  // Books, boxes, telephones.
-    const cv::Point at = DrawPlace(free_radius, 60.0, random);
+    const cv::Point at = DrawPosition(free_radius, 60.0, random);
     const cv::RotatedRect box(
         at, cv::Size2f(static_cast<float>(random.Uniform(60, 160)), static_cast<float>(random.Uniform(80, 220))),
         static_cast<float>(random.Uniform(0.0, 180.0)));
@@ -200,12 +201,12 @@ cv::Mat1b Desk(double free_radius, RandomStream& random) {
     cv::fillConvexPoly(floor, outline, cv::Scalar(random.UniformInt(15, 235)), cv::LINE_AA);
     cv::polylines(floor, outline, true, cv::Scalar(random.UniformInt(15, 80)), 3, cv::LINE_AA);
   }
-  AddKeyboard(floor, DrawPlace(free_radius, 100.0, random), random.UniformInt(22, 44), random);
+  AddKeyboard(floor, DrawPosition(free_radius, 100.0, random), random.UniformInt(22, 44), random);
   for (int i = 0; i < 3; ++i) {
     const int radius = random.UniformInt(25, 60);
-    AddCup(floor, DrawPlace(free_radius, 1.7 * radius, random), radius, random);
+    AddCup(floor, DrawPosition(free_radius, 1.7 * radius, random), radius, random);
   }
-  for (int i = 0; i < 6; ++i) AddPen(floor, DrawPlace(free_radius, 60.0, random), random);
+  for (int i = 0; i < 6; ++i) AddPen(floor, DrawPosition(free_radius, 60.0, random), random);
   for (int i = 0; i < 3; ++i) AddCable(floor, free_radius, random);
   return floor;
 }

@@ -14,8 +14,9 @@ using Eigen::Vector2d;
 using models::kPi;
 using models::RandomStream;
 
-/// Shadow with an edge across the ring: fraction of the light, `least` inside the shadow.
-cv::Mat1f DrawShadow(cv::Size size, const cv::Rect2d& ring_box, double least, RandomStream& random) {
+/// Draws a shadow with an edge across the ring. Returns the fraction of the light: `darkest` inside the shadow, 1
+/// outside.
+cv::Mat1f DrawShadow(cv::Size size, const cv::Rect2d& ring_box, double darkest, RandomStream& random) {
   const cv::Point2d through(ring_box.x + random.Uniform(0.1, 0.9) * ring_box.width,
                             ring_box.y + random.Uniform(0.1, 0.9) * ring_box.height);
   const double angle = random.Uniform(-kPi, kPi), reach = 3.0 * size.width;
@@ -27,7 +28,7 @@ cv::Mat1f DrawShadow(cv::Size size, const cv::Rect2d& ring_box, double least, Ra
                                through + reach * along + breadth * away, through - reach * along + breadth * away}) {
     outline.emplace_back(static_cast<int>(p.x), static_cast<int>(p.y));
   }
-  cv::fillConvexPoly(shade, outline, cv::Scalar(least), cv::LINE_8);
+  cv::fillConvexPoly(shade, outline, cv::Scalar(darkest), cv::LINE_8);
   const double soft =
       ring_box.width * (random.Bernoulli(0.5) ? random.Uniform(0.005, 0.02) : random.Uniform(0.02, 0.2));
   const int side = 2 * static_cast<int>(soft) + 1;
@@ -38,7 +39,7 @@ cv::Mat1f DrawShadow(cv::Size size, const cv::Rect2d& ring_box, double least, Ra
 
 }  // namespace
 
-cv::Mat1f Bell(cv::Size size, const Vector2d& center, double radius_u, double radius_v, double angle) {
+cv::Mat1f GaussianSpot(cv::Size size, const Vector2d& center, double radius_u, double radius_v, double angle) {
   constexpr int kReduce = 4;
   cv::Mat1f bell(size.height / kReduce + 1, size.width / kReduce + 1);
   const double c = std::cos(angle), s = std::sin(angle);
@@ -67,7 +68,7 @@ cv::Mat1f DrawLight(cv::Size size, const cv::Rect2d& ring_box, double shadow, Ra
   if (random.Bernoulli(0.4)) {
     const Vector2d at(random.Uniform(0.0, size.width), random.Uniform(0.0, size.height));
     const double radius = random.Uniform(0.25, 0.8) * size.width;
-    light += random.Uniform(0.2, 0.9) * Bell(size, at, radius, radius, 0.0);
+    light += random.Uniform(0.2, 0.9) * GaussianSpot(size, at, radius, radius, 0.0);
   }
   if (shadow < 1.0) light = light.mul(DrawShadow(size, ring_box, shadow, random));
   return light;
@@ -82,7 +83,7 @@ void AddGlare(double strength, const cv::Rect2d& ring_box, const cv::Mat1f& tone
                       ring_box.y + random.Uniform(0.0, 1.0) * ring_box.height);
     const double radius = std::max(ring_box.width, ring_box.height) * random.Uniform(0.05, 0.22);
     const cv::Mat1f bell =
-        Bell(radiance.size(), at, radius, radius * random.Uniform(0.4, 1.0), random.Uniform(-kPi, kPi));
+        GaussianSpot(radiance.size(), at, radius, radius * random.Uniform(0.4, 1.0), random.Uniform(-kPi, kPi));
     radiance += strength * bell.mul(0.35 + 0.65 * toner);
   }
 }

@@ -8,7 +8,7 @@
 namespace touchdown::tests {
 
 /// Gaussian with the value 1 at `center`. Its axes are rotated by `angle` and have these standard deviations.
-cv::Mat1f Bell(cv::Size size, const Eigen::Vector2d& center, double radius_u, double radius_v, double angle);
+cv::Mat1f GaussianSpot(cv::Size size, const Eigen::Vector2d& center, double radius_u, double radius_v, double angle);
 
 /// Draws the illumination of a scene, relative to a nominal value: a gradient, sometimes a lamp, and if `shadow` is
 /// below 1 a shadow with an edge across the ring. `shadow` is the fraction of the light inside the shadow.

@@ -15,7 +15,7 @@ using models::kPi;
 constexpr int kSteps = 1600;
 constexpr double kStep = 0.005;
 
-double PlaceAt(double index) { return (index - kSteps / 2) * kStep; }
+double PositionAtIndex(double index) { return (index - kSteps / 2) * kStep; }
 
 }  // namespace
 
@@ -30,11 +30,11 @@ PhotoPaper::PhotoPaper(double radius_m, double severity, models::RandomStream& r
   double length = 0.0;
   for (int i = 0; i < kSteps; ++i) {
     lengths_.push_back(length);
-    const double slope = Slope(PlaceAt(i + 0.5));
+    const double slope = Slope(PositionAtIndex(i + 0.5));
     length += kStep * std::sqrt(1.0 + slope * slope);
   }
   const double zero = lengths_[kSteps / 2];
-  for (double& each : lengths_) each -= zero;
+  for (double& value : lengths_) value -= zero;
 }
 
 double PhotoPaper::Height(const Vector2d& p_W) const { return radius_m_ * HeightAt(Along(p_W)); }

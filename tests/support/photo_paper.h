@@ -7,8 +7,8 @@
 
 namespace touchdown::tests {
 
-/// Height of a sheet above the table. Like paper, it bends about parallel lines only: it is curled, wavy, lifted at a
-/// side or creased. Points are in W. Private lengths are relative to the radius of the ring.
+/// Shape of a sheet of paper on a table. It bends about parallel lines only: it is curled, wavy, lifted at a side or
+/// creased. Points are in W. Private lengths are relative to the radius of the ring.
 class PhotoPaper {
  public:
   /// Draws kind, direction and size of the bend. `severity` scales it; 0 is flat.

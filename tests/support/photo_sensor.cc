@@ -46,8 +46,8 @@ cv::Mat1b Develop(cv::Mat1f radiance, double exposure, double noise_sigma, int j
   const cv::Size size = radiance.size();
   const double vignette = random.Uniform(0.0, 0.45), haze = random.Bernoulli(0.3) ? random.Uniform(0.0, 0.05) : 0.0;
   const double radius = 0.7 * std::hypot(size.width, size.height);
-  radiance = radiance.mul(
-      1.0 - vignette * (1.0 - Bell(size, {0.5 * size.width, 0.5 * size.height}, 0.6 * radius, 0.6 * radius, 0.0)));
+  radiance = radiance.mul(1.0 - vignette * (1.0 - GaussianSpot(size, {0.5 * size.width, 0.5 * size.height},
+                                                               0.6 * radius, 0.6 * radius, 0.0)));
   radiance = radiance * exposure + haze;
   cv::min(radiance, 1.0, radiance);
   cv::max(radiance, 0.0, radiance);
@@ -56,7 +56,7 @@ cv::Mat1b Develop(cv::Mat1f radiance, double exposure, double noise_sigma, int j
   cv::Mat1f noise(size);
   cv::RNG rng(random.Bits());
   rng.fill(noise, cv::RNG::NORMAL, 0.0, noise_sigma);
-  if (random.Bernoulli(0.5)) cv::blur(noise, noise, {2, 2});  // Noise that the camera has smoothed.
+  if (random.Bernoulli(0.5)) cv::blur(noise, noise, {2, 2});  // The camera has smoothed the noise.
   radiance += noise;
   if (random.Bernoulli(0.4)) {
     cv::Mat1f smooth;

@@ -42,7 +42,7 @@ Views CastRays(const Photograph& photo, const PhotoPaper& paper, int samples, co
       const Vector2d pixel = (fine + Vector2d::Constant(0.5)) / samples - Vector2d::Constant(0.5);
       const auto ray_C = photo.camera.Ray(pixel);
       Vector3d ray_W = X_WC.linear() * ray_C.value_or(Vector3d::UnitZ());
-      ray_W.z() = std::min(ray_W.z(), -0.02 * ray_W.norm());  // Above the horizon, too, rays hit the floor.
+      ray_W.z() = std::min(ray_W.z(), -0.02 * ray_W.norm());  // Rays above the horizon hit the floor too.
       const auto at_height = [&](double z) {
         return Vector2d((X_WC.translation() + ray_W * ((z - X_WC.translation().z()) / ray_W.z())).head<2>());
       };
@@ -60,7 +60,7 @@ Views CastRays(const Photograph& photo, const PhotoPaper& paper, int samples, co
   return {Fine(sheet, size), Fine(floor, size), Fine(lambert, size)};
 }
 
-/// A * point + b of each point, for cv::remap.
+/// Maps each point to A * point + b, for cv::remap.
 cv::Mat2f Mapped(const cv::Mat2f& points, const cv::Matx22f& A, const cv::Vec2f& b) {
   cv::Mat2f mapped;
   cv::transform(points, mapped, cv::Matx23f(A(0, 0), A(0, 1), b[0], A(1, 0), A(1, 1), b[1]));

@@ -16,7 +16,7 @@ struct PhotoSurfaces {
   cv::Mat1f lambert;      ///< Irradiance of the paper, relative to that of a flat sheet.
 };
 
-/// Uses pad, subject, camera, X_WC and floor of `photo`.
+/// Computes the surfaces in view. Uses pad, subject, camera, X_WC and floor of `photo`.
 PhotoSurfaces VisibleSurfaces(const Photograph& photo, const Artwork& art, const PhotoPaper& paper, int samples,
                               models::RandomStream& random);
 

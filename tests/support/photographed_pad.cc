@@ -41,15 +41,16 @@ void DrawConditions(RandomStream& random, PhotoConditions& conditions) {
 
 /// Draws a view with the whole ring in the image. The narrowest stroke has a minimum width in px, so that it is
 /// visible.
-void Aim(const PhotoPaper& paper, RandomStream& random, Photograph& photo) {
+void DrawViewOfRing(const PhotoPaper& paper, RandomStream& random, Photograph& photo) {
   const models::CameraModel& camera = photo.camera;
   const double stroke_fraction =
       std::min(photo.pad.h_stroke_m, photo.pad.ring_width_m) / (2.0 * photo.pad.outer_radius_m);
   const double obliquity = models::DegToRad(photo.conditions.obliquity_deg);
-  const double least =
+  const double min_fraction =
       std::max(0.06, 1.6 / (stroke_fraction * std::cos(obliquity) * std::min(camera.height_px, camera.width_px)));
-  const double most = 0.8 * std::min(1.0, 1.05 * camera.width_px / camera.height_px);
-  const double size_fraction = std::exp(random.Uniform(std::log(std::min(least, 0.5 * most)), std::log(most)));
+  const double max_fraction = 0.8 * std::min(1.0, 1.05 * camera.width_px / camera.height_px);
+  const double size_fraction =
+      std::exp(random.Uniform(std::log(std::min(min_fraction, 0.5 * max_fraction)), std::log(max_fraction)));
   const PhotoView view = DrawView(camera, paper, photo.pad.outer_radius_m, size_fraction, obliquity, random);
   photo.X_WC = view.X_WC;
   photo.ring_box = view.ring_box;
@@ -86,13 +87,13 @@ cv::Mat1f Illuminate(const Photograph& photo, const Artwork& art, const PhotoPap
 void Blur(Photograph& photo, RandomStream& random, cv::Mat1f& radiance) {
   const double px_per_m = std::min(photo.ring_box.width, photo.ring_box.height) / (2.0 * photo.pad.outer_radius_m);
   const double narrowest_px = px_per_m * std::min(photo.pad.h_stroke_m, photo.pad.ring_width_m);
-  const double most_px = std::max(0.6, 0.9 * narrowest_px);
+  const double max_blur_px = std::max(0.6, 0.9 * narrowest_px);
   const double scale = std::max(photo.camera.width_px, photo.camera.height_px) / 640.0;
   double defocus = random.Uniform(0.3, 0.7) * scale, motion = 0.0;
   if (random.Bernoulli(0.25)) defocus = random.Uniform(0.7, 4.0) * scale;
   if (random.Bernoulli(0.2)) motion = random.Uniform(1.0, 8.0) * scale;
-  defocus = std::min(defocus, 0.5 * most_px);
-  motion = std::min(motion, most_px);
+  defocus = std::min(defocus, 0.5 * max_blur_px);
+  motion = std::min(motion, max_blur_px);
   Defocus(radiance, defocus);
   SmearAlong(radiance, motion, random.Uniform(-kPi, kPi));
   photo.conditions.blur_px = std::hypot(2.0 * defocus, motion);
@@ -110,7 +111,7 @@ Photograph TakePhotograph(const std::string& subject, RandomStream& random) {
   if (subject.starts_with("floor ")) conditions.floor = subject.substr(6);
   const PhotoPaper paper(photo.pad.outer_radius_m, random.Bernoulli(0.3) ? random.Uniform(0.05, 0.25) : 0.0, random);
   conditions.curl = paper.LargestHeight();
-  Aim(paper, random, photo);
+  DrawViewOfRing(paper, random, photo);
   const Artwork art = Print(photo, random);
   cv::Mat1f radiance = Illuminate(photo, art, paper, random);
   Blur(photo, random, radiance);
@@ -129,7 +130,7 @@ Photograph PhotographPad(std::uint64_t seed) {
 }
 
 Photograph PhotographDistractor(std::uint64_t seed) {
-  RandomStream random(seed, "photographs.distractor");
+  RandomStream random(seed, "photographs.look_alike");  // The name determines the figures of docs/footage.md.
   return TakePhotograph(DistractorKinds()[seed % DistractorKinds().size()], random);
 }
 

@@ -13,7 +13,7 @@
 
 namespace touchdown::tests {
 
-/// Scene that is ready to be rendered, with a vehicle parked out of view.
+/// Scene with its MuJoCo model and painted textures, ready to be rendered. The vehicle is out of view.
 struct Room {
   explicit Room(const sim::SceneConfig& config = {}, std::uint64_t seed = 1)
       : scene(sim::MakeScene(config, models::LandingPad{}, seed)) {

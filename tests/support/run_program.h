@@ -7,7 +7,7 @@
 
 namespace touchdown::tests {
 
-/// Result of a program.
+/// Exit status and output of a program.
 struct ProgramRun {
   int status = -1;  ///< Exit status; -1 if a signal ended the program.
   std::string out;

@@ -11,7 +11,7 @@
 
 namespace touchdown::tests {
 
-/// Valid scenario plus additional lines.
+/// Text of a valid scenario plus additional lines.
 inline std::string With(const std::string& lines) {
   return "script:\n  - {do: takeoff, height_m: 1}\n  - {do: land}\n" + lines;
 }
@@ -24,7 +24,7 @@ inline runner::Scenario Parse(const std::string& text, const std::vector<std::st
   return runner::ParseScenario(text, "f.yaml", TOUCHDOWN_SOURCE_DIR, Overrides(set));
 }
 
-/// Error message for an invalid text.
+/// Error message of Parse for an invalid text.
 inline std::string ErrorOf(const std::string& text, const std::vector<std::string>& set = {}) {
   try {
     Parse(text, set);

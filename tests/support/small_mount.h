@@ -13,11 +13,11 @@ namespace touchdown::tests {
 /// File system of at most 64 MiB mounted on a directory.
 class SmallMount {
  public:
-  explicit SmallMount(std::filesystem::path place) : place_(std::move(place)) {
-    is_mounted_ = mount("none", place_.c_str(), "tmpfs", 0, "size=64m") == 0;
+  explicit SmallMount(std::filesystem::path directory) : directory_(std::move(directory)) {
+    is_mounted_ = mount("none", directory_.c_str(), "tmpfs", 0, "size=64m") == 0;
   }
   ~SmallMount() {
-    if (is_mounted_) umount(place_.c_str());
+    if (is_mounted_) umount(directory_.c_str());
   }
   SmallMount(const SmallMount&) = delete;
   SmallMount& operator=(const SmallMount&) = delete;
@@ -30,14 +30,14 @@ class SmallMount {
 
  private:
   void Remount(unsigned long flags, const std::string& options) const {
-    ASSERT_EQ(mount("none", place_.c_str(), "tmpfs", flags, options.c_str()), 0);
+    ASSERT_EQ(mount("none", directory_.c_str(), "tmpfs", flags, options.c_str()), 0);
   }
   std::uintmax_t UsedKilobytes() const {
-    const std::filesystem::space_info space = std::filesystem::space(place_);
+    const std::filesystem::space_info space = std::filesystem::space(directory_);
     return (space.capacity - space.free) / 1024;
   }
 
-  std::filesystem::path place_;
+  std::filesystem::path directory_;
   bool is_mounted_ = false;
 };
 

@@ -10,16 +10,15 @@ namespace touchdown::tests {
 /// flights but one fail. The touchdown point of flight n is at x = n mm, y = -1 mm.
 inline sweeper::SweepOutcome SyntheticSweep() {
   using namespace sweeper;
-  SweepOutcome sweep{.terms = {.name = "night <1>",
-                               .description = "Of & for people.",
-                               .axes = {{"camera.noise_sigma", {"10", "2"}},
-                                        {"camera.exposure_ms", {"4", "8"}},
-                                        {"start.yaw_deg", {}}},
-                               .criteria = {{.metric = "pass_rate", .min = 0.9},
-                                            {.metric = "flight.touchdown_xy_error_m", .quantile = 0.5, .max = 0.05}}},
-                     .planned = 23,
-                     .whole = 23,
-                     .stale = 7};
+  SweepOutcome sweep{
+      .spec = {.name = "night <1>",
+               .description = "Noise & exposure.",
+               .axes = {{"camera.noise_sigma", {"10", "2"}}, {"camera.exposure_ms", {"4", "8"}}, {"start.yaw_deg", {}}},
+               .criteria = {{.metric = "pass_rate", .min = 0.9},
+                            {.metric = "flight.touchdown_xy_error_m", .quantile = 0.5, .max = 0.05}}},
+      .planned = 23,
+      .total = 23,
+      .stale = 7};
   for (int seed = 1; seed <= 5; ++seed) {
     for (const char* noise : {"10", "2"}) {
       for (const char* exposure : {"4", "8"}) {
@@ -46,7 +45,7 @@ inline sweeper::SweepOutcome SyntheticSweep() {
   crashed.process = ProcessEnd::kOutOfMemory;
   crashed.verdict = runner::Verdict::kError;
   crashed.outcome = runner::Outcome::kError;
-  crashed.reason = "needs more memory than its limit";
+  crashed.reason = "exceeded the memory limit";
   crashed.stderr_tail = "std::bad_alloc </pre>";
   crashed.metrics.clear();
   return sweep;

@@ -13,7 +13,7 @@ inline models::Vehicle VehicleWithoutDrag() {
   return vehicle;
 }
 
-/// Still air and balanced rotors, without textures.
+/// Configuration with still air, balanced rotors and no textures.
 inline sim::WorldConfig StillAndBalanced() {
   sim::WorldConfig config;
   config.vibration.imbalance_kg_m = 0.0;
@@ -21,14 +21,14 @@ inline sim::WorldConfig StillAndBalanced() {
   return config;
 }
 
-/// Default world without textures.
+/// Default configuration without textures.
 inline sim::WorldConfig Unpainted() {
   sim::WorldConfig config;
   config.paint_textures = false;
   return config;
 }
 
-/// Empty room with `vehicle`, still air and balanced rotors.
+/// World with `vehicle` in an empty room, still air and balanced rotors.
 inline sim::World QuietWorld(const models::Vehicle& vehicle) {
   return sim::World(StillAndBalanced(), vehicle, EmptyRoom(), models::TimeBase{}, 1);
 }

@@ -11,7 +11,7 @@ namespace touchdown::runner {
 
 struct Scenario;
 
-/// A change of the mean wind, for good.
+/// A permanent change of the mean wind.
 struct Wind {
   static constexpr std::string_view kName = "wind";
   static constexpr std::string_view kDoc = "a new mean wind";

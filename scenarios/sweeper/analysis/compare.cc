@@ -53,26 +53,27 @@ PairsBySeed PairsOf(const StoredResults& a, const StoredResults& b, Comparison& 
   return pairs;
 }
 
-/// Interval of Bonett and Price (2012) for `gained` and `lost` passes, with one more change in each direction.
-util::Interval ShareDifference(double gained, double lost, double seeds) {
+/// Difference of two paired proportions with the interval of Bonett and Price (2012), which adds one change in each
+/// direction. `gained` and `lost` are the numbers of seeds that pass only in B and only in A.
+util::Interval ProportionDifference(double gained, double lost, double seeds) {
   const double n = seeds + 2.0, up = (gained + 1.0) / n, down = (lost + 1.0) / n;
   const double half = util::NormalQuantile(kUpper) * std::sqrt((up + down - (up - down) * (up - down)) / n);
   return {(gained - lost) / seeds, std::max(-1.0, up - down - half), std::min(1.0, up - down + half)};
 }
 
-/// Smallest change of a pass rate that the seeds detect with 80 % power, when `both_ways` of them change in each
-/// direction anyway: the additional changes in one direction have a binomial probability. 1 when no change
-/// of so few seeds shows.
-double ResolvableChange(int both_ways, int seeds) {
-  int needed = both_ways + 1;
-  while (needed + both_ways <= seeds && ShareDifference(both_ways, needed, seeds).high >= 0.0) ++needed;
+/// Smallest worsening of a pass rate that the seeds detect with 80 % power, if `both_ways` of them change in each
+/// direction in any case. The number of changes for the worse is binomial. Returns 1 if the seeds are too few to detect
+/// any change.
+double MinDetectableChange(int both_ways, int seeds) {
+  int needed = both_ways + 1;  // Fewest changes for the worse that are significant.
+  while (needed + both_ways <= seeds && ProportionDifference(both_ways, needed, seeds).high >= 0.0) ++needed;
   if (needed + both_ways > seeds) return 1.0;
-  double too_rare = 0.0, enough = 1.0;
+  double low = 0.0, high = 1.0;  // Bisection: the power is too low at `low`, and sufficient at `high`.
   for (int i = 0; i < 40; ++i) {
-    const double probability = 0.5 * (too_rare + enough);
-    (util::BinomialTail(needed, seeds, probability) < kPower ? too_rare : enough) = probability;
+    const double probability = 0.5 * (low + high);
+    (util::BinomialTail(needed, seeds, probability) < kPower ? low : high) = probability;
   }
-  return enough - static_cast<double>(both_ways) / seeds;
+  return high - static_cast<double>(both_ways) / seeds;
 }
 
 PairedDifference PassRateDifference(const PairsBySeed& pairs_by_seed) {
@@ -80,26 +81,26 @@ PairedDifference PassRateDifference(const PairsBySeed& pairs_by_seed) {
       .name = std::string(kPassRate), .seeds = static_cast<int>(pairs_by_seed.size()), .larger_is_better = true};
   double gained = 0.0, lost = 0.0;
   for (const auto& [seed, pairs] : pairs_by_seed) {
-    const double share = 1.0 / static_cast<double>(pairs.size());
+    const double weight = 1.0 / static_cast<double>(pairs.size());
     for (const auto& [a, b] : pairs) {
-      difference.a += a->row.passed() ? share : 0.0;
-      difference.b += b->row.passed() ? share : 0.0;
-      gained += !a->row.passed() && b->row.passed() ? share : 0.0;
-      lost += a->row.passed() && !b->row.passed() ? share : 0.0;
+      difference.a += a->row.passed() ? weight : 0.0;
+      difference.b += b->row.passed() ? weight : 0.0;
+      gained += !a->row.passed() && b->row.passed() ? weight : 0.0;
+      lost += a->row.passed() && !b->row.passed() ? weight : 0.0;
     }
     difference.pairs += static_cast<int>(pairs.size());
   }
   difference.a /= difference.seeds;
   difference.b /= difference.seeds;
-  difference.difference = ShareDifference(gained, lost, difference.seeds);
+  difference.difference = ProportionDifference(gained, lost, difference.seeds);
   difference.min_detectable_difference =
-      ResolvableChange(static_cast<int>(std::ceil(std::min(gained, lost))), difference.seeds);
+      MinDetectableChange(static_cast<int>(std::ceil(std::min(gained, lost))), difference.seeds);
   return difference;
 }
 
 std::optional<PairedDifference> MetricDifference(const runner::MetricInfo& metric, const PairsBySeed& pairs_by_seed) {
   int count = 0;
-  std::vector<double> of_a, of_b, differences;  // Mean of each seed.
+  std::vector<double> a_means, b_means, differences;  // One value per seed.
   for (const auto& [seed, pairs] : pairs_by_seed) {
     std::vector<double> a_values, b_values;
     for (const auto& [a, b] : pairs) {
@@ -110,9 +111,9 @@ std::optional<PairedDifference> MetricDifference(const runner::MetricInfo& metri
     }
     if (a_values.empty()) continue;
     count += static_cast<int>(a_values.size());
-    of_a.push_back(util::Mean(a_values));
-    of_b.push_back(util::Mean(b_values));
-    differences.push_back(of_b.back() - of_a.back());
+    a_means.push_back(util::Mean(a_values));
+    b_means.push_back(util::Mean(b_values));
+    differences.push_back(b_means.back() - a_means.back());
   }
   constexpr std::size_t kFewest = 2;
   if (differences.size() < kFewest) return std::nullopt;
@@ -124,42 +125,42 @@ std::optional<PairedDifference> MetricDifference(const runner::MetricInfo& metri
       .unit = std::string(metric.unit),
       .pairs = count,
       .seeds = static_cast<int>(differences.size()),
-      .a = util::Mean(of_a),
-      .b = util::Mean(of_b),
+      .a = util::Mean(a_means),
+      .b = util::Mean(b_means),
       .difference = util::MeanInterval(differences),
       .min_detectable_difference =
           (util::StudentsTQuantile(kUpper, freedom) + util::StudentsTQuantile(kPower, freedom)) * standard_error,
       .larger_is_better = metric.larger_is_better};
 }
 
-/// Only what has a margin is judged, and the pass rate.
+/// Decides whether a difference is a worsening. Only the pass rate and metrics with a margin are judged.
 void Judge(PairedDifference& difference, const std::vector<Margin>& margins) {
   const auto found = std::find_if(margins.begin(), margins.end(),
                                   [&](const Margin& margin) { return margin.name == difference.name; });
   if (found == margins.end() && difference.name != kPassRate) return;
   difference.margin = found == margins.end() ? 0.0 : found->margin;
   const double sign = difference.larger_is_better ? -1.0 : 1.0;
-  const double least_worse = std::min(sign * difference.difference.low, sign * difference.difference.high);
-  difference.is_worse = least_worse > 0.0 && sign * difference.difference.value > difference.margin;
+  const double smallest_worsening = std::min(sign * difference.difference.low, sign * difference.difference.high);
+  difference.is_worse = smallest_worsening > 0.0 && sign * difference.difference.value > difference.margin;
 }
 
 void CheckMargins(const std::vector<Margin>& margins) {
   for (const Margin& margin : margins) {
     if (margin.name != kPassRate && runner::FindMetric(margin.name) == nullptr) {
-      throw InputError(fmt::format("--margin: no metric of the name {}", margin.name));
+      throw InputError(fmt::format("--margin: unknown metric {}", margin.name));
     }
     if (margin.name == kPassRate && margin.margin >= 1.0) {
-      throw InputError(fmt::format("--margin pass_rate={:g}: a share below 1 is meant", margin.margin));
+      throw InputError(fmt::format("--margin pass_rate={:g}: must be below 1", margin.margin));
     }
   }
 }
 
-/// A gate that judged nothing must not pass.
-void RefuseUnjudged(const Margin& margin, const Comparison& comparison) {
+/// Throws InputError for a margin of a quantity that was not compared, because such a comparison must not pass.
+void RejectUnjudgedMargin(const Margin& margin, const Comparison& comparison) {
   const bool is_judged = std::any_of(comparison.differences.begin(), comparison.differences.end(),
                                      [&](const PairedDifference& each) { return each.name == margin.name; });
   if (!is_judged)
-    throw InputError(fmt::format("--margin {}: the flights of fewer than two seeds have it", margin.name));
+    throw InputError(fmt::format("--margin {}: fewer than two seeds have pairs with this metric", margin.name));
 }
 
 }  // namespace
@@ -171,7 +172,7 @@ bool Comparison::is_worse() const {
 StoredResults LoadResults(const std::string& source) {
   if (fs::is_directory(source)) {
     const SweepStore store(source, SweepStore::Access::kRead);
-    return {source, store.terms().keys(), store.Results()};
+    return {source, store.spec().keys(), store.Results()};
   }
   return ReadRowsCsv(source);
 }
@@ -183,7 +184,8 @@ StoredResults OfVariant(const StoredResults& stored, const std::string& variant)
     part.results.push_back(result);
     part.results.back().variant.clear();
   }
-  if (part.results.empty()) throw InputError(fmt::format("{}: has no flight of a variant {}", stored.source, variant));
+  if (part.results.empty())
+    throw InputError(fmt::format("{}: contains no flights of variant {}", stored.source, variant));
   return part;
 }
 
@@ -193,14 +195,14 @@ Comparison Compare(const StoredResults& a, const StoredResults& b, const std::ve
   const PairsBySeed pairs = PairsOf(a, b, comparison);
   if (pairs.empty()) {
     throw InputError(
-        fmt::format("{} and {}: have no flight of the same seed, variant and parameters", a.source, b.source));
+        fmt::format("{} and {}: no flights with the same seed, variant and parameters", a.source, b.source));
   }
   comparison.differences.push_back(PassRateDifference(pairs));
   for (const runner::MetricInfo& metric : runner::AllMetrics()) {
     if (const auto difference = MetricDifference(metric, pairs)) comparison.differences.push_back(*difference);
   }
   for (PairedDifference& difference : comparison.differences) Judge(difference, margins);
-  for (const Margin& margin : margins) RefuseUnjudged(margin, comparison);
+  for (const Margin& margin : margins) RejectUnjudgedMargin(margin, comparison);
   return comparison;
 }
 

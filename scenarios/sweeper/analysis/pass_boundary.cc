@@ -8,8 +8,8 @@
 namespace touchdown::sweeper {
 namespace {
 
-constexpr int kPlaces = 121, kWidths = 17;
-// Fractions of the range: from a step between neighboring locations to a slope over the whole range.
+constexpr int kSteps = 121, kWidths = 17;
+// Widths as fractions of [min, max]: from a step between neighboring locations to a slope over the whole range.
 constexpr double kNarrowest = 0.005, kWidest = 0.5;
 constexpr std::array<double, 3> kLapses = {0.002, 0.02, 0.06};
 
@@ -20,22 +20,22 @@ double Falling(double x) { return 1.0 / (1.0 + std::exp(x)); }
 
 PassBoundary::PassBoundary(double min, double max, double level) : min_(min), max_(max) {
   const double range = max - min;
-  for (int place = 0; place < kPlaces; ++place) {
+  for (int step = 0; step < kSteps; ++step) {
     for (int i = 0; i < kWidths; ++i) {
       for (const double lapse : kLapses) {
         if (level >= 1.0 - lapse) continue;  // This curve never reaches the level.
         const double x_at_level = std::log((1.0 - lapse) / level - 1.0);
         for (const double sign : {1.0, -1.0}) {
-          const double edge = min + range * place / (kPlaces - 1);
+          const double location = min + range * step / (kSteps - 1);
           const double width = sign * range * kNarrowest * std::pow(kWidest / kNarrowest, i / (kWidths - 1.0));
-          curves_.push_back({edge, edge - x_at_level * width, width, lapse, 0.0});
+          curves_.push_back({location, location - x_at_level * width, width, lapse, 0.0});
         }
       }
     }
   }
 }
 
-void PassBoundary::Take(double value, int passed, int failed) {
+void PassBoundary::Add(double value, int passed, int failed) {
   constexpr double kMinProbability = 1e-12;
   for (Curve& curve : curves_) {
     const double pass_rate = (1.0 - curve.lapse) * Falling((value - curve.middle) / curve.width);
@@ -44,20 +44,20 @@ void PassBoundary::Take(double value, int passed, int failed) {
   }
 }
 
-double PassBoundary::Quantile(double share) const {
-  const double most = std::max_element(curves_.begin(), curves_.end(), [](const Curve& a, const Curve& b) {
-                        return a.log_posterior < b.log_posterior;
-                      })->log_posterior;
-  std::array<double, kPlaces> weights{};
+double PassBoundary::Quantile(double probability) const {
+  const double max_log = std::max_element(curves_.begin(), curves_.end(), [](const Curve& a, const Curve& b) {
+                           return a.log_posterior < b.log_posterior;
+                         })->log_posterior;
+  std::array<double, kSteps> weights{};
   for (const Curve& curve : curves_) {
-    const double place = (curve.edge - min_) / (max_ - min_) * (kPlaces - 1);
-    weights[static_cast<std::size_t>(std::lround(place))] += std::exp(curve.log_posterior - most);
+    const double step = (curve.location - min_) / (max_ - min_) * (kSteps - 1);
+    weights[static_cast<std::size_t>(std::lround(step))] += std::exp(curve.log_posterior - max_log);
   }
-  const double wanted = share * std::accumulate(weights.begin(), weights.end(), 0.0);
+  const double target = probability * std::accumulate(weights.begin(), weights.end(), 0.0);
   double sum = 0.0;
-  for (int place = 0; place < kPlaces; ++place) {
-    sum += weights[static_cast<std::size_t>(place)];
-    if (sum >= wanted && place < kPlaces - 1) return min_ + (max_ - min_) * place / (kPlaces - 1);
+  for (int step = 0; step < kSteps; ++step) {
+    sum += weights[static_cast<std::size_t>(step)];
+    if (sum >= target && step < kSteps - 1) return min_ + (max_ - min_) * step / (kSteps - 1);
   }
   return max_;
 }

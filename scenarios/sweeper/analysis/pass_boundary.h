@@ -6,30 +6,30 @@
 
 namespace touchdown::sweeper {
 
-/// Estimate of the value at which the pass rate falls, or rises, through a level: the posterior over a
-/// logistic curve of the pass rate over the value (location, width, direction, and a fraction of failures that do not
-/// depend on the value), from a flat prior over the location within [min, max] and over the logarithm of the width. The
-/// method is that of adaptive threshold searches (Kontsevich and Tyler 1999).
+/// Estimates the pass boundary: the value at which the pass rate crosses a level. The estimate is the posterior of a
+/// logistic curve of the pass rate over the value. Its parameters are location, width, direction, and a fraction of
+/// failures that does not depend on the value (lapse). The prior is flat over the location within [min, max] and over
+/// the logarithm of the width. The method is that of adaptive threshold searches (Kontsevich and Tyler 1999).
 class PassBoundary {
  public:
-  /// The level is the pass rate of interest, in (0, 1).
+  /// `level` is the pass rate at the boundary, in (0, 1).
   PassBoundary(double min, double max, double level);
 
-  /// Adds independent flights at a value.
-  void Take(double value, int passed, int failed);
+  /// Adds independent flights at a value: numbers of passed and failed ones.
+  void Add(double value, int passed, int failed);
 
-  /// Value at which the pass rate equals the level: median and central 95 % of the posterior. The interval reaches an
-  /// end of [min, max] when the boundary may lie beyond it.
-  util::Interval edge() const { return {Quantile(0.5), Quantile(0.025), Quantile(0.975)}; }
-  /// Quantile of the posterior of that value.
-  double Quantile(double share) const;
+  /// Pass boundary: median and central 95 % interval of the posterior. The interval reaches a bound of [min, max] if
+  /// the boundary may be beyond it.
+  util::Interval boundary() const { return {Quantile(0.5), Quantile(0.025), Quantile(0.975)}; }
+  /// Quantile of the posterior of the pass boundary.
+  double Quantile(double probability) const;
 
  private:
   struct Curve {
-    double edge;    ///< Value at which the rate equals the level.
-    double middle;  ///< Value at which the logistic function is 0.5.
-    double width;   ///< Positive for a rate that falls.
-    double lapse;   ///< Fraction of failures independent of the value.
+    double location;  ///< Value at which the rate equals the level.
+    double middle;    ///< Value at which the logistic function is 0.5.
+    double width;     ///< Positive if the rate falls with the value.
+    double lapse;     ///< Fraction of failures that does not depend on the value.
     double log_posterior;
   };
 

@@ -22,13 +22,13 @@ namespace {
 constexpr const char* kSeed = "seed";
 constexpr const char* kLogDigest = "log_sha256";
 
-/// The columns of a row beside its parameters and metrics, those between `seed` and the metrics.
+/// Columns between `seed` and the metrics.
 constexpr std::array<const char*, 3> kFlightColumns = {"process", "verdict", "outcome"};
 
 /// Column indices of a row: id, variant, parameters, seed, flight columns, metrics, log_sha256.
 ///
-/// Files of versions before 0.2 have no column `process`: there, the outcome of a flight without one says how its
-/// process ended.
+/// Files of versions before 0.2 have no column `process`. In these files, a process that did not end normally is given
+/// in the column `outcome`.
 struct Layout {
   std::vector<std::string> head;
   std::size_t seed = 0;
@@ -115,11 +115,11 @@ StoredResults ReadRowsCsv(const std::filesystem::path& file) {
   const std::string text = util::ReadTextFile(file);
   util::CsvReader reader(text);
   const Layout layout(reader.Next().value_or(util::CsvRow()).cells);
-  if (!layout.IsValid()) throw InputError(fmt::format("{}:1: is no header of a sweep's rows", file.string()));
+  if (!layout.IsValid()) throw InputError(fmt::format("{}:1: not the header of sweep rows", file.string()));
   StoredResults stored{.source = file.string(), .keys = {}, .results = {}};
   stored.keys.assign(layout.head.begin() + 2, layout.head.begin() + static_cast<std::ptrdiff_t>(layout.seed));
   while (const std::optional<util::CsvRow> row = reader.Next()) {
-    const auto fail = [&] { return InputError(fmt::format("{}:{}: is no row of a sweep", file.string(), row->line)); };
+    const auto fail = [&] { return InputError(fmt::format("{}:{}: not a row of a sweep", file.string(), row->line)); };
     if (row->cells.size() != layout.head.size()) throw fail();
     try {
       stored.results.push_back(ResultFrom(layout, row->cells));

@@ -10,6 +10,7 @@
 namespace touchdown::sweeper {
 namespace {
 
+/// Bin of a histogram, with its numbers of passed and of all flights.
 struct Bin {
   double from = 0.0, to = 0.0;
   int passed = 0, all = 0;
@@ -40,11 +41,11 @@ std::vector<Bin> BinsOf(const std::vector<SweepResult>& results, const std::stri
   return bins;
 }
 
-/// Limits of the criteria on the metric, without limits far from every value.
-std::vector<double> LimitsNear(const std::vector<Bin>& bins, const SweepSpec& terms, const std::string& metric) {
+/// Limits of the criteria on the metric, without those that are far from all values.
+std::vector<double> LimitsNear(const std::vector<Bin>& bins, const SweepSpec& spec, const std::string& metric) {
   const double span = bins.back().to - bins.front().from;
   std::vector<double> limits;
-  for (const SweepCriterion& criterion : terms.criteria) {
+  for (const SweepCriterion& criterion : spec.criteria) {
     if (criterion.metric != metric) continue;
     for (const std::optional<double>& limit : {criterion.min, criterion.max}) {
       if (limit && *limit > bins.front().from - span && *limit < bins.back().to + span) limits.push_back(*limit);
@@ -53,7 +54,7 @@ std::vector<double> LimitsNear(const std::vector<Bin>& bins, const SweepSpec& te
   return limits;
 }
 
-/// The range of a histogram, and the limits in it.
+/// Gnuplot commands for the range of a histogram and for its limits.
 std::string LimitCommands(const std::vector<Bin>& bins, const std::vector<double>& limits) {
   double least = bins.front().from, most = bins.back().to;
   std::string commands;
@@ -62,22 +63,22 @@ std::string LimitCommands(const std::vector<Bin>& bins, const std::vector<double
     most = std::max(most, limit);
     commands += fmt::format("set arrow from {0},graph 0 to {0},graph 1 nohead dt 2 lw 1.4 lc rgb INK front\n", limit);
   }
-  return commands + RangeAround("xrange", least, most);
+  return commands + RangeCommand("xrange", least, most);
 }
 
 }  // namespace
 
 report::Figure HistogramFigure(const SweepOutcome& sweep, const std::string& metric) {
   const std::vector<Bin> bins = BinsOf(sweep.results, metric);
-  const std::vector<double> limits = LimitsNear(bins, sweep.terms, metric);
+  const std::vector<double> limits = LimitsNear(bins, sweep.spec, metric);
   const runner::MetricInfo* const info = runner::FindMetric(metric);
   const std::string unit = info == nullptr || info->unit.empty() ? "" : fmt::format(", {}", info->unit);
-  report::Figure figure{
-      .name = NameOf("histogram", metric),
-      .title = metric,
-      .caption = fmt::format("Of the {} flights that have it.", MetricValues(sweep.results, metric).size()),
-      .csv = "from,to,passed,all\n"};
-  if (!limits.empty()) figure.caption += " Dashed: what a criterion of the sweep asks of a quantile.";
+  report::Figure figure{.name = FigureName("histogram", metric),
+                        .title = metric,
+                        .caption = fmt::format("Histogram over the {} flights that have this metric.",
+                                               MetricValues(sweep.results, metric).size()),
+                        .csv = "from,to,passed,all\n"};
+  if (!limits.empty()) figure.caption += " Dashed: limit of a criterion on a quantile.";
   for (const Bin& bin : bins)
     figure.csv += fmt::format("{},{},{},{}\n", Number(bin.from), Number(bin.to), bin.passed, bin.all);
   figure.plot =
@@ -95,8 +96,7 @@ report::Figure HistogramFigure(const SweepOutcome& sweep, const std::string& met
 }
 
 report::Figure TouchdownFigure(const SweepOutcome& sweep, double pad_radius_m) {
-  report::Figure figure{
-      .name = "touchdown", .title = "Where the vehicle first touched", .csv = "x_mm,passed_y_mm,failed_y_mm\n"};
+  report::Figure figure{.name = "touchdown", .title = "Touchdown positions", .csv = "x_mm,passed_y_mm,failed_y_mm\n"};
   double reach_mm = kMillimeters * pad_radius_m;
   int count = 0;
   for (const SweepResult& result : sweep.results) {
@@ -112,8 +112,8 @@ report::Figure TouchdownFigure(const SweepOutcome& sweep, double pad_radius_m) {
   }
   const std::string radius = Number(kMillimeters * pad_radius_m), reach = Number(1.1 * reach_mm);
   figure.caption = fmt::format(
-      "The body's origin over the pad at the first contact of a foot, of the {} flights that came to that. The circle "
-      "is the pad's ring, {} mm in radius.",
+      "Position of the body origin relative to the pad at the first contact, for the {} flights that touched down. The "
+      "circle is the ring of the pad with a radius of {} mm.",
       count, radius);
   figure.plot = fmt::format(
       "set size ratio -1\nset xlabel 'x, mm'\nset ylabel 'y, mm'\nset xrange [-{0}:{0}]\nset yrange [-{0}:{0}]\n"

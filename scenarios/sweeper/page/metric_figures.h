@@ -7,10 +7,10 @@
 
 namespace touchdown::sweeper {
 
-/// Histogram of a metric that at least one flight has, with the limits of the sweep's criteria.
+/// Draws a histogram of a metric, with the limits of the sweep's criteria. At least one flight must have the metric.
 report::Figure HistogramFigure(const SweepOutcome& sweep, const std::string& metric);
 
-/// Touchdown positions, around a pad of the given radius.
+/// Plots the touchdown positions, with the ring of a pad of the given radius, m.
 report::Figure TouchdownFigure(const SweepOutcome& sweep, double pad_radius_m);
 
 }  // namespace touchdown::sweeper

@@ -12,13 +12,14 @@
 namespace touchdown::sweeper {
 namespace {
 
-/// A flight's value of a drawn parameter, and what became of it.
+/// Outcome of a flight at a drawn value of a parameter.
 struct DrawnPoint {
   double value = 0.0;
   std::uint64_t seed = 0;
   bool passed = false;
 };
 
+/// Flights with a drawn value on an axis, sorted by value.
 std::vector<DrawnPoint> DrawnPoints(const SweepOutcome& sweep, std::size_t axis) {
   std::vector<DrawnPoint> points;
   for (const SweepResult& result : sweep.results) {
@@ -29,13 +30,13 @@ std::vector<DrawnPoint> DrawnPoints(const SweepOutcome& sweep, std::size_t axis)
   return points;
 }
 
-/// The rows or columns of a heat map.
+/// Rows or columns of a heat map.
 struct HeatAxis {
-  std::vector<std::function<bool(const std::string& value)>> cells = {};
-  std::vector<std::string> tics = {};  ///< Labels and positions, for gnuplot; the center of the first cell is 0.
+  std::vector<std::function<bool(const std::string& value)>> cells = {};  ///< Whether a value is in a cell.
+  std::vector<std::string> tics = {};  ///< Labels and positions for gnuplot; the center of the first cell is at 0.
 };
 
-/// A cell for each listed value, named; numbers with the smallest first.
+/// One cell for each listed value. Numbers are sorted.
 HeatAxis ListedCells(const SweepAxis& axis) {
   std::vector<std::string> values = axis.listed;
   if (IsNumeric(axis)) {
@@ -52,7 +53,7 @@ HeatAxis ListedCells(const SweepAxis& axis) {
   return heat;
 }
 
-/// Cells of the same width that hold all values that were drawn, with numbers at their edges.
+/// Cells of equal width over the range of the drawn values, with numbers at their borders.
 HeatAxis DrawnCells(const SweepOutcome& sweep, std::size_t axis) {
   constexpr int kCells = 5;
   const std::vector<DrawnPoint> points = DrawnPoints(sweep, axis);
@@ -72,10 +73,11 @@ HeatAxis DrawnCells(const SweepOutcome& sweep, std::size_t axis) {
 }
 
 HeatAxis HeatAxisOf(const SweepOutcome& sweep, std::size_t axis) {
-  return sweep.terms.axes[axis].listed.empty() ? DrawnCells(sweep, axis) : ListedCells(sweep.terms.axes[axis]);
+  return sweep.spec.axes[axis].listed.empty() ? DrawnCells(sweep, axis) : ListedCells(sweep.spec.axes[axis]);
 }
 
-/// Each group's rate in a line, at its mean value. `points` are sorted.
+/// CSV lines with the pass rates of groups of equal size, at their mean values; empty for too few points. `points` are
+/// sorted by value.
 std::string GroupLines(const std::vector<DrawnPoint>& points) {
   constexpr std::size_t kGroups = 5, kFewest = 5 * kGroups;
   if (points.size() < kFewest) return "";
@@ -85,7 +87,7 @@ std::string GroupLines(const std::vector<DrawnPoint>& points) {
     PassCount count;
     double sum = 0.0;
     for (std::size_t i = from; i < to; ++i) {
-      count.Take(points[i].seed, points[i].passed);
+      count.Add(points[i].seed, points[i].passed);
       sum += points[i].value;
     }
     const util::Interval rate = count.rate();
@@ -95,64 +97,65 @@ std::string GroupLines(const std::vector<DrawnPoint>& points) {
   return csv;
 }
 
-/// Results of the variant at an index.
+/// Color of the curve of a variant.
 const char* ColorOf(std::size_t variant) {
   constexpr std::array<const char*, 6> kColors = {"ESTIMATE", "SET_POINT", "THIRD", "FOURTH", "FIRST", "SECOND"};
   return kColors[variant % kColors.size()];
 }
 
-/// A dashed line at each edge, in the color of its variant, and its interval shaded.
-std::string BoundaryCommands(const SweepSpec& terms, const std::vector<PassBoundaryOf>& edges) {
-  const std::vector<std::string> variants = terms.flown_variants();
+/// Gnuplot commands for a dashed line at each boundary and its shaded interval, in the color of the variant.
+std::string BoundaryCommands(const SweepSpec& spec, const std::vector<PassBoundaryOf>& boundaries) {
+  const std::vector<std::string> variants = spec.flown_variants();
   std::string commands;
-  for (const PassBoundaryOf& each : edges) {
-    if (!each.edge) continue;
+  for (const PassBoundaryOf& each : boundaries) {
+    if (!each.boundary) continue;
     const auto variant = std::find(variants.begin(), variants.end(), each.variant) - variants.begin();
     const char* const color = ColorOf(static_cast<std::size_t>(variant));
     commands += fmt::format(
         "set object rectangle from {},graph 0 to {},graph 1 behind fillcolor rgb {} fillstyle transparent solid 0.12 "
         "noborder\nset arrow from {},graph 0 to {},graph 1 nohead dashtype 2 linecolor rgb {}\n",
-        Number(each.edge->low), Number(each.edge->high), color, Number(each.edge->value), Number(each.edge->value),
-        color);
+        Number(each.boundary->low), Number(each.boundary->high), color, Number(each.boundary->value),
+        Number(each.boundary->value), color);
   }
   return commands;
 }
 
-std::string BoundaryCaption(const std::vector<PassBoundaryOf>& edges) {
-  const bool is_drawn =
-      std::any_of(edges.begin(), edges.end(), [](const PassBoundaryOf& e) { return e.edge.has_value(); });
-  return is_drawn ? fmt::format(" Dashed: where the rate goes through {:.4g} %, its 95 % interval shaded.",
-                                kPercent * edges.front().pass_rate)
+std::string BoundaryCaption(const std::vector<PassBoundaryOf>& boundaries) {
+  const bool is_drawn = std::any_of(boundaries.begin(), boundaries.end(),
+                                    [](const PassBoundaryOf& each) { return each.boundary.has_value(); });
+  return is_drawn ? fmt::format(" Dashed: boundary at a pass rate of {:.4g} %; shaded: its 95 % interval.",
+                                kPercent * boundaries.front().pass_rate)
                   : "";
 }
 
 }  // namespace
 
-report::Figure PassRateFigure(const SweepOutcome& sweep, std::size_t axis, const std::vector<PassBoundaryOf>& edges) {
-  const SweepAxis& over = sweep.terms.axes[axis];
-  const std::vector<std::string> variants = sweep.terms.flown_variants();
+report::Figure PassRateFigure(const SweepOutcome& sweep, std::size_t axis,
+                              const std::vector<PassBoundaryOf>& boundaries) {
+  const SweepAxis& over = sweep.spec.axes[axis];
+  const std::vector<std::string> variants = sweep.spec.flown_variants();
   std::vector<std::string> values = over.listed;
   std::sort(values.begin(), values.end(),
             [](const std::string& a, const std::string& b) { return AsNumber(a) < AsNumber(b); });
   const double least = *AsNumber(values.front()), most = *AsNumber(values.back());
   report::Figure figure{
-      .name = NameOf("pass_rate", over.key),
+      .name = FigureName("pass_rate", over.key),
       .title = over.key,
-      .caption = "Share of flights that passed, with its 95 % interval (Wilson)." + BoundaryCaption(edges),
+      .caption = "Fraction of flights that passed, with 95 % intervals (Wilson)." + BoundaryCaption(boundaries),
       .csv = "curve,variant,place,value,percent,low,high\n",
-      .plot = RangeAround("xrange", least, most) + BoundaryCommands(sweep.terms, edges) +
+      .plot = RangeCommand("xrange", least, most) + BoundaryCommands(sweep.spec, boundaries) +
               fmt::format("set xlabel {} noenhanced\nset ylabel 'passed, %'\nset yrange [-3:103]\n", Quoted(over.key))};
   std::vector<std::string> curves;
   for (std::size_t variant = 0; variant < variants.size(); ++variant) {
-    // A little beside one another, so that the intervals of all variants are seen.
-    const double beside = 0.008 * (most - least) * (static_cast<double>(variant) - 0.5 * (variants.size() - 1.0));
+    // Small horizontal offsets separate the intervals of the variants.
+    const double offset = 0.008 * (most - least) * (static_cast<double>(variant) - 0.5 * (variants.size() - 1.0));
     for (const std::string& value : values) {
       const PassCount count = CountWhere(sweep.results, [&](const SweepResult& result) {
         return result.variant == variants[variant] && result.values[axis] == value;
       });
       if (count.flown == 0) continue;
       const util::Interval rate = count.rate();
-      figure.csv += util::CsvLine({std::to_string(variant), variants[variant], Number(*AsNumber(value) + beside), value,
+      figure.csv += util::CsvLine({std::to_string(variant), variants[variant], Number(*AsNumber(value) + offset), value,
                                    util::Fixed(kPercent * rate.value, 2), util::Fixed(kPercent * rate.low, 2),
                                    util::Fixed(kPercent * rate.high, 2)});
     }
@@ -171,13 +174,14 @@ report::Figure PassRateFigure(const SweepOutcome& sweep, std::size_t axis, const
 
 report::Figure HeatMapFigure(const SweepOutcome& sweep, std::size_t axis_x, std::size_t axis_y,
                              const std::string& variant) {
-  const SweepAxis &x = sweep.terms.axes[axis_x], &y = sweep.terms.axes[axis_y];
-  const HeatAxis across = HeatAxisOf(sweep, axis_x), up = HeatAxisOf(sweep, axis_y);
-  const auto &columns = across.cells, &rows = up.cells;
-  report::Figure figure{.name = NameOf("heat_map_" + x.key, y.key) + (variant.empty() ? "" : NameOf("", variant)),
-                        .title = fmt::format("{} and {}{}", x.key, y.key, variant.empty() ? "" : ", " + variant),
-                        .caption = "Share of flights that passed; in each cell how many of how many. Gray: none flown.",
-                        .csv = "x,y,passed,flown,percent\n"};
+  const SweepAxis &x = sweep.spec.axes[axis_x], &y = sweep.spec.axes[axis_y];
+  const HeatAxis x_axis = HeatAxisOf(sweep, axis_x), y_axis = HeatAxisOf(sweep, axis_y);
+  const auto &columns = x_axis.cells, &rows = y_axis.cells;
+  report::Figure figure{
+      .name = FigureName("heat_map_" + x.key, y.key) + (variant.empty() ? "" : FigureName("", variant)),
+      .title = fmt::format("{} and {}{}", x.key, y.key, variant.empty() ? "" : ", " + variant),
+      .caption = "Fraction of flights that passed. Each cell shows passed/flown flights. Gray: no flights.",
+      .csv = "x,y,passed,flown,percent\n"};
   for (std::size_t row = 0; row < rows.size(); ++row) {
     for (std::size_t column = 0; column < columns.size(); ++column) {
       const PassCount count = CountWhere(sweep.results, [&](const SweepResult& result) {
@@ -188,12 +192,12 @@ report::Figure HeatMapFigure(const SweepOutcome& sweep, std::size_t axis_x, std:
                                 util::Fixed(kPercent * count.rate().value, 2));
     }
   }
-  // Pale, so that the same dark figures can be read in every cell of both themes.
+  // Pale colors, so that dark numbers are readable in all cells of both themes.
   figure.plot =
       fmt::format(
           "set xtics ({})\nset ytics ({})\nset xlabel {} noenhanced\nset ylabel {} noenhanced\nset xrange "
           "[-0.5:{}]\nset yrange [-0.5:{}]\n",
-          fmt::join(across.tics, ", "), fmt::join(up.tics, ", "), Quoted(x.key), Quoted(y.key),
+          fmt::join(x_axis.tics, ", "), fmt::join(y_axis.tics, ", "), Quoted(x.key), Quoted(y.key),
           static_cast<double>(columns.size()) - 0.5, static_cast<double>(rows.size()) - 0.5) +
       "set object rectangle from graph 0,graph 0 to graph 1,graph 1 behind fillcolor rgb GRID fillstyle solid "
       "noborder\n"
@@ -201,8 +205,8 @@ report::Figure HeatMapFigure(const SweepOutcome& sweep, std::size_t axis_x, std:
       "set palette defined (0 '#f0a878', 50 '#f4f1ec', 100 '#86bfe8')\nset style fill solid 1.0\n"
       "plot data using 'x':'y':(column('x')-0.49):(column('x')+0.49):(column('y')-0.49):(column('y')+0.49):'percent' "
       "with boxxyerror lc palette";
-  constexpr std::size_t kMostWithText = 14;
-  if (columns.size() <= kMostWithText) {
+  constexpr std::size_t kMaxWithText = 14;
+  if (columns.size() <= kMaxWithText) {
     figure.plot +=
         ", '' using 'x':'y':(sprintf('%d/%d', column('passed'), column('flown'))) with labels tc rgb '#111111'";
   }
@@ -213,17 +217,18 @@ report::Figure HeatMapFigure(const SweepOutcome& sweep, std::size_t axis_x, std:
 }
 
 report::Figure DrawnValuesFigure(const SweepOutcome& sweep, std::size_t axis,
-                                 const std::vector<PassBoundaryOf>& edges) {
-  const std::string& key = sweep.terms.axes[axis].key;
+                                 const std::vector<PassBoundaryOf>& boundaries) {
+  const std::string& key = sweep.spec.axes[axis].key;
   const std::vector<DrawnPoint> points = DrawnPoints(sweep, axis);
   const std::string groups = GroupLines(points);
   report::Figure figure{
-      .name = NameOf("drawn", key),
+      .name = FigureName("drawn", key),
       .title = key,
-      .caption = "Each flight that passed above, each that did not below, spread in height to be seen.",
+      .caption = "Passed flights are above, failed flights below. Their vertical position has no meaning.",
       .csv = "value,passed,failed,percent,low,high\n"};
-  if (!groups.empty()) figure.caption += " The line: share that passed in five groups of as many, with 95 % intervals.";
-  figure.caption += BoundaryCaption(edges);
+  if (!groups.empty())
+    figure.caption += " Line: fraction that passed in five groups of equal size, with 95 % intervals.";
+  figure.caption += BoundaryCaption(boundaries);
   constexpr double kGoldenRatio = 0.6180339887498949, kSpread = 12.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double spread = kSpread * std::fmod(kGoldenRatio * static_cast<double>(i), 1.0);
@@ -232,8 +237,8 @@ report::Figure DrawnValuesFigure(const SweepOutcome& sweep, std::size_t axis,
   }
   figure.csv += groups;
   figure.plot =
-      (points.empty() ? "set xrange [0:1]\n" : RangeAround("xrange", points.front().value, points.back().value)) +
-      BoundaryCommands(sweep.terms, edges) +
+      (points.empty() ? "set xrange [0:1]\n" : RangeCommand("xrange", points.front().value, points.back().value)) +
+      BoundaryCommands(sweep.spec, boundaries) +
       fmt::format(
           "set xlabel {} noenhanced\nset yrange [-20:120]\n{}\n"
           "set key outside top center horizontal\nplot data using 'value':'passed' with {} title 'passed', '' using "
@@ -241,7 +246,7 @@ report::Figure DrawnValuesFigure(const SweepOutcome& sweep, std::size_t axis,
           Quoted(key), groups.empty() ? "unset ytics" : "set ylabel 'passed, %'\nset ytics 0,25,100", kPassedPoints,
           kFailedPoints);
   if (!groups.empty())
-    figure.plot += ", '' using 'value':'percent':'low':'high' with yerrorlines pt 7 ps 0.4 lc rgb INK title 'share'";
+    figure.plot += ", '' using 'value':'percent':'low':'high' with yerrorlines pt 7 ps 0.4 lc rgb INK title 'fraction'";
   figure.plot += "\n";
   figure.width_cm = 12.0;
   return figure;

@@ -20,18 +20,20 @@ constexpr int kMaxImages = 50;
 
 data Flag(bool on) { return on ? data::type::bool_true : data::type::bool_false; }
 
-/// Boundary of a search. The pass rate of its flights is not meaningful, as they concentrate near the boundary.
+/// Adds the result of a boundary search. The pass rate is not meaningful, because the flights concentrate near the
+/// boundary.
 template <typename Put>
-void PutEdge(const PassBoundaryOf& each, const Put& put) {
-  if (!each.edge) {
-    put("No boundary found", "all alike", "");
+void PutBoundary(const PassBoundaryOf& each, const Put& put) {
+  if (!each.boundary) {
+    put("No boundary found", "all flights have the same result", "");
     return;
   }
-  put("Boundary", fmt::format("{:.4g}", each.edge->value), "");
-  put("95 % interval", fmt::format("{:.4g}–{:.4g}", each.edge->low, each.edge->high), "");
+  put("Boundary", fmt::format("{:.4g}", each.boundary->value), "");
+  put("95 % interval", fmt::format("{:.4g}–{:.4g}", each.boundary->low, each.boundary->high), "");
 }
 
-data Glance(const SweepOutcome& sweep, const SweepSummary& summary) {
+/// Key figures at the top of the page.
+data KeyFigures(const SweepOutcome& sweep, const SweepSummary& summary) {
   data items{data::type::list};
   const auto put = [&items](const char* label, const std::string& value, const char* unit) {
     data item;
@@ -40,20 +42,20 @@ data Glance(const SweepOutcome& sweep, const SweepSummary& summary) {
     item.set("unit", unit);
     items << item;
   };
-  if (sweep.terms.search) {
-    for (const PassBoundaryOf& each : summary.edges) PutEdge(each, put);
+  if (sweep.spec.search) {
+    for (const PassBoundaryOf& each : summary.boundaries) PutBoundary(each, put);
   } else if (summary.all.flown > 0) {
     put("Passed", RateText(summary.all), "%");
-    put(sweep.terms.stop_when ? "95 % interval (Wilson), not corrected for the early stop" : "95 % interval (Wilson)",
+    put(sweep.spec.stop_when ? "95 % interval (Wilson), not corrected for the early stop" : "95 % interval (Wilson)",
         RateInterval(summary.all), "%");
   }
   put("Flights that passed", std::to_string(summary.all.passed), "");
-  put("Flights that did not", std::to_string(summary.all.flown - summary.all.passed), "");
+  put("Flights that failed", std::to_string(summary.all.flown - summary.all.passed), "");
   put("Flown", std::to_string(summary.all.flown), "");
   put("Planned", std::to_string(sweep.planned), "");
-  if (sweep.whole > sweep.planned) put("In the whole sweep, of which this is a part", std::to_string(sweep.whole), "");
-  if (sweep.unplanned > 0)
-    put("Flown before the sweep's file changed, not counted", std::to_string(sweep.unplanned), "");
+  if (sweep.total > sweep.planned)
+    put("Flights of the whole sweep, of which this is a part", std::to_string(sweep.total), "");
+  if (sweep.unplanned > 0) put("Flown before the sweep file changed, not counted", std::to_string(sweep.unplanned), "");
   if (sweep.stale > 0) put("Flown by another build, not counted", std::to_string(sweep.stale), "");
   return items;
 }
@@ -64,25 +66,25 @@ data Texts(const std::vector<std::string>& texts) {
   return items;
 }
 
-/// Seed, variant and parameters: those columns that the sweep has.
-std::vector<std::string> FailureHead(const SweepSpec& terms) {
+/// Column heads of a failure: seed, variant (if there are variants) and parameters.
+std::vector<std::string> FailureHead(const SweepSpec& spec) {
   std::vector<std::string> head{"Seed"};
-  if (!terms.variants.empty()) head.push_back("Variant");
-  for (const SweepAxis& axis : terms.axes) head.push_back(axis.key);
+  if (!spec.variants.empty()) head.push_back("Variant");
+  for (const SweepAxis& axis : spec.axes) head.push_back(axis.key);
   return head;
 }
 
-std::vector<std::string> FailureCells(const SweepSpec& terms, const SweepResult& result) {
+std::vector<std::string> FailureCells(const SweepSpec& spec, const SweepResult& result) {
   std::vector<std::string> cells{std::to_string(result.seed)};
-  if (!terms.variants.empty()) cells.push_back(result.variant);
-  for (std::size_t i = 0; i < terms.axes.size(); ++i) {
-    const auto drawn = terms.axes[i].listed.empty() ? AsNumber(result.values[i]) : std::nullopt;
+  if (!spec.variants.empty()) cells.push_back(result.variant);
+  for (std::size_t i = 0; i < spec.axes.size(); ++i) {
+    const auto drawn = spec.axes[i].listed.empty() ? AsNumber(result.values[i]) : std::nullopt;
     cells.push_back(drawn ? fmt::format("{:.4g}", *drawn) : result.values[i]);
   }
   return cells;
 }
 
-data FailureData(const SweepSpec& terms, const SweepResult& result, const fs::path& folder) {
+data FailureData(const SweepSpec& spec, const SweepResult& result, const fs::path& folder) {
   const FlightRow& row = result.row;
   data failure;
   failure.set("id", row.id);
@@ -91,11 +93,11 @@ data FailureData(const SweepSpec& terms, const SweepResult& result, const fs::pa
   failure.set("reason", row.reason);
   failure.set("stderr_tail", row.stderr_tail);
   failure.set("has_stderr", Flag(!row.stderr_tail.empty()));
-  failure.set("cells", Texts(FailureCells(terms, result)));
-  const std::string picture = "pictures/" + row.id + ".png";
+  failure.set("cells", Texts(FailureCells(spec, result)));
+  const std::string image = "pictures/" + row.id + ".png";
   std::error_code error;
-  failure.set("picture", picture);
-  failure.set("has_picture", Flag(fs::exists(folder / picture, error)));
+  failure.set("image", image);
+  failure.set("has_image", Flag(fs::exists(folder / image, error)));
   return failure;
 }
 
@@ -104,32 +106,32 @@ void PutFailures(const SweepOutcome& sweep, const fs::path& folder, data& page) 
   int count = 0;
   for (const SweepResult& result : sweep.results) {
     if (result.row.passed()) continue;
-    data failure = FailureData(sweep.terms, result, folder);
+    data failure = FailureData(sweep.spec, result, folder);
     failure.set("shown", Flag(count < kMaxImages));
     failures << failure;
     ++count;
   }
-  page.set("head", Texts(FailureHead(sweep.terms)));
+  page.set("head", Texts(FailureHead(sweep.spec)));
   page.set("failures", failures);
   page.set("has_failures", Flag(count > 0));
   page.set("cut", Flag(count > kMaxImages));
-  page.set("most_pictures", std::to_string(kMaxImages));
+  page.set("max_images", std::to_string(kMaxImages));
 }
 
 void PutSections(const std::vector<report::ReportSection>& sections, data& page) {
   data contents{data::type::list};
   std::string html;
-  const auto enter = [&contents](const std::string& id, const std::string& title) {
+  const auto add_entry = [&contents](const std::string& id, const std::string& title) {
     data entry;
     entry.set("id", id);
     entry.set("title", title);
     contents << entry;
   };
   for (const report::ReportSection& section : sections) {
-    enter(section.id, section.title);
+    add_entry(section.id, section.title);
     html += report::SectionHtml(section);
   }
-  enter("failures", "Failures");
+  add_entry("failures", "Failures");
   page.set("contents", contents);
   page.set("sections", html);
 }
@@ -140,19 +142,19 @@ std::string SweepPage(const SweepOutcome& sweep, const SweepSummary& summary, co
   data page;
   page.set("signature", kSweepPageSignature);
   page.set("style", std::string(report::PageStyle()));
-  page.set("name", sweep.terms.name);
-  page.set("description", sweep.terms.description);
-  page.set("has_criteria", Flag(!summary.criteria.empty() && summary.is_whole));
-  page.set("kept", Flag(summary.keeps_criteria()));
-  const std::size_t left = sweep.whole - std::min(sweep.whole, sweep.results.size());
-  page.set("left", std::to_string(left));
-  page.set("is_partial", Flag(left > 0));
-  page.set("whole", std::to_string(sweep.whole));
-  page.set("glance", Glance(sweep, summary));
+  page.set("name", sweep.spec.name);
+  page.set("description", sweep.spec.description);
+  page.set("has_criteria", Flag(!summary.criteria.empty() && summary.is_complete));
+  page.set("kept", Flag(summary.meets_criteria()));
+  const std::size_t missing = sweep.total - std::min(sweep.total, sweep.results.size());
+  page.set("missing", std::to_string(missing));
+  page.set("is_partial", Flag(missing > 0));
+  page.set("total", std::to_string(sweep.total));
+  page.set("glance", KeyFigures(sweep, summary));
   PutSections(SweepSections(sweep, summary), page);
   PutFailures(sweep, folder, page);
   kainjow::mustache::mustache page_template{std::string(report::SweepPageTemplate())};
-  if (!page_template.is_valid()) throw std::logic_error("the sweep page's template: " + page_template.error_message());
+  if (!page_template.is_valid()) throw std::logic_error("sweep page template: " + page_template.error_message());
   return page_template.render(page);
 }
 

@@ -7,11 +7,11 @@
 
 namespace touchdown::sweeper {
 
-/// Signature of a sweep's page.
+/// Signature of a sweep page; see WriteOutputFile.
 inline constexpr const char* kSweepPageSignature = "<!-- touchdown.sweep -->";
 
-/// Page of a sweep with its summary, written to its folder as report.html; it links the images beside it.
-/// `folder` appears verbatim in the commands that repeat a flight. Throws as Draw does.
+/// HTML page of a sweep. It is meant for report.html in the output directory `folder`, because it links the images
+/// there by relative paths. `folder` appears verbatim in the commands that repeat a flight. Throws as Draw does.
 std::string SweepPage(const SweepOutcome& sweep, const SweepSummary& summary, const std::filesystem::path& folder);
 
 }  // namespace touchdown::sweeper

@@ -23,22 +23,22 @@ bool HasMetric(const SweepOutcome& sweep, const std::string& metric) {
                      [&](const SweepResult& result) { return result.row.metrics.contains(metric); });
 }
 
-/// An end that is not known is a question mark.
+/// Interval as text. An infinite bound is a question mark.
 std::string IntervalText(const util::Interval& interval) {
-  const auto end = [](double value) { return std::isfinite(value) ? Short(value) : std::string("?"); };
-  return fmt::format("{}–{}", end(interval.low), end(interval.high));
+  const auto bound = [](double value) { return std::isfinite(value) ? Short(value) : std::string("?"); };
+  return fmt::format("{}–{}", bound(interval.low), bound(interval.high));
 }
 
 report::ReportSection CriteriaSection(const SweepSummary& summary) {
   report::ReportTable table{.name = "criteria",
-                            .caption = "What the sweep as a whole was asked for.",
-                            .head = {"Criterion", "Value", "95 % interval", "Unit", "Limit", "Kept"}};
+                            .caption = "Criteria of the whole sweep.",
+                            .head = {"Criterion", "Value", "95 % interval", "Unit", "Limit", "Met"}};
   for (const auto& [check, interval] : summary.criteria) {
     table.rows.push_back({check.name, ValueText(check), interval ? IntervalText(*interval) : "", check.unit,
                           util::WithSigns(check.limit),
-                          !summary.is_whole ? "not yet judged"
-                          : check.pass      ? "✓ yes"
-                                            : "✗ no"});
+                          !summary.is_complete ? "not yet judged"
+                          : check.pass         ? "✓ yes"
+                                               : "✗ no"});
   }
   report::ReportSection section{.id = "criteria", .title = "Criteria"};
   section.tables.push_back(std::move(table));
@@ -46,12 +46,11 @@ report::ReportSection CriteriaSection(const SweepSummary& summary) {
 }
 
 report::ReportTable PassRateTable(const SweepSummary& summary) {
-  report::ReportTable table{
-      .name = "pass_rates",
-      .caption =
-          "Of the flights that share a value. Intervals hold the true rate with 95 % confidence; all "
-          "flights of a seed count as one for them.",
-      .head = {"Parameter", "Value", "Passed, %", "Interval, %", "Passed", "Flown", "Seeds"}};
+  report::ReportTable table{.name = "pass_rates",
+                            .caption =
+                                "Pass rates of the flights with the same value, with 95 % confidence intervals. For "
+                                "the intervals, all flights of a seed count as one.",
+                            .head = {"Parameter", "Value", "Passed, %", "Interval, %", "Passed", "Flown", "Seeds"}};
   const auto add = [&table](const std::string& key, const std::string& value, const PassCount& count) {
     table.rows.push_back({key, value, RateText(count), RateInterval(count), std::to_string(count.passed),
                           std::to_string(count.flown), std::to_string(count.seeds.size())});
@@ -63,45 +62,46 @@ report::ReportTable PassRateTable(const SweepSummary& summary) {
 
 std::vector<PassBoundaryOf> PassBoundariesOver(std::size_t axis, const SweepOutcome& sweep,
                                                const SweepSummary& summary) {
-  std::vector<PassBoundaryOf> edges;
-  std::copy_if(summary.edges.begin(), summary.edges.end(), std::back_inserter(edges),
-               [&](const PassBoundaryOf& edge) { return edge.key == sweep.terms.axes[axis].key; });
-  return edges;
+  std::vector<PassBoundaryOf> boundaries;
+  std::copy_if(summary.boundaries.begin(), summary.boundaries.end(), std::back_inserter(boundaries),
+               [&](const PassBoundaryOf& each) { return each.key == sweep.spec.axes[axis].key; });
+  return boundaries;
 }
 
 report::ReportTable PassBoundariesTable(const SweepSummary& summary) {
   report::ReportTable table{.name = "edges",
                             .caption =
-                                "Where the pass rate goes through a level: median and 95 % of the posterior over a "
-                                "logistic curve.",
-                            .head = {"Parameter", "Variant", "Pass rate, %", "Edge", "Interval"}};
-  for (const PassBoundaryOf& each : summary.edges) {
-    table.rows.push_back({each.key, each.variant, Short(kPercent * each.pass_rate),
-                          each.edge ? Short(each.edge->value) : "none found",
-                          each.edge ? IntervalText(*each.edge) + (each.may_lie_beyond ? ", or beyond" : "") : ""});
+                                "Values at which the pass rate crosses a level: median and 95 % interval of the "
+                                "posterior of a logistic curve.",
+                            .head = {"Parameter", "Variant", "Pass rate, %", "Boundary", "Interval"}};
+  for (const PassBoundaryOf& each : summary.boundaries) {
+    table.rows.push_back(
+        {each.key, each.variant, Short(kPercent * each.pass_rate),
+         each.boundary ? Short(each.boundary->value) : "none found",
+         each.boundary ? IntervalText(*each.boundary) + (each.may_lie_beyond ? ", or beyond" : "") : ""});
   }
   return table;
 }
 
 void AddFigureOver(std::size_t axis, const SweepOutcome& sweep, const SweepSummary& summary,
                    report::ReportSection& section) {
-  const SweepAxis& over = sweep.terms.axes[axis];
-  const std::vector<PassBoundaryOf> edges = PassBoundariesOver(axis, sweep, summary);
+  const SweepAxis& over = sweep.spec.axes[axis];
+  const std::vector<PassBoundaryOf> boundaries = PassBoundariesOver(axis, sweep, summary);
   if (over.listed.empty()) {
-    section.figures.push_back(DrawnValuesFigure(sweep, axis, edges));
+    section.figures.push_back(DrawnValuesFigure(sweep, axis, boundaries));
   } else if (IsNumeric(over)) {
-    section.figures.push_back(PassRateFigure(sweep, axis, edges));
+    section.figures.push_back(PassRateFigure(sweep, axis, boundaries));
   }
 }
 
-/// Over each parameter, and over each two of the first few.
+/// Adds figures over single parameters, and over the pairs of the first few.
 void AddPassRateFigures(const SweepOutcome& sweep, const SweepSummary& summary, report::ReportSection& section) {
-  constexpr std::size_t kMostOne = 8, kMostInPairs = 4;
-  const std::size_t axes = sweep.terms.axes.size();
-  for (std::size_t axis = 0; axis < std::min(axes, kMostOne); ++axis) AddFigureOver(axis, sweep, summary, section);
-  for (std::size_t x = 0; x < std::min(axes, kMostInPairs); ++x) {
-    for (std::size_t y = x + 1; y < std::min(axes, kMostInPairs); ++y) {
-      for (const std::string& variant : sweep.terms.flown_variants()) {
+  constexpr std::size_t kMaxSingle = 8, kMaxInPairs = 4;
+  const std::size_t axes = sweep.spec.axes.size();
+  for (std::size_t axis = 0; axis < std::min(axes, kMaxSingle); ++axis) AddFigureOver(axis, sweep, summary, section);
+  for (std::size_t x = 0; x < std::min(axes, kMaxInPairs); ++x) {
+    for (std::size_t y = x + 1; y < std::min(axes, kMaxInPairs); ++y) {
+      for (const std::string& variant : sweep.spec.flown_variants()) {
         section.figures.push_back(HeatMapFigure(sweep, x, y, variant));
       }
     }
@@ -111,12 +111,12 @@ void AddPassRateFigures(const SweepOutcome& sweep, const SweepSummary& summary, 
 report::ReportSection PassRateSection(const SweepOutcome& sweep, const SweepSummary& summary) {
   report::ReportSection section{.id = "pass-rate", .title = "Pass rate"};
   AddPassRateFigures(sweep, summary, section);
-  if (!summary.edges.empty()) section.tables.push_back(PassBoundariesTable(summary));
+  if (!summary.boundaries.empty()) section.tables.push_back(PassBoundariesTable(summary));
   section.tables.push_back(PassRateTable(summary));
   return section;
 }
 
-/// Scenario of the first flight; nullopt for one that this program cannot read.
+/// Outer radius of the pad of the first flight; nullopt if this program cannot read its scenario.
 std::optional<double> PadRadius_m(const SweepOutcome& sweep) {
   try {
     return runner::ParseScenario(sweep.results.front().row.scenario, "scenario", {}).pad.outer_radius_m;
@@ -143,7 +143,7 @@ report::ReportTable MetricsTable(const SweepOutcome& sweep) {
 report::ReportSection MetricsSection(const SweepOutcome& sweep) {
   report::ReportSection section{.id = "metrics", .title = "Metrics"};
   std::vector<std::string> shown{kTouchdownError};
-  for (const SweepCriterion& criterion : sweep.terms.criteria) {
+  for (const SweepCriterion& criterion : sweep.spec.criteria) {
     if (std::find(shown.begin(), shown.end(), criterion.metric) == shown.end()) shown.push_back(criterion.metric);
   }
   for (const std::string& metric : shown) {
@@ -157,10 +157,10 @@ report::ReportTable VariantTable(const StoredResults& stored, const std::string&
   report::ReportTable table{
       .name = "variants",
       .caption =
-          "The second variant less the first, over the flights that share seed and values, with "
-          "95 % intervals, for which all pairs of a seed count as one; last the smallest change that so "
-          "many seeds detect with 80 % power.",
-      .head = {"Metric", "Unit", "Pairs", "Seeds", a, b, "Difference", "Interval", "Resolvable"}};
+          "Second variant minus first variant, over the pairs of flights with the same seed and values, with 95 % "
+          "intervals, for which all pairs of a seed count as one. Detectable: the smallest difference that these "
+          "seeds detect with 80 % power.",
+      .head = {"Metric", "Unit", "Pairs", "Seeds", a, b, "Difference", "Interval", "Detectable"}};
   for (const PairedDifference& each : Compare(OfVariant(stored, a), OfVariant(stored, b), {}).differences) {
     table.rows.push_back({each.name, each.unit, std::to_string(each.pairs), std::to_string(each.seeds), Short(each.a),
                           Short(each.b), fmt::format("{:+.4g}", each.difference.value),
@@ -170,15 +170,15 @@ report::ReportTable VariantTable(const StoredResults& stored, const std::string&
   return table;
 }
 
-/// The first variant against each other one.
+/// Comparisons of the first variant with the others.
 report::ReportSection VariantsSection(const SweepOutcome& sweep) {
   report::ReportSection section{.id = "variants", .title = "Variants"};
-  const StoredResults stored{.source = sweep.terms.name, .keys = sweep.terms.keys(), .results = sweep.results};
-  for (std::size_t i = 1; i < sweep.terms.variants.size(); ++i) {
+  const StoredResults stored{.source = sweep.spec.name, .keys = sweep.spec.keys(), .results = sweep.results};
+  for (std::size_t i = 1; i < sweep.spec.variants.size(); ++i) {
     try {
-      section.tables.push_back(VariantTable(stored, sweep.terms.variants.front(), sweep.terms.variants[i]));
+      section.tables.push_back(VariantTable(stored, sweep.spec.variants.front(), sweep.spec.variants[i]));
     } catch (const InputError&) {
-      continue;  // No pair is flown yet.
+      continue;  // There are no pairs yet.
     }
   }
   return section;
@@ -191,13 +191,12 @@ report::ReportSection CausesSection(const SweepOutcome& sweep) {
   }
   std::vector<std::pair<std::string, int>> sorted(counts.begin(), counts.end());
   std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
-  report::ReportTable table{
-      .name = "causes",
-      .caption = "The first criterion that a flight did not keep, and the phase in which it was lost.",
-      .head = {"Cause", "Flights", "Of all, %"}};
+  report::ReportTable table{.name = "causes",
+                            .caption = "The first check that a flight did not meet, and the phase in which it failed.",
+                            .head = {"Cause", "Flights", "Of all, %"}};
   for (const auto& [cause, count] : sorted) {
-    const double share = kPercent * count / static_cast<double>(sweep.results.size());
-    table.rows.push_back({cause, std::to_string(count), util::Fixed(share, 1)});
+    const double percent = kPercent * count / static_cast<double>(sweep.results.size());
+    table.rows.push_back({cause, std::to_string(count), util::Fixed(percent, 1)});
   }
   report::ReportSection section{.id = "causes", .title = "Causes of failure"};
   section.tables.push_back(std::move(table));
@@ -232,7 +231,7 @@ std::vector<report::ReportSection> SweepSections(const SweepOutcome& sweep, cons
     }
   }
   sections.push_back(MetricsSection(sweep));
-  if (sweep.terms.variants.size() > 1) sections.push_back(VariantsSection(sweep));
+  if (sweep.spec.variants.size() > 1) sections.push_back(VariantsSection(sweep));
   if (summary.all.passed < summary.all.flown) sections.push_back(CausesSection(sweep));
   return sections;
 }

@@ -7,14 +7,15 @@
 
 namespace touchdown::sweeper {
 
-/// Sections of a sweep's page, without its head and its list of failures. Empty sections are left out.
+/// Sections of a sweep page, without its header and its list of failures. Empty sections are omitted.
 std::vector<report::ReportSection> SweepSections(const SweepOutcome& sweep, const SweepSummary& summary);
 
-/// Reason why a flight did not pass, in a few words: end of its process, outcome, or criterion and phase.
+/// Short reason why a flight did not pass: the end of its process, the outcome, or the criterion, with the phase.
 std::string CauseOf(const FlightRow& row);
 
-/// A pass rate and its interval in percent: "75.0" and "30.1–95.4".
+/// Pass rate in percent, such as "75.0".
 std::string RateText(const PassCount& count);
+/// 95 % interval of the pass rate in percent, such as "30.1–95.4".
 std::string RateInterval(const PassCount& count);
 
 }  // namespace touchdown::sweeper

@@ -13,9 +13,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kSchema = 2;
 
-/// Throws Json::exception or std::invalid_argument for what is not a row.
+/// Throws Json::exception or std::invalid_argument if `json` is not a row.
 FlightRow RowFrom(const Json& json) {
-  if (json.at("schema").get<int>() != kSchema) throw std::invalid_argument("another schema");
+  if (json.at("schema").get<int>() != kSchema) throw std::invalid_argument("unknown schema");
   FlightRow row;
   VisitColumns(row, [&json]<typename T>(const char* name, T& value) {
     if constexpr (std::is_enum_v<T>) {

@@ -12,18 +12,18 @@
 
 namespace touchdown::sweeper {
 
-/// How the process that flew a flight ended.
+/// End of the process that flew a flight.
 enum class ProcessEnd {
-  kFlown,        ///< With a result, whatever the verdict.
-  kCrashed,      ///< By a signal, or without a result: the program itself failed.
-  kHung,         ///< The time limit was exceeded.
-  kOutOfMemory,  ///< The memory limit was exceeded, or the system killed it (SIGKILL).
+  kFlown,        ///< It wrote a result, with any verdict.
+  kCrashed,      ///< It ended by a signal or without a result, because the program itself failed.
+  kHung,         ///< It exceeded the time limit.
+  kOutOfMemory,  ///< It exceeded the memory limit, or the system killed it (SIGKILL).
 };
 inline constexpr std::array<std::string_view, 4> kProcessEndNames = {"flown", "crashed", "hung", "out_of_memory"};
 constexpr const auto& NamesOf(ProcessEnd) { return kProcessEndNames; }
 constexpr std::string_view Name(ProcessEnd end) { return kProcessEndNames[static_cast<std::size_t>(end)]; }
 
-/// Result of a flight of a sweep, as stored.
+/// Stored result of a flight of a sweep.
 struct FlightRow {
   std::string id = {};
   std::string program = {};  ///< Digest of the program that flew it.
@@ -33,8 +33,8 @@ struct FlightRow {
   runner::Verdict verdict = runner::Verdict::kError;
   runner::Outcome outcome = runner::Outcome::kError;
   std::string reason = {};        ///< Reason for the outcome, in a few words.
-  std::string failed_check = {};  ///< The first check that the flight missed; empty when it met all.
-  std::string failed_phase = {};  ///< The phase of the flight in which that happened.
+  std::string failed_check = {};  ///< The first check that the flight did not meet; empty if it met all.
+  std::string failed_phase = {};  ///< Phase of the flight in which this check failed.
   runner::Metrics metrics = {};
   std::string log_sha256 = {};
   double wall_s = 0.0;
@@ -44,9 +44,9 @@ struct FlightRow {
   bool passed() const { return verdict == runner::Verdict::kPass; }
 };
 
-/// Calls `visit(name, value)` for each column of a row, but not for its metrics: the columns of the table `flights` of
-/// sweep.db, in order, and the keys of a row's file. The first is the primary key. `Row` is FlightRow or const
-/// FlightRow.
+/// Calls `visit(name, value)` for each column of a row except its metrics. The names are the columns of the table
+/// `flights` in sweep.db, in this order, and the keys of a row file. The first is the primary key. `Row` is FlightRow
+/// or const FlightRow.
 template <typename Row, typename Visit>
 void VisitColumns(Row& row, const Visit& visit) {
   visit("id", row.id);
@@ -69,13 +69,13 @@ void VisitColumns(Row& row, const Visit& visit) {
 struct SweepResult {
   std::uint64_t seed = 0;
   std::string variant = {};
-  std::vector<std::string> values = {};  ///< As YAML, in the order of the plan's keys.
+  std::vector<std::string> values = {};  ///< Parameter values as YAML, in the order of the plan's keys.
   FlightRow row = {};
 };
 
-/// Text of a row's file.
+/// Contents of a row file.
 std::string RowJson(const FlightRow& row);
-/// nullopt for a text that is not a row of this version.
+/// Parses a row file; nullopt for text that is not a row of this version.
 std::optional<FlightRow> RowFromJson(const std::string& text);
 
 }  // namespace touchdown::sweeper

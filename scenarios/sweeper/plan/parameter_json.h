@@ -11,13 +11,13 @@
 
 namespace touchdown::sweeper {
 
-/// JSON of a parameter's value, with numbers as JSON numbers.
+/// Converts a YAML parameter value to JSON: a number if that preserves its text, otherwise a string.
 inline nlohmann::ordered_json ParameterJson(const std::string& yaml) {
   constexpr double kLargest = 1e15;
   const auto number = AsNumber(yaml);
   if (!number || fmt::format("{}", *number) != yaml) return yaml;
-  const bool is_whole = *number == std::floor(*number) && std::abs(*number) < kLargest;
-  return is_whole ? nlohmann::ordered_json(static_cast<std::int64_t>(*number)) : nlohmann::ordered_json(*number);
+  const bool is_integer = *number == std::floor(*number) && std::abs(*number) < kLargest;
+  return is_integer ? nlohmann::ordered_json(static_cast<std::int64_t>(*number)) : nlohmann::ordered_json(*number);
 }
 
 /// Inverse of ParameterJson.

@@ -18,7 +18,7 @@ struct ListedValues {
   std::vector<std::string> yaml = {};  ///< Numbers in their shortest form.
 };
 
-/// A number that is drawn for each seed, uniformly in [min, max).
+/// A number that is drawn for each seed from the uniform distribution over [min, max).
 struct UniformValues {
   double min = 0.0;
   double max = 1.0;
@@ -30,32 +30,32 @@ struct NormalValues {
   double sigma = 1.0;
 };
 
-/// A number in [min, max) that is drawn for each seed by Latin hypercube sampling: one value in each of N equal
-/// intervals for N seeds, in a random order for each key (McKay, Beckman and Conover 1979).
+/// A number in [min, max) that is drawn for each seed by Latin hypercube sampling (McKay, Beckman and Conover 1979).
+/// For N seeds, each of N equal intervals contains one value, in a random order for each key.
 struct LatinHypercubeValues {
   double min = 0.0;
   double max = 1.0;
 };
 
-/// Name of the criterion on the pass rate.
+/// Metric name of a criterion on the pass rate.
 inline constexpr std::string_view kPassRate = "pass_rate";
 
 /// Values of one scenario key in a sweep.
 struct SweepParameter {
   std::string key = {};
-  std::string place = {};             ///< Location in the file, for messages.
+  std::string location = {};          ///< File and line, for messages.
   std::filesystem::path folder = {};  ///< Base folder of file names among its values.
   std::variant<ListedValues, UniformValues, NormalValues, LatinHypercubeValues> values = {};
 };
 
-/// A set of overrides that is flown beside others with the same seeds and values.
+/// A named set of overrides. All variants are flown with the same seeds and values.
 struct SweepVariant {
   std::string name = {};
-  std::string place = {};  ///< Where it was written, for messages.
+  std::string location = {};  ///< File and line, for messages.
   std::vector<runner::Override> set = {};
 };
 
-/// Part of a measured quantity that must be within the limits of a criterion.
+/// What must be within the limits of a criterion.
 enum class JudgedBy {
   kValue,     ///< The measured value.
   kInterval,  ///< The whole 95 % interval.
@@ -64,8 +64,9 @@ inline constexpr std::array<std::string_view, 2> kJudgedByNames = {"value", "int
 
 /// Criterion of a sweep.
 struct SweepCriterion {
-  std::string metric = {};              ///< "pass_rate", or a metric of flights.
-  std::optional<double> quantile = {};  ///< Of a flight's metric, over the flights that have it.
+  std::string metric = {};  ///< "pass_rate", or a metric of flights.
+  /// Quantile of the metric, over the flights that have it; none for the pass rate.
+  std::optional<double> quantile = {};
   std::optional<double> min = {};
   std::optional<double> max = {};
   JudgedBy by = JudgedBy::kValue;
@@ -79,15 +80,16 @@ struct StopWhen {
   double bad_accepted = 0.05;  ///< Approximate upper bound of the probability of accepting the bad rate.
 };
 
+/// Seeds from, from + 1, ..., from + count - 1.
 struct SweepSeeds {
   std::int64_t from = 1;
   int count = 1;
 };
 
-/// Limits of a flight of a sweep. A flight beyond them is ended and reported as hung or out of memory.
+/// Resource limits of a flight of a sweep. A flight that exceeds them is ended and reported as hung or out of memory.
 struct FlightLimits {
-  std::optional<double> wall_s = {};  ///< Default: see SweepPlan.
-  int memory_mb = 4096;
+  std::optional<double> wall_s = {};  ///< Elapsed time; default: DefaultLimit_s.
+  int memory_mb = 4096;               ///< Address space.
 };
 
 /// Search for the value of a parameter at which the pass rate crosses a level.
@@ -97,9 +99,9 @@ struct SearchedBoundary {
   double pass_rate = 0.5;
 };
 
-/// Flights to fly, as read from a file of scenarios/sweeps.
+/// Contents of a sweep file, such as those in scenarios/sweeps.
 struct SweepFile {
-  std::string place = {};  ///< Name of the file, for messages.
+  std::string location = {};  ///< Name of the file, for messages.
   std::string name = {};
   std::string description = {};
   std::filesystem::path base = {};  ///< The scenario.
@@ -107,17 +109,17 @@ struct SweepFile {
   FlightLimits limits = {};
   std::vector<runner::Override> set = {};  ///< Overrides of the base scenario, for every flight.
   std::vector<SweepParameter> parameters = {};
-  std::vector<SweepVariant> variants = {};  ///< A file without variants has one that is unnamed and sets nothing.
+  std::vector<SweepVariant> variants = {};  ///< One unnamed variant without overrides if the file has no variants.
   std::vector<SweepCriterion> criteria = {};
   std::optional<StopWhen> stop_when = {};
   std::optional<SearchedBoundary> search = {};  ///< Set by FindBoundary, not by a file.
 };
 
-/// Number that a YAML value stands for; nullopt if it is not a number.
+/// Converts a YAML value to a number; nullopt if it is not a finite number.
 std::optional<double> AsNumber(const std::string& yaml);
 
-/// Throws InputError, naming file, line and key, for invalid input (docs/sweeps.md). The keys of `parameters` are
-/// checked when the flights are planned (PlanSweep).
+/// Reads a sweep file (docs/sweeps.md). Throws InputError, naming file, line and key, for invalid input. PlanSweep
+/// checks whether the keys of `parameters` are scenario keys.
 SweepFile LoadSweepFile(const std::filesystem::path& file);
 
 }  // namespace touchdown::sweeper

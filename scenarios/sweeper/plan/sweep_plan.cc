@@ -14,8 +14,8 @@
 namespace touchdown::sweeper {
 namespace {
 
-/// Latin hypercube: index of the interval of each seed, of as many equal intervals as seeds.
-std::vector<std::size_t> PartsOf(std::size_t seeds, const std::string& key) {
+/// Random permutation for Latin hypercube sampling: for each seed, the index of its interval.
+std::vector<std::size_t> IntervalOrder(std::size_t seeds, const std::string& key) {
   std::vector<std::size_t> parts(seeds);
   std::iota(parts.begin(), parts.end(), 0);
   models::RandomStream random(seeds, "sweep.order." + key);
@@ -25,13 +25,13 @@ std::vector<std::size_t> PartsOf(std::size_t seeds, const std::string& key) {
   return parts;
 }
 
-/// The values of one parameter for one seed; a drawn one is a single.
-std::vector<std::string> ValuesFor(const SweepParameter& parameter, std::uint64_t seed, std::size_t place,
+/// Values of a parameter for a seed: all listed values, or a single drawn one.
+std::vector<std::string> ValuesFor(const SweepParameter& parameter, std::uint64_t seed, std::size_t seed_index,
                                    const std::vector<std::size_t>& parts) {
   models::RandomStream random(seed, "sweep." + parameter.key);
   struct Draw {
     models::RandomStream& random;
-    std::size_t place;
+    std::size_t seed_index;
     const std::vector<std::size_t>& parts;
 
     std::vector<std::string> operator()(const ListedValues& listed) const { return listed.yaml; }
@@ -40,15 +40,16 @@ std::vector<std::string> ValuesFor(const SweepParameter& parameter, std::uint64_
       return {Text(n.mean + n.sigma * random.Normal())};
     }
     std::vector<std::string> operator()(const LatinHypercubeValues& l) const {
-      const double part = (static_cast<double>(parts[place]) + random.Uniform()) / static_cast<double>(parts.size());
+      const double part =
+          (static_cast<double>(parts[seed_index]) + random.Uniform()) / static_cast<double>(parts.size());
       return {Text(std::lerp(l.min, l.max, part))};
     }
     static std::string Text(double value) { return fmt::format("{}", value); }
   };
-  return std::visit(Draw{random, place, parts}, parameter.values);
+  return std::visit(Draw{random, seed_index, parts}, parameter.values);
 }
 
-/// Every combination of one value of each parameter, the last one's changing first.
+/// All combinations of one value of each parameter. The value of the last parameter changes first.
 std::vector<std::vector<std::string>> Grid(const std::vector<std::vector<std::string>>& values) {
   std::vector<std::vector<std::string>> grid{{}};
   for (const auto& choices : values) {
@@ -71,8 +72,9 @@ PlannedFlight Planned(const SweepFile& file, const SweepVariant& variant, std::u
   for (std::size_t i = 0; i < values.size(); ++i) {
     const SweepParameter& parameter = file.parameters[i];
     const bool is_drawn = !std::holds_alternative<ListedValues>(parameter.values);
-    const std::string place = is_drawn ? fmt::format("{} (drawn for seed {})", parameter.place, seed) : parameter.place;
-    overrides.emplace_back(fmt::format("{}={}", parameter.key, values[i]), place, parameter.folder);
+    const std::string location =
+        is_drawn ? fmt::format("{} (drawn for seed {})", parameter.location, seed) : parameter.location;
+    overrides.emplace_back(fmt::format("{}={}", parameter.key, values[i]), location, parameter.folder);
   }
   overrides.emplace_back(fmt::format("seed={}", seed));
   const runner::Scenario scenario = runner::LoadScenario(file.base, overrides);
@@ -84,45 +86,48 @@ PlannedFlight Planned(const SweepFile& file, const SweepVariant& variant, std::u
   return flight;
 }
 
-void RefuseTooMany(const SweepFile& file) {
-  constexpr double kMost = 100000.0;
+void RejectTooManyFlights(const SweepFile& file) {
+  constexpr double kMaxFlights = 100000.0;
   double flights = static_cast<double>(file.seeds.count) * static_cast<double>(file.variants.size());
   for (const SweepParameter& parameter : file.parameters) {
     if (const auto* listed = std::get_if<ListedValues>(&parameter.values)) {
       flights *= static_cast<double>(listed->yaml.size());
     }
   }
-  if (flights > kMost)
-    throw InputError(fmt::format("{}: plans {:.6g} flights, more than {:.0f}", file.place, flights, kMost));
+  if (flights > kMaxFlights)
+    throw InputError(
+        fmt::format("{}: the sweep has {:.6g} flights; allowed: at most {:.0f}", file.location, flights, kMaxFlights));
 }
 
-std::string Words(const SweepPlan& plan, const PlannedFlight& flight) {
+/// Variant and parameters of a flight as text, such as "variant a, camera.noise_sigma=4".
+std::string FlightText(const SweepPlan& plan, const PlannedFlight& flight) {
   std::vector<std::string> words;
   if (!flight.variant.empty()) words.push_back("variant " + flight.variant);
   for (std::size_t i = 0; i < plan.keys.size(); ++i) words.push_back(plan.keys[i] + "=" + flight.values[i]);
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-/// Location of the keys by which two flights of a seed differ.
-std::string PlaceOfDifference(const SweepFile& file, const PlannedFlight& a, const PlannedFlight& b) {
+/// Location and key of the first difference between two flights of a seed.
+std::string LocationOfDifference(const SweepFile& file, const PlannedFlight& a, const PlannedFlight& b) {
   for (std::size_t i = 0; i < file.parameters.size(); ++i) {
     if (a.values[i] != b.values[i]) {
-      return fmt::format("{}: parameters.{}", file.parameters[i].place, file.parameters[i].key);
+      return fmt::format("{}: parameters.{}", file.parameters[i].location, file.parameters[i].key);
     }
   }
   const auto variant = std::find_if(file.variants.begin(), file.variants.end(),
                                     [&](const SweepVariant& each) { return each.name == b.variant; });
-  return variant->place + ": variants";
+  return variant->location + ": variants";
 }
 
-/// Values that are written differently and mean the same, and variants that do not differ.
-void RefuseTheSameTwice(const SweepFile& file, const SweepPlan& plan) {
+/// Throws InputError if two flights are the same: values with the same meaning, or variants that do not differ.
+void RejectDuplicateFlights(const SweepFile& file, const SweepPlan& plan) {
   std::map<std::string, const PlannedFlight*> by_id;
   for (const PlannedFlight& flight : plan.flights) {
     const auto [at, is_new] = by_id.emplace(flight.id, &flight);
     if (is_new) continue;
-    throw InputError(fmt::format("{}: ({}) and ({}) are the same flight", PlaceOfDifference(file, *at->second, flight),
-                                 Words(plan, *at->second), Words(plan, flight)));
+    throw InputError(fmt::format("{}: ({}) and ({}) are the same flight",
+                                 LocationOfDifference(file, *at->second, flight), FlightText(plan, *at->second),
+                                 FlightText(plan, flight)));
   }
 }
 
@@ -139,19 +144,19 @@ double DefaultLimit_s(const runner::Scenario& scenario) {
 }
 
 SweepPlan PlanSweep(const SweepFile& file, const std::string& program_digest) {
-  RefuseTooMany(file);
+  RejectTooManyFlights(file);
   const auto seeds = static_cast<std::size_t>(file.seeds.count);
   SweepPlan plan;
   std::vector<std::vector<std::size_t>> parts;
   for (const SweepParameter& parameter : file.parameters) {
     plan.keys.push_back(parameter.key);
-    parts.push_back(PartsOf(seeds, parameter.key));
+    parts.push_back(IntervalOrder(seeds, parameter.key));
   }
-  for (std::size_t place = 0; place < seeds; ++place) {
-    const std::uint64_t seed = static_cast<std::uint64_t>(file.seeds.from) + place;
+  for (std::size_t seed_index = 0; seed_index < seeds; ++seed_index) {
+    const std::uint64_t seed = static_cast<std::uint64_t>(file.seeds.from) + seed_index;
     std::vector<std::vector<std::string>> values;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      values.push_back(ValuesFor(file.parameters[i], seed, place, parts[i]));
+      values.push_back(ValuesFor(file.parameters[i], seed, seed_index, parts[i]));
     }
     for (const std::vector<std::string>& cell : Grid(values)) {
       for (const SweepVariant& variant : file.variants) {
@@ -159,9 +164,9 @@ SweepPlan PlanSweep(const SweepFile& file, const std::string& program_digest) {
         plan.flights.back().position = static_cast<std::int64_t>(plan.flights.size()) - 1;
       }
     }
-    if (place == 0) RefuseTheSameTwice(file, plan);  // It would be of every other seed too.
+    if (seed_index == 0) RejectDuplicateFlights(file, plan);  // The other seeds have the same combinations.
   }
-  plan.whole = plan.flights.size();
+  plan.total = plan.flights.size();
   return plan;
 }
 

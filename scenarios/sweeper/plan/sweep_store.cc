@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 constexpr int kApplicationId = 0x7464776e;  // "tdwn", the application_id of a sweep database (PRAGMA application_id).
 constexpr int kVersion = 2;
 
-/// All but the table `flights`, which FlightsSchema describes.
+/// Tables and views, except the table `flights` (FlightsSchema).
 constexpr const char* kTables = R"(
 CREATE TABLE sweep (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 CREATE TABLE plan (
@@ -37,7 +37,7 @@ CREATE VIEW stale AS
   SELECT * FROM flights WHERE program <> (SELECT value FROM sweep WHERE key = 'program');
 )";
 
-/// "CREATE TABLE flights (id TEXT PRIMARY KEY, program TEXT NOT NULL, ...".
+/// SQL statement "CREATE TABLE flights (id TEXT PRIMARY KEY, program TEXT NOT NULL, ...".
 std::string FlightsSchema() {
   FlightRow row;
   std::string columns;
@@ -51,16 +51,16 @@ std::string FlightsSchema() {
 
 std::string InsertFlight() {
   FlightRow row;
-  std::string places;
-  VisitColumns(row, [&places](const char*, const auto&) { places += places.empty() ? "?" : ", ?"; });
-  return fmt::format("INSERT OR REPLACE INTO flights VALUES ({})", places);
+  std::string placeholders;
+  VisitColumns(row, [&placeholders](const char*, const auto&) { placeholders += placeholders.empty() ? "?" : ", ?"; });
+  return fmt::format("INSERT OR REPLACE INTO flights VALUES ({})", placeholders);
 }
 
 InputError Damaged(const fs::path& file, std::string_view what) {
-  return InputError(fmt::format("{}: is damaged: {}", file.string(), what));
+  return InputError(fmt::format("{}: damaged: {}", file.string(), what));
 }
 
-/// A row of the table `flights`, without metrics.
+/// Reads a row of the table `flights`, without metrics.
 FlightRow RowFrom(const SQLite::Statement& query, const fs::path& file) {
   FlightRow row;
   VisitColumns(row, [&]<typename T>(const char* name, T& value) {
@@ -78,7 +78,7 @@ FlightRow RowFrom(const SQLite::Statement& query, const fs::path& file) {
   return row;
 }
 
-/// The values of the parameters `keys` of a planned flight.
+/// Reads the values of the parameters `keys` of a planned flight.
 std::vector<std::string> ValuesFrom(const SQLite::Statement& query, const std::vector<std::string>& keys,
                                     const fs::path& file) {
   try {
@@ -87,7 +87,7 @@ std::vector<std::string> ValuesFrom(const SQLite::Statement& query, const std::v
     for (const std::string& key : keys) values.push_back(ParameterFrom(parameters.at(key)));
     return values;
   } catch (const Json::exception&) {
-    throw Damaged(file, fmt::format("flight {}: its parameters", query.getColumn("id").getString()));
+    throw Damaged(file, fmt::format("flight {}: invalid parameters", query.getColumn("id").getString()));
   }
 }
 
@@ -110,16 +110,18 @@ struct SweepStore::Impl {
   int Pragma(const char* name) { return db->execAndGet(fmt::format("PRAGMA {}", name)).getInt(); }
 
   void Check() {
-    if (Pragma("application_id") != kApplicationId) throw InputError(fmt::format("{}: is no sweep's", file.string()));
+    if (Pragma("application_id") != kApplicationId)
+      throw InputError(fmt::format("{}: not a sweep database", file.string()));
     const int version = Pragma("user_version");
     if (version != kVersion) {
-      throw InputError(fmt::format("{}: is of version {}, this program's is {}", file.string(), version, kVersion));
+      throw InputError(fmt::format("{}: sweep database of version {}; this program supports version {}", file.string(),
+                                   version, kVersion));
     }
     const std::string state = db->execAndGet("PRAGMA quick_check").getString();
     if (state != "ok") throw Damaged(file, state.substr(0, state.find('\n')));
   }
 
-  void Make() {
+  void Create() {
     SQLite::Transaction transaction(*db);
     db->exec(fmt::format("PRAGMA application_id = {}", kApplicationId));
     db->exec(fmt::format("PRAGMA user_version = {}", kVersion));
@@ -175,7 +177,7 @@ struct SweepStore::Impl {
     return metrics;
   }
 
-  /// The metrics of every planned flight, by its id.
+  /// Metrics of all planned flights, by flight id.
   std::map<std::string, runner::Metrics> MetricsOfPlan() {
     SQLite::Statement query(*db, "SELECT id, name, value FROM metrics WHERE id IN (SELECT id FROM plan)");
     std::map<std::string, runner::Metrics> metrics;
@@ -188,18 +190,18 @@ struct SweepStore::Impl {
 
 SweepStore::SweepStore(const fs::path& folder, Access access) : impl_(std::make_unique<Impl>()) {
   impl_->file = folder / "sweep.db";
-  const bool is_there = fs::exists(impl_->file);
-  if (access == Access::kRead && !is_there) throw InputError(fmt::format("{}: no such file", impl_->file.string()));
+  const bool exists = fs::exists(impl_->file);
+  if (access == Access::kRead && !exists) throw InputError(fmt::format("{}: no such file", impl_->file.string()));
   impl_->Guarded([&] {
     constexpr int kWait_ms = 5000;
-    // To read, too, it is opened to be written where it may be: what a killed program left half-written must be undone.
+    // SQLite rolls back an incomplete transaction of a killed program, which needs write access even for reading.
     impl_->db.emplace(impl_->file.string(),
                       access == Access::kRead ? SQLite::OPEN_READWRITE : SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
                       kWait_ms);
     impl_->db->exec("PRAGMA foreign_keys = ON");
-    // An empty file is what a program that was ended just then left.
+    // The file is empty if a program was killed just after it created the file.
     if (access == Access::kWrite && impl_->Pragma("page_count") == 0) {
-      impl_->Make();
+      impl_->Create();
     } else {
       impl_->Check();
     }
@@ -208,20 +210,20 @@ SweepStore::SweepStore(const fs::path& folder, Access access) : impl_(std::make_
 
 SweepStore::~SweepStore() = default;
 
-void SweepStore::SetPlan(const SweepSpec& terms, const SweepPlan& plan, const std::string& program_digest) {
+void SweepStore::SetPlan(const SweepSpec& spec, const SweepPlan& plan, const std::string& program_digest) {
   impl_->Guarded([&] {
     SQLite::Database& db = *impl_->db;
     SQLite::Transaction transaction(db);
     db.exec("DELETE FROM plan");
     db.exec("DELETE FROM sweep");
-    SQLite::Statement put_fact(db, "INSERT INTO sweep VALUES (?, ?)");
+    SQLite::Statement put_value(db, "INSERT INTO sweep VALUES (?, ?)");
     for (const auto& [key, value] : {std::pair<std::string, std::string>("program", program_digest),
-                                     {"terms", TermsJson(terms)},
-                                     {"flights", std::to_string(plan.whole)}}) {
-      put_fact.bind(1, key);
-      put_fact.bind(2, value);
-      put_fact.exec();
-      put_fact.reset();
+                                     {"terms", SpecJson(spec)},
+                                     {"flights", std::to_string(plan.total)}}) {
+      put_value.bind(1, key);
+      put_value.bind(2, value);
+      put_value.exec();
+      put_value.reset();
     }
     SQLite::Statement put(db, "INSERT INTO plan VALUES (?, ?, ?, ?, ?)");
     for (const PlannedFlight& flight : plan.flights) {
@@ -274,10 +276,10 @@ std::string SweepStore::program() const {
   return impl_->Guarded([&] { return impl_->Value("program"); });
 }
 
-SweepSpec SweepStore::terms() const {
+SweepSpec SweepStore::spec() const {
   const std::string json = impl_->Guarded([&] { return impl_->Value("terms"); });
   try {
-    return json.empty() ? SweepSpec() : TermsFromJson(json);
+    return json.empty() ? SweepSpec() : SpecFromJson(json);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", impl_->file.string(), error.what()));
   }
@@ -288,12 +290,12 @@ std::size_t SweepStore::planned() const {
       [&] { return static_cast<std::size_t>(impl_->db->execAndGet("SELECT count(*) FROM plan").getInt64()); });
 }
 
-std::size_t SweepStore::whole() const {
+std::size_t SweepStore::total() const {
   return impl_->Guarded([&] { return util::FiniteNumber<std::size_t>(impl_->Value("flights")).value_or(0); });
 }
 
 SweepPlan SweepStore::Plan() const {
-  SweepPlan plan{.keys = terms().keys(), .flights = {}, .whole = whole()};
+  SweepPlan plan{.keys = spec().keys(), .flights = {}, .total = total()};
   return impl_->Guarded([&] {
     SQLite::Statement query(*impl_->db, "SELECT * FROM plan ORDER BY position");
     while (query.executeStep()) {
@@ -308,7 +310,7 @@ SweepPlan SweepStore::Plan() const {
 }
 
 std::vector<SweepResult> SweepStore::Results() const {
-  const std::vector<std::string> keys = terms().keys();
+  const std::vector<std::string> keys = spec().keys();
   return impl_->Guarded([&] {
     const SQLite::Transaction one_state(*impl_->db);
     const std::map<std::string, runner::Metrics> metrics = impl_->MetricsOfPlan();

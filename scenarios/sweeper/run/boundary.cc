@@ -14,15 +14,15 @@ namespace {
 
 double NumberFrom(const SweepParameter& parameter, const std::string& yaml) {
   if (const auto number = AsNumber(yaml)) return *number;
-  throw InputError(
-      fmt::format("{}: {}: a boundary search needs numbers, {} is not one", parameter.place, parameter.key, yaml));
+  throw InputError(fmt::format("{}: {}: the values must be numbers for a boundary search; {} is not a number",
+                               parameter.location, parameter.key, yaml));
 }
 
 std::size_t IndexOf(const SweepFile& file, const std::string& key) {
   const auto found = std::find_if(file.parameters.begin(), file.parameters.end(),
                                   [&](const SweepParameter& parameter) { return parameter.key == key; });
   if (found == file.parameters.end() || !std::holds_alternative<ListedValues>(found->values)) {
-    throw InputError(fmt::format("--boundary {}: the sweep lists no values of it", key));
+    throw InputError(fmt::format("--boundary {}: must be a parameter with listed values", key));
   }
   return static_cast<std::size_t>(found - file.parameters.begin());
 }
@@ -34,19 +34,20 @@ std::pair<double, double> RangeOf(const SweepParameter& parameter) {
   }
   const auto [min, max] = std::minmax_element(numbers.begin(), numbers.end());
   if (*min == *max)
-    throw InputError(fmt::format("{}: {}: needs two values for a boundary", parameter.place, parameter.key));
+    throw InputError(fmt::format("{}: {}: must have at least two different values for a boundary search",
+                                 parameter.location, parameter.key));
   return {*min, *max};
 }
 
-/// The flights of one value, with a seed of its own.
+/// Sweep file with a single value of a parameter and a single seed; other listed parameters have their first value.
 SweepFile AtValue(const SweepFile& file, std::size_t parameter, double value, int number) {
-  SweepFile one = file;
-  one.seeds = {file.seeds.from + number, 1};
-  for (SweepParameter& each : one.parameters) {
+  SweepFile single = file;
+  single.seeds = {file.seeds.from + number, 1};
+  for (SweepParameter& each : single.parameters) {
     if (auto* listed = std::get_if<ListedValues>(&each.values)) listed->yaml.resize(1);
   }
-  one.parameters[parameter].values = ListedValues{{fmt::format("{:.6g}", value)}};
-  return one;
+  single.parameters[parameter].values = ListedValues{{fmt::format("{:.6g}", value)}};
+  return single;
 }
 
 }  // namespace
@@ -56,41 +57,40 @@ Boundary FindBoundary(const SweepFile& file, const BoundarySearch& search, const
                       const std::function<void(const Boundary&)>& progress) {
   constexpr int kRound = 6;
   if (file.variants.size() > 1) {
-    throw InputError(
-        fmt::format("--boundary {}: sweep {} has variants, and each has a boundary of its own", search.key, file.name));
+    throw InputError(fmt::format("--boundary {}: not allowed for sweep {}, which has variants", search.key, file.name));
   }
   const std::size_t parameter = IndexOf(file, search.key);
   const auto [min, max] = RangeOf(file.parameters[parameter]);
   PassBoundary posterior(min, max, search.pass_rate);
-  Boundary boundary{.edge = posterior.edge()};
+  Boundary boundary{.interval = posterior.boundary()};
   SweepPlan plan;
-  SweepFile whole = file;
-  whole.criteria.clear();  // They are not meant of flights that gather where half of them fail.
-  whole.parameters[parameter].values = UniformValues{min, max};  // On its page: not listed, but met here and there.
-  whole.search = {search.key, min, max, search.pass_rate};
+  SweepFile stored = file;
+  stored.criteria.clear();  // Criteria do not apply to flights that concentrate near the boundary.
+  stored.parameters[parameter].values = UniformValues{min, max};  // The report treats the values as drawn.
+  stored.search = {search.key, min, max, search.pass_rate};
   while (boundary.flights < search.flights) {
     const int round = std::min(kRound, search.flights - boundary.flights);
     for (int i = 0; i < round; ++i) {
-      // Spread over the posterior, evenly in probability: wide at first, closing in.
+      // Values at equal steps of probability: spread out at first, and concentrated near the boundary later.
       const double value = posterior.Quantile((i + 0.5) / round);
-      SweepPlan one = PlanSweep(AtValue(file, parameter, value, boundary.flights + i), util::ProgramDigest());
-      plan.keys = one.keys;
-      one.flights.front().position = boundary.flights + i;
-      plan.flights.push_back(std::move(one.flights.front()));
+      SweepPlan single = PlanSweep(AtValue(file, parameter, value, boundary.flights + i), util::ProgramDigest());
+      plan.keys = single.keys;
+      single.flights.front().position = boundary.flights + i;
+      plan.flights.push_back(std::move(single.flights.front()));
     }
-    plan.whole = plan.flights.size();
-    if (!RunSweep(whole, plan, folder, {.jobs = jobs}, stop_requested, nullptr)) return boundary;
+    plan.total = plan.flights.size();
+    if (!RunSweep(stored, plan, folder, {.jobs = jobs}, stop_requested, nullptr)) return boundary;
     const std::vector<SweepResult> results = SweepStore(folder, SweepStore::Access::kRead).Results();
     for (int i = 0; i < round; ++i) {
       const SweepResult& result = results.at(static_cast<std::size_t>(boundary.flights + i));
       const bool passed = result.row.passed();
-      posterior.Take(NumberFrom(file.parameters[parameter], result.values.at(parameter)), passed ? 1 : 0,
-                     passed ? 0 : 1);
+      posterior.Add(NumberFrom(file.parameters[parameter], result.values.at(parameter)), passed ? 1 : 0,
+                    passed ? 0 : 1);
     }
     boundary.flights += round;
-    boundary.edge = posterior.edge();
+    boundary.interval = posterior.boundary();
     if (progress) progress(boundary);
-    if (boundary.edge.high - boundary.edge.low < search.precision * (max - min)) break;
+    if (boundary.interval.high - boundary.interval.low < search.precision * (max - min)) break;
   }
   boundary.is_done = true;
   return boundary;

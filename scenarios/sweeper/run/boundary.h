@@ -17,16 +17,18 @@ struct BoundarySearch {
   double precision = 0.05;  ///< The search ends when the interval is narrower than this fraction of the range.
 };
 
+/// Result of a boundary search.
 struct Boundary {
-  util::Interval edge;
+  util::Interval interval;  ///< Boundary with its 95 % interval.
   int flights = 0;
-  bool is_done = false;  ///< false: a stop was requested.
+  bool is_done = false;  ///< False if a stop was requested before the search ended.
 };
 
-/// Finds the value of one parameter at which the pass rate crosses a level, in rounds of a few flights near the
-/// boundary of the posterior (PassBoundary), each flight with its own seed. All other parameters have their first
-/// listed value, or are drawn. The flights do not depend on `jobs`; those that are already in `folder` are not
-/// repeated. Throws InputError when the sweep lists no such parameter or has variants, and as RunSweep does.
+/// Finds the value of one parameter at which the pass rate crosses a level. It flies rounds of a few flights at
+/// quantiles of the posterior of the boundary (PassBoundary), each with its own seed. Other listed parameters have
+/// their first value; the remaining ones are drawn. The flights do not depend on `jobs`, and those with a row in
+/// `folder` are not repeated. Throws InputError if the sweep does not list numbers for this parameter or has variants,
+/// and as RunSweep does.
 Boundary FindBoundary(const SweepFile& file, const BoundarySearch& search, const std::filesystem::path& folder,
                       int jobs, const util::StopRequested& stop_requested,
                       const std::function<void(const Boundary&)>& progress);

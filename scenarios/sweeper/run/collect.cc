@@ -17,58 +17,60 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A sweep, or some of its flights, as a folder has it.
+/// A sweep, or a part of it, in an output directory.
 struct Part {
   fs::path folder;
-  SweepSpec terms;
+  SweepSpec spec;
   std::string program;
   SweepPlan plan;
 };
 
 Part PartIn(const fs::path& folder, const SweepStore& store) {
-  return {folder, store.terms(), store.program(), store.Plan()};
+  return {folder, store.spec(), store.program(), store.Plan()};
 }
 
 Part ReadPart(const fs::path& folder) {
   const SweepStore store(folder, SweepStore::Access::kRead);
-  if (!store.has_plan()) throw InputError(fmt::format("{}: has no plan of a sweep yet", folder.string()));
+  if (!store.has_plan()) throw InputError(fmt::format("{}: contains no plan of a sweep yet", folder.string()));
   return PartIn(folder, store);
 }
 
-/// All parts' flights, by position.
+/// Merges the plans of the parts, ordered by position. Throws InputError if they are not parts of the same sweep.
 SweepPlan Join(const std::vector<Part>& parts) {
   const Part& first = parts.front();
-  SweepPlan whole{.keys = first.plan.keys, .flights = {}, .whole = 0};
+  SweepPlan merged{.keys = first.plan.keys, .flights = {}, .total = 0};
   std::map<std::int64_t, PlannedFlight> flights;
   for (const Part& part : parts) {
-    whole.whole = std::max(whole.whole, part.plan.whole);
-    const auto refuse = [&](const std::string& why) { throw InputError(part.folder.string() + ": " + why); };
-    if (part.terms.name != first.terms.name) {
-      refuse(
-          fmt::format("is of sweep {}, and {} of sweep {}", part.terms.name, first.folder.string(), first.terms.name));
+    merged.total = std::max(merged.total, part.plan.total);
+    const auto reject = [&](const std::string& why) { throw InputError(part.folder.string() + ": " + why); };
+    if (part.spec.name != first.spec.name) {
+      reject(fmt::format("contains sweep {}, but {} contains sweep {}", part.spec.name, first.folder.string(),
+                         first.spec.name));
     }
-    if (part.program != first.program) refuse(fmt::format("is of another build than {}", first.folder.string()));
+    if (part.program != first.program)
+      reject(fmt::format("contains a sweep of another build than {}", first.folder.string()));
     for (const PlannedFlight& flight : part.plan.flights) {
       if (part.plan.keys != first.plan.keys || flights.emplace(flight.position, flight).first->second.id != flight.id) {
-        refuse(fmt::format("plans other flights than {}, under the same name", first.folder.string()));
+        reject(fmt::format("contains other flights than {}, with the same sweep name", first.folder.string()));
       }
     }
   }
-  for (const auto& [position, flight] : flights) whole.flights.push_back(flight);
-  return whole;
+  for (const auto& [position, flight] : flights) merged.flights.push_back(flight);
+  return merged;
 }
 
-/// Earlier collections may be judged again, and the parts must have the same specification.
-void RefuseOtherTerms(const std::vector<Part>& parts) {
+/// Throws InputError if the specifications of the parts differ. An earlier collection may have another specification.
+void RejectOtherSpecs(const std::vector<Part>& parts) {
   for (const Part& part : parts) {
-    if (TermsJson(part.terms) == TermsJson(parts.front().terms)) continue;
-    throw InputError(fmt::format("{}: was flown for another version of the sweep's file than {}", part.folder.string(),
+    if (SpecJson(part.spec) == SpecJson(parts.front().spec)) continue;
+    throw InputError(fmt::format("{}: contains another version of the sweep file than {}", part.folder.string(),
                                  parts.front().folder.string()));
   }
 }
 
+/// Rows of a part, including its row files, without those of other builds.
 std::vector<FlightRow> RowsOf(const Part& part) {
-  std::vector<FlightRow> rows = LeftRows(part.folder);
+  std::vector<FlightRow> rows = UncollectedRows(part.folder);
   for (SweepResult& result : SweepStore(part.folder, SweepStore::Access::kRead).Results()) {
     rows.push_back(std::move(result.row));
   }
@@ -76,16 +78,16 @@ std::vector<FlightRow> RowsOf(const Part& part) {
   return rows;
 }
 
-/// Parts of one sweep.
+/// Reads the parts of a sweep. Throws InputError if they do not belong together.
 std::vector<Part> ReadParts(const std::vector<fs::path>& folders) {
   std::vector<Part> parts;
   for (const fs::path& folder : folders) parts.push_back(ReadPart(folder));
   Join(parts);
-  RefuseOtherTerms(parts);
+  RejectOtherSpecs(parts);
   return parts;
 }
 
-void CopyPictures(const fs::path& from, const fs::path& to) {
+void CopyImages(const fs::path& from, const fs::path& to) {
   if (!fs::exists(from / "pictures")) return;
   std::error_code error;
   fs::create_directories(to / "pictures", error);
@@ -104,17 +106,17 @@ void Collect(const fs::path& folder, const std::vector<fs::path>& from) {
   const util::FolderLock lock(folder);
   SweepStore store(folder, SweepStore::Access::kWrite);
   if (!from.empty() && store.has_plan()) parts.push_back(PartIn(folder, store));
-  const SweepPlan whole = Join(parts);
-  TakeInRows(folder, store);
+  const SweepPlan merged = Join(parts);
+  CollectRows(folder, store);
   if (from.empty()) return;
   std::vector<FlightRow> rows;
   for (const Part& part : parts) {
     if (fs::equivalent(part.folder, folder)) continue;
     std::ranges::move(RowsOf(part), std::back_inserter(rows));
-    CopyPictures(part.folder, folder);
+    CopyImages(part.folder, folder);
   }
   store.Put(rows);
-  store.SetPlan(parts.front().terms, whole, parts.front().program);
+  store.SetPlan(parts.front().spec, merged, parts.front().program);
 }
 
 }  // namespace touchdown::sweeper

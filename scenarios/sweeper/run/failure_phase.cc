@@ -9,8 +9,9 @@ namespace {
 
 using controller::Phase;
 
-/// Contribution of frames to a metric of vision: a sum that grows with every frame that worsens the metric.
-double ShareOf(const std::string& metric, const std::vector<runner::FrameRecord>& frames) {
+/// Contribution of frames to a metric of vision: a sum over the frames that grows with each frame that worsens the
+/// metric.
+double ContributionOf(const std::string& metric, const std::vector<runner::FrameRecord>& frames) {
   const runner::Metrics detection = runner::Detection(frames), errors = runner::PoseErrors(frames);
   const auto value = [](const runner::Metrics& metrics, const std::string& name) {
     const auto found = metrics.find(name);
@@ -20,10 +21,10 @@ double ShareOf(const std::string& metric, const std::vector<runner::FrameRecord>
   if (metric == "estimate.availability") {
     return (1.0 - value(detection, metric)) * value(detection, "estimate.ring_frames");
   }
-  const auto seen = std::count_if(frames.begin(), frames.end(), [](const runner::FrameRecord& frame) {
+  const auto detected = std::count_if(frames.begin(), frames.end(), [](const runner::FrameRecord& frame) {
     return frame.status == estimator::FrameStatus::kOk;
   });
-  return value(errors, metric) * value(errors, metric) * static_cast<double>(seen);
+  return value(errors, metric) * value(errors, metric) * static_cast<double>(detected);
 }
 
 Phase WorstPhaseOfVision(const std::string& metric, const runner::FlightLog& log) {
@@ -32,15 +33,15 @@ Phase WorstPhaseOfVision(const std::string& metric, const runner::FlightLog& log
   Phase worst = log.frames.back().phase;
   double largest = 0.0;
   for (const auto& [phase, frames] : by_phase) {
-    const double share = ShareOf(metric, frames);
-    if (share <= largest) continue;
-    largest = share;
+    const double contribution = ContributionOf(metric, frames);
+    if (contribution <= largest) continue;
+    largest = contribution;
     worst = phase;
   }
   return worst;
 }
 
-/// The last in which the controller flew: having given up is no phase of a flight. Empty without one.
+/// Last phase before the guidance gave up; empty if there is none.
 std::string LastPhaseFlown(const runner::FlightLog& log) {
   const auto last = std::find_if(log.ticks.rbegin(), log.ticks.rend(),
                                  [](const runner::TickRecord& tick) { return tick.control.phase != Phase::kGaveUp; });

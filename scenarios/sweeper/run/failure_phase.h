@@ -7,9 +7,9 @@
 
 namespace touchdown::sweeper {
 
-/// Phase of the flight in which a check failed: for errors of vision, the phase with the largest part of them; for
-/// metrics of the touchdown, `touchdown`; for all others, the last phase before the flight ended or control was handed
-/// over.
+/// Phase of the flight in which a check failed. For metrics of vision it is the phase that contributes most to the
+/// error, for metrics of the touchdown it is `touchdown`, and for all others the last phase before the flight ended or
+/// the guidance gave up. Empty for a flight without ticks.
 std::string FailurePhase(const runner::Check& check, const runner::FlightLog& log);
 
 }  // namespace touchdown::sweeper

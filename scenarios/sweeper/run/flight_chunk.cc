@@ -21,25 +21,27 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kChunkSignature = "\"program\"";
 
-/// Folder of incomplete rows: files in the sweep's folder of rows may be collected at any time.
-class Bench {
+/// Temporary folder of a task. Rows are written there first, because the row files of the sweep may be collected at any
+/// time.
+class TaskFolder {
  public:
-  Bench(const fs::path& folder, int number) : place_((folder / "tasks" / fmt::format("{}.XXXXXX", number)).string()) {
-    if (mkdtemp(place_.data()) == nullptr) {
+  TaskFolder(const fs::path& folder, int number)
+      : path_((folder / "tasks" / fmt::format("{}.XXXXXX", number)).string()) {
+    if (mkdtemp(path_.data()) == nullptr) {
       throw InputError(fmt::format("output folder {}: {}", folder.string(), strerror(errno)));
     }
   }
-  ~Bench() {
+  ~TaskFolder() {
     std::error_code ignored;
-    fs::remove_all(place_, ignored);
+    fs::remove_all(path_, ignored);
   }
-  Bench(const Bench&) = delete;
-  Bench& operator=(const Bench&) = delete;
+  TaskFolder(const TaskFolder&) = delete;
+  TaskFolder& operator=(const TaskFolder&) = delete;
 
-  const std::string& place() const { return place_; }
+  const std::string& path() const { return path_; }
 
  private:
-  std::string place_;
+  std::string path_;
 };
 
 FlightChunk ReadChunk(const fs::path& file) {
@@ -55,7 +57,7 @@ FlightChunk ReadChunk(const fs::path& file) {
     }
     return chunk;
   } catch (const Json::exception&) {
-    throw InputError(fmt::format("{}: is no chunk of a sweep", file.string()));
+    throw InputError(fmt::format("{}: not a chunk file of a sweep", file.string()));
   }
 }
 
@@ -65,12 +67,12 @@ void Move(const fs::path& from, const fs::path& to) {
   if (error) throw InputError(fmt::format("{}: {}", to.string(), error.message()));
 }
 
-/// Leaves a row and its picture with the others, but no failure where another copy of the task has flown.
-void HandOver(const RowFolder& from, const RowFolder& to, const FlightRow& row) {
-  const std::optional<FlightRow> there = ReadRowOrSetAside(to.RowOf(row.id));
-  if (there && there->process == ProcessEnd::kFlown && row.process != ProcessEnd::kFlown) return;
-  if (fs::exists(from.PictureOf(row.id))) Move(from.PictureOf(row.id), to.PictureOf(row.id));
-  Move(from.RowOf(row.id), to.RowOf(row.id));
+/// Moves a row and its image to the sweep, unless the process failed and another copy of the task has flown the flight.
+void PublishRow(const RowFolder& from, const RowFolder& to, const FlightRow& row) {
+  const std::optional<FlightRow> existing = ReadRowOrSetAside(to.RowFile(row.id));
+  if (existing && existing->process == ProcessEnd::kFlown && row.process != ProcessEnd::kFlown) return;
+  if (fs::exists(from.ImageFile(row.id))) Move(from.ImageFile(row.id), to.ImageFile(row.id));
+  Move(from.RowFile(row.id), to.RowFile(row.id));
 }
 
 }  // namespace
@@ -93,22 +95,22 @@ bool FlyChunk(const fs::path& folder, int number, int jobs, const util::StopRequ
   const fs::path file = ChunkFile(folder, number);
   const FlightChunk chunk = ReadChunk(file);
   if (chunk.program != util::ProgramDigest()) {
-    throw InputError(fmt::format("{}: was planned by another build than this program", file.string()));
+    throw InputError(fmt::format("{}: planned by another build of the program", file.string()));
   }
-  const Bench bench(folder, number);
-  const RowFolder unfinished(bench.place()), rows(folder);
+  const TaskFolder task_folder(folder, number);
+  const RowFolder unfinished(task_folder.path()), rows(folder);
   auto at = chunk.flights.begin();
   const auto next = [&]() -> const FlightTask* {
     while (at != chunk.flights.end() && rows.Find(at->id)) ++at;
     return at == chunk.flights.end() ? nullptr : &*at++;
   };
-  const ProcessPoolOptions crew{
+  const ProcessPoolOptions pool_options{
       .jobs = jobs, .fly = [&](const FlightTask& task) { FlyRow(task.scenario_yaml, task.id, unfinished); }};
-  const auto keep = [&](const FlightRow& row) {
-    HandOver(unfinished, rows, row);
+  const auto publish = [&](const FlightRow& row) {
+    PublishRow(unfinished, rows, row);
     on_row(row);
   };
-  FlyTasks(unfinished, crew, next, keep, stop_requested);
+  FlyTasks(unfinished, pool_options, next, publish, stop_requested);
   return at == chunk.flights.end();
 }
 

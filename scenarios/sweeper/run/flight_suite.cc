@@ -41,8 +41,8 @@ std::vector<TestedFlight> TestFlights(const fs::path& folder, int jobs, const ut
   }
   const util::ScratchFolder scratch;
   const RowFolder rows(scratch.path());
-  const ProcessPoolOptions crew{.jobs = jobs,
-                                .fly = [&rows](const FlightTask& task) { FlyRow(task.scenario_yaml, task.id, rows); }};
+  const ProcessPoolOptions pool_options{
+      .jobs = jobs, .fly = [&rows](const FlightTask& task) { FlyRow(task.scenario_yaml, task.id, rows); }};
   std::size_t next = 0, done = 0;
   const auto report_row = [&](const FlightRow& row) {
     const auto test = std::find_if(tests.begin(), tests.end(),
@@ -53,7 +53,7 @@ std::vector<TestedFlight> TestFlights(const fs::path& folder, int jobs, const ut
     if (on_done) on_done(*test);
   };
   FlyTasks(
-      rows, crew, [&] { return next < tasks.size() ? &tasks[next++] : nullptr; }, report_row, stop_requested);
+      rows, pool_options, [&] { return next < tasks.size() ? &tasks[next++] : nullptr; }, report_row, stop_requested);
   if (done < tests.size()) throw util::Interrupted();
   return tests;
 }

@@ -14,12 +14,12 @@ struct TestedFlight {
   std::filesystem::path file;
   runner::Scenario scenario;
   FlightRow row;
-  std::vector<runner::Check> checks;  ///< Empty for a flight that did not end.
+  std::vector<runner::Check> checks;  ///< Checks of the outcome and of the criteria.
 };
 
-/// Flies every scenario (*.yaml) of a folder, without subfolders, at most `jobs` concurrently, each in its own process,
-/// and reports each when it is done. Returns the results by file name. Throws InputError, before any flight, when there
-/// is no scenario or an invalid one, and Interrupted when a stop was requested.
+/// Flies every scenario (*.yaml) in a folder, without subfolders, at most `jobs` concurrently, each in its own process.
+/// Calls `on_done` when a flight is done. Returns the results in the order of the file names. Throws InputError, before
+/// any flight, if there is no scenario or an invalid one, and Interrupted if a stop was requested.
 std::vector<TestedFlight> TestFlights(const std::filesystem::path& folder, int jobs,
                                       const util::StopRequested& stop_requested,
                                       const std::function<void(const TestedFlight&)>& on_done);

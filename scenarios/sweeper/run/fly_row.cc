@@ -24,13 +24,15 @@ namespace fs = std::filesystem;
 constexpr const char* kRowSignature = "\"failed_phase\"";
 constexpr const char* kPngSignature = "PNG";
 
+/// Creates a folder. Throws InputError if it cannot be created.
 void MakeFolder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw InputError(fmt::format("output folder {}: {}", folder.string(), error.message()));
 }
 
-void ReportResult(const runner::Scenario& scenario, const runner::FlightLog& log, FlightRow& row) {
+/// Copies the result of a flight, and the check that failed first, into a row.
+void SetResult(const runner::Scenario& scenario, const runner::FlightLog& log, FlightRow& row) {
   const runner::FlightResult result = runner::JudgeFlight(scenario, log);
   row.process = ProcessEnd::kFlown;
   row.verdict = result.verdict;
@@ -57,16 +59,18 @@ std::optional<FlightRow> ReadRowOrSetAside(const fs::path& file) {
   if (row || !fs::exists(file)) return row;
   std::error_code error;
   fs::rename(file, fs::path(file).replace_extension(".damaged"), error);
-  if (error) throw InputError(fmt::format("{}: is no row, and cannot be set aside", file.string()));
+  if (error) throw InputError(fmt::format("{}: not a complete row, and cannot be renamed to .damaged", file.string()));
   return std::nullopt;
 }
 
-RowFolder::RowFolder(const fs::path& folder) : rows_(folder / "rows"), pictures_(folder / "pictures") {
+RowFolder::RowFolder(const fs::path& folder) : rows_(folder / "rows"), images_(folder / "pictures") {
   MakeFolder(rows_);
-  MakeFolder(pictures_);
+  MakeFolder(images_);
 }
 
-void RowFolder::Leave(const FlightRow& row) const { util::WriteOutputFile(RowOf(row.id), RowJson(row), kRowSignature); }
+void RowFolder::Write(const FlightRow& row) const {
+  util::WriteOutputFile(RowFile(row.id), RowJson(row), kRowSignature);
+}
 
 void FlyRow(const std::string& scenario_yaml, const std::string& id, const RowFolder& folder) {
   const runner::Scenario scenario = runner::ParseScenario(scenario_yaml, "scenario", {});
@@ -79,16 +83,16 @@ void FlyRow(const std::string& scenario_yaml, const std::string& id, const RowFo
   report::ContactSheet sheet(scenario.assumed_camera(), scenario.time);
   runner::FlightObserver* const observers[] = {&sheet};
   try {
-    ReportResult(scenario, runner::FlyClosedLoop(scenario, observers, nullptr), row);
+    SetResult(scenario, runner::FlyClosedLoop(scenario, observers, nullptr), row);
   } catch (const InputError& error) {
     row.process = ProcessEnd::kFlown;
     row.reason = error.what();
   }
   row.wall_s = stopwatch.seconds();
   if (row.process == ProcessEnd::kFlown && !row.passed()) {
-    if (const auto png = sheet.Png()) util::WriteOutputFile(folder.PictureOf(row.id), *png, kPngSignature);
+    if (const auto png = sheet.Png()) util::WriteOutputFile(folder.ImageFile(row.id), *png, kPngSignature);
   }
-  folder.Leave(row);
+  folder.Write(row);
 }
 
 }  // namespace touchdown::sweeper

@@ -8,35 +8,35 @@
 
 namespace touchdown::sweeper {
 
-/// Reads a row file; nullopt when there is no file or no complete row in it. Throws InputError when it cannot be read.
+/// Reads a row file; nullopt if there is no file or no complete row in it. Throws InputError if it cannot be read.
 std::optional<FlightRow> ReadRow(const std::filesystem::path& file);
-/// Same as ReadRow, but renames a file without a complete row to ID.damaged. Throws InputError also when that fails.
+/// Like ReadRow, but renames a file without a complete row to ID.damaged. Also throws InputError if renaming fails.
 std::optional<FlightRow> ReadRowOrSetAside(const std::filesystem::path& file);
 
-/// Folder into which processes write their rows, each under the id of its flight.
+/// Row files and images of a sweep, named by flight id.
 class RowFolder {
  public:
-  /// `folder` is the folder of the sweep. Throws InputError when the subfolders cannot be created.
+  /// `folder` is the output directory of the sweep. Creates its subfolders rows and pictures; throws InputError if it
+  /// cannot.
   explicit RowFolder(const std::filesystem::path& folder);
 
-  /// Writes a row; the file appears completely or not at all.
-  std::filesystem::path RowOf(const std::string& id) const { return rows_ / (id + ".json"); }
-  std::filesystem::path PictureOf(const std::string& id) const { return pictures_ / (id + ".png"); }
+  std::filesystem::path RowFile(const std::string& id) const { return rows_ / (id + ".json"); }
+  std::filesystem::path ImageFile(const std::string& id) const { return images_ / (id + ".png"); }
   const std::filesystem::path& rows() const { return rows_; }
 
-  /// See ReadRow.
-  std::optional<FlightRow> Find(const std::string& id) const { return ReadRow(RowOf(id)); }
+  /// Row of a flight, see ReadRow.
+  std::optional<FlightRow> Find(const std::string& id) const { return ReadRow(RowFile(id)); }
 
-  /// Throws InputError when it cannot be written.
-  void Leave(const FlightRow& row) const;
+  /// Writes a row file, completely or not at all. Throws InputError if it cannot be written.
+  void Write(const FlightRow& row) const;
 
  private:
-  std::filesystem::path rows_, pictures_;
+  std::filesystem::path rows_, images_;
 };
 
-/// Flies a resolved scenario and writes its row under `id`, and a contact sheet of a flight that did not pass. A
-/// failure during the flight becomes a row with that reason, except a lack of memory, which is rethrown. Throws
-/// InputError when the row cannot be written or the scenario is invalid.
+/// Flies a resolved scenario and writes its row under `id`, and a contact sheet if the flight did not pass. An
+/// InputError during the flight gives a row with its message as the reason; other exceptions are rethrown. Throws
+/// InputError if the row cannot be written or the scenario is invalid.
 void FlyRow(const std::string& scenario_yaml, const std::string& id, const RowFolder& folder);
 
 }  // namespace touchdown::sweeper

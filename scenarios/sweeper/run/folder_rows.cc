@@ -5,15 +5,15 @@
 namespace touchdown::sweeper {
 
 FolderRows::FolderRows(const std::filesystem::path& folder, const SweepStore* store) : store_(store) {
-  for (FlightRow& row : LeftRows(folder)) left_[row.id] = std::move(row);
+  for (FlightRow& row : UncollectedRows(folder)) uncollected_[row.id] = std::move(row);
 }
 
 std::optional<FlightRow> FolderRows::Find(const std::string& id) const {
   std::optional<FlightRow> stored = store_ == nullptr ? std::nullopt : store_->Find(id);
-  const auto left = left_.find(id);
-  if (left == left_.end()) return stored;
-  const bool stays = stored && stored->process == ProcessEnd::kFlown && left->second.process != ProcessEnd::kFlown;
-  return stays ? stored : left->second;
+  const auto found = uncollected_.find(id);
+  if (found == uncollected_.end()) return stored;
+  const bool is_kept = stored && stored->process == ProcessEnd::kFlown && found->second.process != ProcessEnd::kFlown;
+  return is_kept ? stored : found->second;
 }
 
 }  // namespace touchdown::sweeper

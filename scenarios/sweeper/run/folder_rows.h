@@ -9,17 +9,18 @@
 
 namespace touchdown::sweeper {
 
-/// Rows of a sweep's folder: those in its store, and the row files that are not yet collected.
+/// Rows of a sweep: those in its database, and the row files that are not collected yet.
 class FolderRows {
  public:
-  /// `store` is nullptr when there is none. Throws InputError when a row cannot be read.
+  /// `store` may be nullptr, and must outlive this object otherwise. Throws InputError if a row file cannot be read.
   FolderRows(const std::filesystem::path& folder, const SweepStore* store);
 
+  /// Row of a flight as it will be after the row files are collected; nullopt if there is none.
   std::optional<FlightRow> Find(const std::string& id) const;
 
  private:
   const SweepStore* store_;
-  std::map<std::string, FlightRow> left_;
+  std::map<std::string, FlightRow> uncollected_;
 };
 
 }  // namespace touchdown::sweeper

@@ -24,32 +24,32 @@ namespace {
 constexpr int kUnusableFolderStatus = 2;
 constexpr int kOutOfMemoryStatus = 5;
 
-struct Flying {
+struct RunningTask {
   const FlightTask* task;
   Worker worker;
   util::Stopwatch since_start = {};
   bool is_hung = false;
 };
 
-/// Row for a process that wrote none.
-FlightRow RowWithoutFlight(const Flying& flying, const WorkerEnd& end) {
-  FlightRow row{.id = flying.task->id,
+/// Row of a flight whose process wrote none.
+FlightRow RowOfFailedProcess(const RunningTask& running, const WorkerEnd& end) {
+  FlightRow row{.id = running.task->id,
                 .program = util::ProgramDigest(),
                 .version = std::string(util::Version()),
                 .host = util::HostName(),
                 .failed_check = "outcome",
-                .wall_s = flying.since_start.seconds(),
+                .wall_s = running.since_start.seconds(),
                 .stderr_tail = end.stderr_tail,
-                .scenario = flying.task->scenario_yaml};
-  if (flying.is_hung) {
+                .scenario = running.task->scenario_yaml};
+  if (running.is_hung) {
     row.process = ProcessEnd::kHung;
-    row.reason = fmt::format("not done after {:g} s", flying.task->limit_s);
+    row.reason = fmt::format("exceeded the time limit of {:g} s", running.task->limit_s);
   } else if (end.signal == SIGKILL) {
     row.process = ProcessEnd::kOutOfMemory;
-    row.reason = "killed by the system, as it does when memory runs out";
+    row.reason = "killed by the system, probably because it ran out of memory";
   } else if (end.exit_status == kOutOfMemoryStatus) {
     row.process = ProcessEnd::kOutOfMemory;
-    row.reason = "needs more memory than its limit";
+    row.reason = "exceeded the memory limit";
   } else if (end.signal != 0) {
     row.process = ProcessEnd::kCrashed;
     row.reason = fmt::format("the program crashed: {}", strsignal(end.signal));
@@ -65,8 +65,8 @@ std::string LastLine(std::string text) {
   return text.substr(text.rfind('\n') + 1);
 }
 
-/// Main function of a worker; returns its exit status.
-int FlyAndExplain(const ProcessPoolOptions& options, const FlightTask& task) {
+/// Flies a task in the worker process. Returns the exit status.
+int RunTask(const ProcessPoolOptions& options, const FlightTask& task) {
   try {
     options.fly(task);
     return 0;
@@ -85,41 +85,42 @@ int FlyAndExplain(const ProcessPoolOptions& options, const FlightTask& task) {
 
 void FlyTasks(const RowFolder& folder, const ProcessPoolOptions& options, const NextTask& next, const OnRow& on_row,
               const util::StopRequested& stop_requested) {
-  constexpr std::chrono::milliseconds kLookEvery(5);
-  std::list<Flying> flying;
+  constexpr std::chrono::milliseconds kPollInterval(5);
+  std::list<RunningTask> running;
   const auto start_more = [&] {
-    while (static_cast<int>(flying.size()) < options.jobs && !(stop_requested && stop_requested())) {
+    while (static_cast<int>(running.size()) < options.jobs && !(stop_requested && stop_requested())) {
       const FlightTask* task = next();
       if (task == nullptr) return;
-      flying.push_back({task, Worker([&] { return FlyAndExplain(options, *task); }, task->memory_mb)});
+      running.push_back({task, Worker([&] { return RunTask(options, *task); }, task->memory_mb)});
     }
   };
-  const auto finish = [&](const Flying& done, const WorkerEnd& end) {
+  const auto finish = [&](const RunningTask& done, const WorkerEnd& end) {
     std::optional<FlightRow> row = folder.Find(done.task->id);
     if (!row && end.exit_status == kUnusableFolderStatus) {
       throw InputError(LastLine(end.stderr_tail));
     }
     const bool is_stopped = stop_requested && stop_requested();
-    if (!row && is_stopped && !done.is_hung && end.signal == SIGKILL) return;  // It was ended with all the others.
+    if (!row && is_stopped && !done.is_hung && end.signal == SIGKILL)
+      return;  // It was killed along with the other processes.
     if (!row) {
-      row = RowWithoutFlight(done, end);
-      folder.Leave(*row);
+      row = RowOfFailedProcess(done, end);
+      folder.Write(*row);
     } else if (row->stderr_tail != end.stderr_tail) {
       row->stderr_tail = end.stderr_tail;
-      folder.Leave(*row);
+      folder.Write(*row);
     }
     on_row(*row);
   };
-  for (start_more(); !flying.empty(); start_more()) {
-    std::this_thread::sleep_for(kLookEvery);
-    for (auto each = flying.begin(); each != flying.end();) {
+  for (start_more(); !running.empty(); start_more()) {
+    std::this_thread::sleep_for(kPollInterval);
+    for (auto each = running.begin(); each != running.end();) {
       if (!each->is_hung && each->since_start.seconds() > each->task->limit_s) {
         each->is_hung = true;
         each->worker.Kill();
       }
       if (const auto end = each->worker.Poll()) {
-        const Flying done = std::move(*each);
-        each = flying.erase(each);
+        const RunningTask done = std::move(*each);
+        each = running.erase(each);
         finish(done, *end);
       } else {
         ++each;

@@ -9,15 +9,15 @@
 
 namespace touchdown::sweeper {
 
-/// A flight to be flown in its own process.
+/// A flight to fly in its own process.
 struct FlightTask {
   std::string id = {};
   std::string scenario_yaml = {};
-  double limit_s = 0.0;  ///< Limit of the wall-clock time, after which the process is ended.
-  int memory_mb = 0;
+  double limit_s = 0.0;  ///< Elapsed time after which the process is killed.
+  int memory_mb = 0;     ///< Limit of the address space; 0: no limit.
 };
 
-/// Returns the next flight; nullptr while there is none, or when there are no more.
+/// Returns the next flight; nullptr if there is none.
 using NextTask = std::function<const FlightTask*()>;
 using OnRow = std::function<void(const FlightRow& row)>;
 
@@ -28,9 +28,9 @@ struct ProcessPoolOptions {
 };
 
 /// Runs queued flights in worker processes, at most `jobs` concurrently, until `next` returns no more and all have
-/// ended. After `stop_requested` no flight starts. `on_row` is called with each row once it is written to `folder`; a
-/// process that crashes, hangs or exceeds its memory gets a row with that end. Throws InputError when rows cannot be
-/// written; running flights are lost then, and written rows are not.
+/// ended. After a stop request, no flight starts. Calls `on_row` with each row after it is written to `folder`. If a
+/// process crashes, hangs or exceeds its memory limit, its row reports this end. Throws InputError if rows cannot be
+/// written; running flights are then lost, and written rows are kept.
 void FlyTasks(const RowFolder& folder, const ProcessPoolOptions& options, const NextTask& next, const OnRow& on_row,
               const util::StopRequested& stop_requested);
 

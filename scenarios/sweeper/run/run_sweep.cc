@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// State of the planned flights, and the queue of flights to fly.
+/// State of the planned flights, and queue of the flights to fly.
 class FlightQueue {
  public:
   FlightQueue(const SweepFile& file, const SweepPlan& plan, const SweepStore& store, bool retry) : plan_(plan) {
@@ -24,7 +24,7 @@ class FlightQueue {
     progress_.planned = static_cast<int>(plan.flights.size());
     for (const PlannedFlight& flight : plan.flights) {
       expected_s_[flight.id] = flight.expected_s;
-      whole_s_ += flight.expected_s;
+      total_s_ += flight.expected_s;
       const auto row = store.Find(flight.id);
       if (row && !(retry && row->process != ProcessEnd::kFlown)) {
         Count(*row);
@@ -35,6 +35,7 @@ class FlightQueue {
     Decide();
   }
 
+  /// Next flight; nullptr if none is left or the test has decided.
   const FlightTask* Next() {
     if (!HasNext()) return nullptr;
     ++progress_.flying;
@@ -43,20 +44,23 @@ class FlightQueue {
 
   bool HasNext() const { return !IsDecided() && next_ < tasks_.size(); }
 
-  void Take(const FlightRow& row) {
+  /// Records the row of a flight that has ended.
+  void Record(const FlightRow& row) {
     --progress_.flying;
     Count(row);
     Decide();
   }
 
   bool IsDecided() const { return test_ && test_->decision() != SequentialTest::Decision::kOpen; }
-  /// Number of flights, from the start of the plan, up to the decision; all without one.
-  std::size_t counted() const { return IsDecided() ? static_cast<std::size_t>(test_->taken()) : plan_.flights.size(); }
+  /// Number of flights up to the decision, in the order of the plan; all flights without a decision.
+  std::size_t counted() const {
+    return IsDecided() ? static_cast<std::size_t>(test_->outcomes()) : plan_.flights.size();
+  }
   bool IsDone() const { return IsDecided() || progress_.done == progress_.planned; }
 
   SweepProgress Progress() const {
     SweepProgress progress = progress_;
-    progress.share = whole_s_ > 0.0 ? done_s_ / whole_s_ : 1.0;
+    progress.fraction = total_s_ > 0.0 ? done_s_ / total_s_ : 1.0;
     return progress;
   }
 
@@ -68,13 +72,13 @@ class FlightQueue {
     done_s_ += expected_s_.at(row.id);
   }
 
-  /// Gives the test the outcomes that there are without a gap.
+  /// Adds outcomes to the test, in the order of the plan, up to the first missing one.
   void Decide() {
     if (!test_) return;
     for (; decided_ < plan_.flights.size() && !IsDecided(); ++decided_) {
       const auto found = passed_.find(plan_.flights[decided_].id);
       if (found == passed_.end()) return;
-      test_->Take(found->second);
+      test_->Add(found->second);
     }
   }
 
@@ -85,13 +89,13 @@ class FlightQueue {
   std::vector<FlightTask> tasks_;
   std::size_t next_ = 0, decided_ = 0;
   SweepProgress progress_;
-  double done_s_ = 0.0, whole_s_ = 0.0;
+  double done_s_ = 0.0, total_s_ = 0.0;
 };
 
 SweepPlan FirstOf(const SweepPlan& plan, std::size_t count) {
   SweepPlan first = plan;
   first.flights.resize(count);
-  first.whole = count;
+  first.total = count;
   return first;
 }
 
@@ -102,7 +106,7 @@ void RemoveRow(const fs::path& file) {
 
 bool IsRow(const fs::path& file) { return file.extension() == ".json"; }
 
-/// Whether a process left it that was ended while it wrote, and none writes it now.
+/// Whether a file is a partial file of a process that was killed: it has not changed for ten minutes.
 bool IsAbandoned(const fs::directory_entry& entry) {
   std::error_code gone;
   const fs::file_time_type written = entry.last_write_time(gone);
@@ -110,6 +114,7 @@ bool IsAbandoned(const fs::directory_entry& entry) {
          fs::file_time_type::clock::now() - written > std::chrono::minutes(10);
 }
 
+/// Entries of a folder. Throws InputError if it cannot be read.
 std::vector<fs::directory_entry> EntriesOf(const fs::path& folder) {
   std::error_code error;
   std::vector<fs::directory_entry> entries;
@@ -121,8 +126,8 @@ std::vector<fs::directory_entry> EntriesOf(const fs::path& folder) {
 }  // namespace
 
 SweepPlan ShardOf(const SweepPlan& plan, int shard, int shards) {
-  SweepPlan part{.keys = plan.keys, .flights = {}, .whole = plan.whole};
-  int first = 0, to = 0;  // The shards that the seed's first flight, and this one, belong to.
+  SweepPlan part{.keys = plan.keys, .flights = {}, .total = plan.total};
+  int first = 0, to = 0;  // Shards of the first flight of the seed, and of this flight.
   for (std::size_t i = 0; i < plan.flights.size(); ++i) {
     if (i > 0 && plan.flights[i].seed != plan.flights[i - 1].seed) to = first = (first + 1) % shards;
     if (to == shard) part.flights.push_back(plan.flights[i]);
@@ -131,18 +136,18 @@ SweepPlan ShardOf(const SweepPlan& plan, int shard, int shards) {
   return part;
 }
 
-std::vector<FlightRow> LeftRows(const fs::path& folder) {
-  std::vector<FlightRow> left;
+std::vector<FlightRow> UncollectedRows(const fs::path& folder) {
+  std::vector<FlightRow> rows;
   std::error_code error;
-  if (!fs::exists(folder / "rows", error)) return left;
+  if (!fs::exists(folder / "rows", error)) return rows;
   for (const auto& entry : EntriesOf(folder / "rows")) {
     if (!IsRow(entry.path())) continue;
-    if (auto row = ReadRow(entry.path())) left.push_back(std::move(*row));
+    if (auto row = ReadRow(entry.path())) rows.push_back(std::move(*row));
   }
-  return left;
+  return rows;
 }
 
-void TakeInRows(const fs::path& folder, SweepStore& store) {
+void CollectRows(const fs::path& folder, SweepStore& store) {
   std::vector<FlightRow> rows;
   std::vector<fs::path> files;
   for (const auto& entry : EntriesOf(RowFolder(folder).rows())) {
@@ -162,28 +167,29 @@ bool RunSweep(const SweepFile& file, const SweepPlan& plan, const fs::path& fold
   util::ClaimFolder(folder);
   const util::FolderLock lock(folder);
   SweepStore store(folder, SweepStore::Access::kWrite);
-  TakeInRows(folder, store);
-  store.SetPlan(TermsOf(file), plan, util::ProgramDigest());
+  CollectRows(folder, store);
+  store.SetPlan(SpecOf(file), plan, util::ProgramDigest());
   FlightQueue queue(file, plan, store, options.retry);
   if (progress) progress(queue.Progress());
 
   const RowFolder rows(folder);
-  const ProcessPoolOptions crew{.jobs = options.jobs,
-                                .fly = [&rows](const FlightTask& task) { FlyRow(task.scenario_yaml, task.id, rows); }};
+  const ProcessPoolOptions pool_options{
+      .jobs = options.jobs, .fly = [&rows](const FlightTask& task) { FlyRow(task.scenario_yaml, task.id, rows); }};
   const auto next = [&] {
     const FlightTask* const task = queue.Next();
     if (task != nullptr && progress) progress(queue.Progress());
     return task;
   };
-  const auto keep = [&](const FlightRow& row) {
-    if (store.TryPut(row)) RemoveRow(rows.RowOf(row.id));  // Else it is taken in at the end.
-    queue.Take(row);
+  const auto store_row = [&](const FlightRow& row) {
+    // If the database is locked, CollectRows stores the row at the end.
+    if (store.TryPut(row)) RemoveRow(rows.RowFile(row.id));
+    queue.Record(row);
     const bool another_starts = queue.HasNext() && !(stop_requested && stop_requested());
     if (progress && !another_starts) progress(queue.Progress());
   };
-  FlyTasks(rows, crew, next, keep, stop_requested);
-  TakeInRows(folder, store);
-  if (queue.IsDecided()) store.SetPlan(TermsOf(file), FirstOf(plan, queue.counted()), util::ProgramDigest());
+  FlyTasks(rows, pool_options, next, store_row, stop_requested);
+  CollectRows(folder, store);
+  if (queue.IsDecided()) store.SetPlan(SpecOf(file), FirstOf(plan, queue.counted()), util::ProgramDigest());
   return queue.IsDone();
 }
 

@@ -14,10 +14,10 @@ namespace touchdown::sweeper {
 /// Progress of a sweep.
 struct SweepProgress {
   int planned = 0;
-  int done = 0;  ///< Flights that are done, including those of earlier runs.
+  int done = 0;  ///< Completed flights, including those of earlier runs.
   int passed = 0;
   int flying = 0;
-  double share = 0.0;  ///< Fraction of the work that is done, by expected durations.
+  double fraction = 0.0;  ///< Completed fraction of the work, by expected durations.
 };
 
 struct SweepOptions {
@@ -25,23 +25,23 @@ struct SweepOptions {
   bool retry = false;  ///< Repeats flights whose process crashed, hung or ran out of memory.
 };
 
-/// Part number `shard` (from 0) of `count` parts of a plan. The flights of each seed are distributed over the parts in
-/// turn, starting one part further for each seed, so that every part gets each value and variant.
+/// Part `shard` of a plan, 0 to `shards` - 1. The flights of each seed are distributed over the parts in turn. The
+/// first part advances by one for each seed, so that every part gets all values and variants.
 SweepPlan ShardOf(const SweepPlan& plan, int shard, int shards);
 
-/// Flies the missing flights of a plan into `folder`, and stores every row at once. Row files of earlier programs are
-/// collected first. `stop` ends the sweep early; it is decided by the flights in the order of the plan, whatever the
-/// order in which they end. Returns false when a stop was requested before all flights were flown. Throws InputError
-/// when the folder belongs to something else or cannot be written.
+/// Flies the flights of a plan that have no row in the output directory `folder`, and stores each row when its flight
+/// ends. Collects existing row files first. The stopping rule of the file ends the sweep early; it uses the flights in
+/// the order of the plan, not in the order in which they end. Returns false if a stop was requested before all flights
+/// were flown. Throws InputError if `folder` contains something else or cannot be written.
 bool RunSweep(const SweepFile& file, const SweepPlan& plan, const std::filesystem::path& folder,
               const SweepOptions& options, const util::StopRequested& stop_requested,
               const std::function<void(const SweepProgress&)>& progress);
 
-/// Row files in `folder`.
-std::vector<FlightRow> LeftRows(const std::filesystem::path& folder);
+/// Rows of the row files in `folder`, which are not collected yet.
+std::vector<FlightRow> UncollectedRows(const std::filesystem::path& folder);
 
-/// Moves the row files in `folder` into the store. A file without a complete row is renamed to ID.damaged. Throws
-/// InputError when one cannot be read.
-void TakeInRows(const std::filesystem::path& folder, SweepStore& store);
+/// Moves the row files in `folder` into the store. Renames a file without a complete row to ID.damaged. Throws
+/// InputError if a file cannot be read.
+void CollectRows(const std::filesystem::path& folder, SweepStore& store);
 
 }  // namespace touchdown::sweeper

@@ -7,25 +7,25 @@
 
 namespace touchdown::sweeper {
 
-/// Options of a job that a site may require, as sbatch accepts them.
+/// Job options that a site may require, in the syntax of sbatch.
 struct SlurmSite {
   std::optional<std::string> partition = {};
   std::optional<std::string> account = {};
   std::optional<std::string> time = {};
 };
 
-/// Largest number of tasks of an array at this site. Throws InputError without Slurm, or without an answer.
-int MostSlurmTasks();
+/// Largest number of tasks of a job array at this site. Throws InputError if Slurm is missing or does not answer.
+int MaxArrayTasks();
 
-/// Submits a script that runs in `folder`, on hold until ReleaseJob, and returns the id of the job. Throws
-/// InputError, with Slurm's message, when it is refused.
+/// Submits a script that runs in `folder` and is held until ReleaseJob. Returns the id of the job. Throws InputError,
+/// with Slurm's message, if Slurm rejects it.
 std::string SubmitHeld(const std::filesystem::path& script, const std::filesystem::path& folder, const SlurmSite& site);
 
-/// Throws InputError, with Slurm's message and the remedy, when the job stays on hold.
+/// Releases a held job. Throws InputError, with Slurm's message and the remedy, if the job remains held.
 void ReleaseJob(const std::string& job);
 
-/// Number of tasks of a job in each state, by Slurm's names; empty once it is over. nullopt when Slurm is missing or
-/// does not answer.
+/// Number of tasks of a job by state, with Slurm's names of the states; empty if the job has ended. nullopt if Slurm is
+/// missing or does not answer.
 std::optional<std::map<std::string, int>> TasksInQueue(const std::string& job);
 
 }  // namespace touchdown::sweeper

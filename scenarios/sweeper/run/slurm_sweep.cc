@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr const char* kScriptSignature = "sweep-task";
 constexpr const char* kJobSignature = "slurm_job: ";
 
-/// The planned flights that have no row in `folder`, or with `retry` one without a flight.
+/// Planned flights without a row in `folder`. With `retry` also those whose process crashed, hung or ran out of memory.
 std::vector<const PlannedFlight*> MissingFlights(const SweepPlan& plan, const fs::path& folder, bool retry) {
   std::optional<SweepStore> store;
   if (fs::exists(folder / "sweep.db")) store.emplace(folder, SweepStore::Access::kRead);
@@ -40,7 +40,7 @@ std::vector<const PlannedFlight*> MissingFlights(const SweepPlan& plan, const fs
   return missing;
 }
 
-/// Flights in a task. Those of a sweep fly in about real time.
+/// Number of flights per task. Assumes that flights run at about real time.
 std::size_t ChunkSize(const std::vector<const PlannedFlight*>& flights, const SlurmOptions& options, int most_tasks) {
   constexpr double kTask_s = 300.0;
   double flown_s = 0.0;
@@ -51,6 +51,7 @@ std::size_t ChunkSize(const std::vector<const PlannedFlight*>& flights, const Sl
   return static_cast<std::size_t>(std::max(wanted, in_tasks(most_tasks)));
 }
 
+/// Divides flights into chunks of `size`.
 std::vector<FlightChunk> Chunks(const SweepFile& file, const std::vector<const PlannedFlight*>& flights,
                                 std::size_t size) {
   std::vector<FlightChunk> chunks;
@@ -63,6 +64,7 @@ std::vector<FlightChunk> Chunks(const SweepFile& file, const std::vector<const P
   return chunks;
 }
 
+/// Batch script of a job array.
 std::string Script(std::size_t tasks) {
   return fmt::format(R"(#!/bin/sh
 #SBATCH --job-name=touchdown
@@ -77,29 +79,32 @@ exec {} sweep-task . "$SLURM_ARRAY_TASK_ID"
 
 fs::path JobFile(const fs::path& folder) { return folder / "slurm" / "job.yaml"; }
 
-void RefuseWhileQueued(const fs::path& folder) {
+/// Throws InputError if a job of the sweep has not ended.
+void RejectWhileQueued(const fs::path& folder) {
   const std::optional<std::string> job = SlurmJobOf(folder);
   if (!job) return;
   const auto tasks = TasksInQueue(*job);
   if (tasks && tasks->empty()) return;
-  throw InputError(tasks
-                       ? fmt::format("output folder {}: its Slurm job {} is not over; touchdown status reports it, and "
-                                     "scancel {} ends it",
-                                     folder.string(), *job, *job)
-                       : fmt::format("output folder {}: squeue does not report whether its Slurm job {} is over",
-                                     folder.string(), *job));
+  throw InputError(
+      tasks ? fmt::format("output folder {}: its Slurm job {} has not ended; see touchdown status, or cancel "
+                          "it with scancel {}",
+                          folder.string(), *job, *job)
+            : fmt::format("output folder {}: squeue does not report whether its Slurm job {} has ended",
+                          folder.string(), *job));
 }
 
-/// Before the job may run: one that the folder does not know would lose its tasks to the next.
+/// Records the id of a held job. It is released after that, because the next submission would overwrite the tasks of an
+/// unrecorded job.
 void WriteJob(const fs::path& folder, const std::string& job) {
   try {
     util::WriteOutputFile(JobFile(folder), kJobSignature + job + "\n", kJobSignature);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}; Slurm job {} is submitted and held: scancel {} ends it", error.what(), job, job));
+    throw InputError(
+        fmt::format("{}; Slurm job {} is submitted and held; cancel it with scancel {}", error.what(), job, job));
   }
 }
 
-/// Writes what the tasks read, in place of an earlier job's.
+/// Writes the chunk files of a job, and removes those of an earlier job.
 void WriteTasks(const fs::path& folder, const std::vector<FlightChunk>& chunks) {
   std::error_code error;
   fs::remove_all(folder / "tasks", error);
@@ -111,21 +116,21 @@ void WriteTasks(const fs::path& folder, const std::vector<FlightChunk>& chunks) 
 
 SlurmSweep PlanTasks(const SweepFile& file, const SweepPlan& plan, const fs::path& folder,
                      const SlurmOptions& options) {
-  const int most = MostSlurmTasks();
-  RefuseWhileQueued(folder);
+  const int most = MaxArrayTasks();
+  RejectWhileQueued(folder);
   const std::vector<const PlannedFlight*> missing = MissingFlights(plan, folder, options.retry);
   return {.tasks = Chunks(file, missing, ChunkSize(missing, options, most)).size(), .flights = missing.size()};
 }
 
 SlurmSweep SubmitSweep(const SweepFile& file, const SweepPlan& plan, const fs::path& folder,
                        const SlurmOptions& options) {
-  const int most = MostSlurmTasks();
+  const int most = MaxArrayTasks();
   util::ClaimFolder(folder);
   const util::FolderLock lock(folder);
-  RefuseWhileQueued(folder);
+  RejectWhileQueued(folder);
   SweepStore store(folder, SweepStore::Access::kWrite);
-  TakeInRows(folder, store);
-  store.SetPlan(TermsOf(file), plan, util::ProgramDigest());
+  CollectRows(folder, store);
+  store.SetPlan(SpecOf(file), plan, util::ProgramDigest());
   const std::vector<const PlannedFlight*> missing = MissingFlights(plan, folder, options.retry);
   if (missing.empty()) return {};
   const std::vector<FlightChunk> chunks = Chunks(file, missing, ChunkSize(missing, options, most));

@@ -10,7 +10,7 @@ SweepStatus StatusOf(const std::filesystem::path& folder) {
   const SweepStore store(folder, SweepStore::Access::kRead);
   const FolderRows rows(folder, &store);
   SweepStatus status{
-      .name = store.terms().name, .whole = store.whole(), .stale = store.stale(), .slurm_job = SlurmJobOf(folder)};
+      .name = store.spec().name, .total = store.total(), .stale = store.stale(), .slurm_job = SlurmJobOf(folder)};
   for (const PlannedFlight& flight : store.Plan().flights) {
     ++status.planned;
     const std::optional<FlightRow> row = rows.Find(flight.id);

@@ -20,12 +20,13 @@ namespace {
 constexpr int kFailedStatus = 3;
 
 #ifdef __SANITIZE_ADDRESS__
-constexpr bool kMemoryCanBeLimited = false;  // The sanitizer's own address space is many times as large.
+constexpr bool kMemoryCanBeLimited = false;  // The sanitizer needs far more address space.
 #else
 constexpr bool kMemoryCanBeLimited = true;
 #endif
 
-std::string LastOf(int fd) {
+/// Reads the last 4000 bytes of a file.
+std::string ReadTail(int fd) {
   constexpr off_t kMost = 4000;
   const off_t size = lseek(fd, 0, SEEK_END);
   const off_t from = std::max<off_t>(0, size - kMost);
@@ -36,11 +37,11 @@ std::string LastOf(int fd) {
 }
 
 /// Main function of the forked process.
-[[noreturn]] void BeWorker(const std::function<int()>& work, int stderr_fd, rlim_t memory, pid_t parent) {
+[[noreturn]] void WorkerMain(const std::function<int()>& work, int stderr_fd, rlim_t memory, pid_t parent) {
   setpgid(0, 0);
   prctl(PR_SET_NAME, "touchdown-fly");
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(kFailedStatus);  // It was gone before it could be asked to take its child along.
+  if (getppid() != parent) _exit(kFailedStatus);  // The parent ended before PR_SET_PDEATHSIG was set.
   dup2(open("/dev/null", O_RDWR), STDIN_FILENO);
   dup2(STDIN_FILENO, STDOUT_FILENO);
   dup2(stderr_fd, STDERR_FILENO);
@@ -68,11 +69,11 @@ Worker::Worker(const std::function<int()>& work, int memory_mb) {
   const pid_t parent = getpid();
   fflush(nullptr);
   pid_ = stderr_fd_ < 0 ? -1 : fork();
-  if (pid_ == 0) BeWorker(work, stderr_fd_, memory, parent);
+  if (pid_ == 0) WorkerMain(work, stderr_fd_, memory, parent);
   if (pid_ > 0) return;
   const int error = errno;
   if (stderr_fd_ >= 0) close(stderr_fd_);
-  throw std::system_error(error, std::generic_category(), "no process can be started");
+  throw std::system_error(error, std::generic_category(), "cannot start a process");
 }
 
 Worker::Worker(Worker&& other) noexcept
@@ -91,7 +92,7 @@ std::optional<WorkerEnd> Worker::Poll() {
   const pid_t ended = waitpid(pid_, &status, WNOHANG);
   if (ended == 0 || (ended < 0 && errno == EINTR)) return std::nullopt;
   pid_ = -1;
-  WorkerEnd end{.stderr_tail = LastOf(stderr_fd_)};
+  WorkerEnd end{.stderr_tail = ReadTail(stderr_fd_)};
   if (WIFSIGNALED(status)) {
     end.signal = WTERMSIG(status);
   } else {

@@ -101,7 +101,7 @@ TEST_F(ClusterTest, CollectsIntoTheFolderOfAKilledCollect) {
   folder_.Put("empty/sweep.db", "");
   fs::create_directories(folder_ / "planless");
   sweeper::SweepStore(folder_ / "planless", sweeper::SweepStore::Access::kWrite);
-  EXPECT_THAT(ErrorOf({"collect", "all", "part1", "planless"}), HasSubstr("planless: has no plan of a sweep yet"));
+  EXPECT_THAT(ErrorOf({"collect", "all", "part1", "planless"}), HasSubstr("planless: contains no plan of a sweep yet"));
   EXPECT_EQ(CollectedCsv({"empty", "part1", "part2"}), whole);
   EXPECT_EQ(CollectedCsv({"planless", "part1", "part2"}), whole);
   EXPECT_EQ(Status("planless").at("planned"), 2);
@@ -121,9 +121,11 @@ TEST_F(ClusterTest, RejectsPartsOfAnotherSweepOrBuild) {
   PutSweep(1, "parameters: {camera.noise_sigma: [3]}\n");
   OutOf({"sweep", "sweep.yaml", "--out", "noisy", "--quiet"});
 
-  EXPECT_THAT(ErrorOf({"collect", "all", "part1", "other"}), HasSubstr("other: is of sweep other, and part1 of sweep"));
-  EXPECT_THAT(ErrorOf({"collect", "all", "part1", "built"}), HasSubstr("built: is of another build than part1"));
-  EXPECT_THAT(ErrorOf({"collect", "all", "part1", "noisy"}), HasSubstr("noisy: plans other flights than part1"));
+  EXPECT_THAT(ErrorOf({"collect", "all", "part1", "other"}),
+              HasSubstr("other: contains sweep other, but part1 contains sweep"));
+  EXPECT_THAT(ErrorOf({"collect", "all", "part1", "built"}),
+              HasSubstr("built: contains a sweep of another build than part1"));
+  EXPECT_THAT(ErrorOf({"collect", "all", "part1", "noisy"}), HasSubstr("noisy: contains other flights than part1"));
   EXPECT_THAT(ErrorOf({"collect", "all", "part1", "none"}), HasSubstr("none/sweep.db: no such file"));
   EXPECT_THAT(ErrorOf({"collect", "all"}), HasSubstr("all/sweep.db: no such file"));
   EXPECT_THAT(ErrorOf({"status", "all"}), HasSubstr("all/sweep.db: no such file"));
@@ -175,7 +177,7 @@ TEST_F(StubSlurmTest, SubmitsOnlyMissingFlights) {
   PutTool("squeue", "echo RUNNING; echo PENDING; echo PENDING");
   EXPECT_EQ(OutOf({"status", "out"}),
             "sweep: 2 of 4 flights\n  passed 2\n  failed 0\nSlurm job 7: tasks: 2 PENDING, 1 RUNNING\n");
-  EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--slurm", "--out", "out"}), HasSubstr("its Slurm job 7 is not over"));
+  EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--slurm", "--out", "out"}), HasSubstr("its Slurm job 7 has not ended"));
   PutTool("squeue", "");
   EXPECT_THAT(Run({"collect", "out"}).out, HasSubstr("2 of 4 flights\n"));
   EXPECT_EQ(CountIn("out/rows"), 0u);
@@ -229,7 +231,7 @@ TEST_F(StubSlurmTest, ReportsWhyItCannotSubmit) {
   PutSweep(2);
   const std::vector<std::string> submit{"sweep", "sweep.yaml", "--slurm", "--out", "out"};
   PutTool("sbatch", "echo 'sbatch: error: no such partition\nsbatch: error: failed' >&2; exit 1");
-  EXPECT_THAT(ErrorOf(submit), HasSubstr("sbatch refuses: sbatch: error: no such partition; sbatch: error: failed"));
+  EXPECT_THAT(ErrorOf(submit), HasSubstr("sbatch failed: sbatch: error: no such partition; sbatch: error: failed"));
   fs::remove_all(folder_ / "out");
   PutSweep(2, "stop_when: {good_pass_rate: 0.9, bad_pass_rate: 0.5}\n");
   EXPECT_THAT(ErrorOf(submit), HasSubstr("a sweep with stop_when cannot be split"));
@@ -238,7 +240,7 @@ TEST_F(StubSlurmTest, ReportsWhyItCannotSubmit) {
   EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--out", "out", "--chunk", "2"}), HasSubstr("--slurm"));
   EXPECT_THAT(ErrorOf({"sweep-task", "out", "0"}), HasSubstr("out/tasks/0.json: cannot be read: No such file"));
   const ScopedVariable no_tools("PATH", "/nowhere");
-  EXPECT_THAT(ErrorOf(submit), HasSubstr("there is no scontrol on this machine"));
+  EXPECT_THAT(ErrorOf(submit), HasSubstr("scontrol not found on this machine"));
   EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
@@ -246,12 +248,12 @@ TEST_F(StubSlurmTest, ReportsAJobThatItCannotRecordOrRelease) {
   PutSweep(2);
   const std::vector<std::string> submit{"sweep", "sweep.yaml", "--slurm", "--out", "out"};
   PutTool("sbatch", "mkdir ../out/slurm/job.yaml; echo 7");
-  EXPECT_THAT(ErrorOf(submit), AllOf(HasSubstr("out/slurm/job.yaml"), HasSubstr("scancel 7 ends it")));
+  EXPECT_THAT(ErrorOf(submit), AllOf(HasSubstr("out/slurm/job.yaml"), HasSubstr("cancel it with scancel 7")));
   EXPECT_FALSE(fs::exists(folder_ / "released"));
   fs::remove(folder_ / "out/slurm/job.yaml");
   PutTool("sbatch", "echo 7");
   PutTool("scontrol", "[ $1 = show ] && echo 'MaxArraySize = 3' && exit; echo 'no connection' >&2; exit 1");
-  EXPECT_THAT(ErrorOf(submit), AllOf(HasSubstr("scontrol refuses: no connection"), HasSubstr("scontrol release 7")));
+  EXPECT_THAT(ErrorOf(submit), AllOf(HasSubstr("scontrol failed: no connection"), HasSubstr("scontrol release 7")));
   EXPECT_EQ(folder_.Content("out/slurm/job.yaml"), "slurm_job: 7\n");
 }
 
@@ -261,9 +263,9 @@ TEST_F(StubSlurmTest, RejectsTasksThatAnotherBuildPlanned) {
   nlohmann::json chunk = nlohmann::json::parse(folder_.Content("out/tasks/0.json"));
   chunk["program"] = "0123";
   folder_.Put("out/tasks/0.json", chunk.dump());
-  EXPECT_THAT(ErrorOf({"sweep-task", "out", "0"}), HasSubstr("was planned by another build"));
+  EXPECT_THAT(ErrorOf({"sweep-task", "out", "0"}), HasSubstr("planned by another build"));
   folder_.Put("out/tasks/0.json", "{}");
-  EXPECT_THAT(ErrorOf({"sweep-task", "out", "0"}), HasSubstr("is no chunk of a sweep"));
+  EXPECT_THAT(ErrorOf({"sweep-task", "out", "0"}), HasSubstr("not a chunk file of a sweep"));
 }
 
 /// Starts a Slurm cluster of two nodes on the loopback interface.

@@ -52,7 +52,7 @@ TEST_F(FlyCommand, RejectsADuplicateKey) {
 }
 
 TEST_F(FlyCommand, RejectsAWrongType) {
-  EXPECT_THAT(ErrorOfText(kTakeoffAndLanding + "seed: [1]\n"), HasSubstr("bad.yaml:4: seed: must be a whole number"));
+  EXPECT_THAT(ErrorOfText(kTakeoffAndLanding + "seed: [1]\n"), HasSubstr("bad.yaml:4: seed: must be an integer"));
 }
 
 TEST_F(FlyCommand, RejectsANonFiniteNumber) {
@@ -111,7 +111,7 @@ TEST_F(FlyCommand, RejectsAnOverrideOfAnUnknownKey) {
 
 TEST_F(FlyCommand, RejectsAnOutputFolderWithOtherFiles) {
   folder_.Put("result/thesis.tex", "years of work");
-  EXPECT_THAT(ErrorOfText(kTakeoffAndLanding), HasSubstr("holds other files"));
+  EXPECT_THAT(ErrorOfText(kTakeoffAndLanding), HasSubstr("contains other files"));
   EXPECT_TRUE(fs::exists(folder_ / "result" / "thesis.tex"));
 }
 
@@ -198,7 +198,7 @@ TEST_F(FlyCommand, WritesChecksAsJUnitAndKeepsOtherFiles) {
   EXPECT_THAT(folder_.Content("ci/junit.xml"), HasSubstr("failures=\"1\""));
   folder_.Put("mine.xml", "<mine/>");
   EXPECT_THAT(ErrorOf({"fly", "short.yaml", "--out", "c", "--junit", "mine.xml"}),
-              HasSubstr("mine.xml: is there already, and something else"));
+              HasSubstr("mine.xml: already exists and is not an earlier output"));
   EXPECT_FALSE(fs::exists(folder_ / "c"));
 }
 

@@ -49,7 +49,7 @@ TEST_F(PadCommand, KeepsAnEditedDescription) {
   ASSERT_EQ(Run({"pad", "--out", "pad.pdf"}).status, 0);
   folder_.Put("pad.yaml", "ring_width_m: 0.012\n");
   const auto written = fs::last_write_time(folder_ / "pad.pdf");
-  EXPECT_THAT(ErrorOf({"pad", "--out", "pad.pdf"}), HasSubstr("pad.yaml: is there already"));
+  EXPECT_THAT(ErrorOf({"pad", "--out", "pad.pdf"}), HasSubstr("pad.yaml: already exists"));
   EXPECT_EQ(folder_.Content("pad.yaml"), "ring_width_m: 0.012\n");
   EXPECT_EQ(fs::last_write_time(folder_ / "pad.pdf"), written);
   EXPECT_EQ(Run({"pad", "--out", "pad.pdf", "--pad", "pad.yaml"}).status, 0);

@@ -57,7 +57,7 @@ TEST_F(PaperCommand, KeepsItsMeasurementsWhenInterruptedAndResumes) {
 
 TEST_F(PaperCommand, RejectsAFolderWithOtherFiles) {
   folder_.Put("mine/thesis.tex", "years of work");
-  EXPECT_THAT(ErrorOf({"paper", "--quick", "--out", "mine"}), HasSubstr("mine: holds other files"));
+  EXPECT_THAT(ErrorOf({"paper", "--quick", "--out", "mine"}), HasSubstr("mine: contains other files"));
   EXPECT_EQ(folder_.Content("mine/thesis.tex"), "years of work");
   EXPECT_FALSE(fs::exists(folder_ / "mine" / "measurements"));
 }

@@ -71,7 +71,7 @@ TEST_F(ReportCommand, NamesTheDamagedFile) {
 TEST_F(ReportCommand, KeepsAUsersPage) {
   FlyInto("flight");
   folder_.Put("flight/report.html", "<p>mine</p>");
-  EXPECT_THAT(ErrorOfReport("flight"), HasSubstr("is there already"));
+  EXPECT_THAT(ErrorOfReport("flight"), HasSubstr("already exists"));
 }
 
 TEST_F(ReportCommand, KeepsTheEarlierPageInAFullOrReadOnlyFolder) {

@@ -59,7 +59,7 @@ class SweepCommand : public tests::ProgramFixture {
   std::map<std::string, double> KeptRows(const std::string& folder) const {
     std::map<std::string, double> kept;
     try {
-      for (const sweeper::FlightRow& row : sweeper::LeftRows(folder_ / folder)) kept[row.id] = row.wall_s;
+      for (const sweeper::FlightRow& row : sweeper::UncollectedRows(folder_ / folder)) kept[row.id] = row.wall_s;
       for (const sweeper::SweepResult& result :
            sweeper::SweepStore(folder_ / folder, sweeper::SweepStore::Access::kRead).Results()) {
         kept[result.row.id] = result.row.wall_s;
@@ -163,7 +163,7 @@ TEST_F(SweepCommand, RebuildsTheReportFromItsRowsAlone) {
   EXPECT_EQ(folder_.Content("out/report.html"), page);
 
   folder_.Put("out/report.html", "mine");
-  EXPECT_THAT(ErrorOf({"report", "out"}), HasSubstr("out/report.html: is there already, and something else"));
+  EXPECT_THAT(ErrorOf({"report", "out"}), HasSubstr("out/report.html: already exists and is not an earlier output"));
   PutSweep(3);
   EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--out", "out"}), HasSubstr("out/report.html"));
   EXPECT_EQ(folder_.Content("out/report.html"), "mine");
@@ -193,12 +193,12 @@ TEST_F(SweepCommand, FindsTheBoundaryAtWhichFlightsBeginToFail) {
   EXPECT_NEAR(edge, 0.15, 0.01);
   EXPECT_LE(low, 0.15);
   EXPECT_GE(high, 0.15);
-  EXPECT_THAT(folder_.Content("edge/report.html"), HasSubstr("where the rate goes through 50 %"));
+  EXPECT_THAT(folder_.Content("edge/report.html"), HasSubstr("boundary at a pass rate of 50 %"));
   const std::string walls = WallTimes("edge");
   EXPECT_EQ(Run(search).out, run.out);
   EXPECT_EQ(WallTimes("edge"), walls) << "nothing was flown again";
   EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--boundary", "camera.noise_sigma", "--out", "edge"}),
-              HasSubstr("--boundary camera.noise_sigma: the sweep lists no values of it"));
+              HasSubstr("--boundary camera.noise_sigma: must be a parameter with listed values"));
 
   PutSweep(1, "parameters: {script.0.duration_s: {range: {from: 0.05, to: 0.25, count: 2}}}\n");
   const ProgramRun alike =
@@ -214,7 +214,7 @@ TEST_F(SweepCommand, FindsTheBoundaryAtWhichFlightsBeginToFail) {
            "parameters: {script.0.duration_s: [0.1, 0.2]}\n"
            "variants: [{name: a}, {name: b, set: {start.yaw_deg: 5}}]\n");
   EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--boundary", "script.0.duration_s", "--out", "two"}),
-              HasSubstr("sweep sweep has variants, and each has a boundary of its own"));
+              HasSubstr("not allowed for sweep sweep, which has variants"));
 }
 
 TEST_F(SweepCommand, ResumesAfterAnInterrupt) {
@@ -250,7 +250,7 @@ TEST_F(SweepCommand, RejectsASecondSweepInTheSameFolder) {
                             return true;
                           }});
   EXPECT_EQ(second.status, 2);
-  EXPECT_THAT(second.err, HasSubstr("output folder out: another sweep works there"));
+  EXPECT_THAT(second.err, HasSubstr("output folder out: is in use by another sweep"));
 }
 
 TEST_F(SweepCommand, ReportsFlightsWhoseProcessCrashedOrHung) {
@@ -327,7 +327,7 @@ TEST_F(SweepCommand, RejectsBadInputAndWritesNothing) {
   EXPECT_EQ(Names(), before);
   folder_.Put("full/letter.txt", "mine");
   EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--out", "full"}),
-              HasSubstr("output folder full: is not empty, and no sweep's"));
+              HasSubstr("output folder full: is not empty and contains no sweep"));
   folder_.Put("other/sweep.db", "mine");
   EXPECT_THAT(ErrorOf({"sweep", "sweep.yaml", "--out", "other"}), HasSubstr("other/sweep.db: file is not a database"));
   EXPECT_EQ(folder_.Content("other/sweep.db"), "mine");

@@ -68,7 +68,8 @@ TEST_F(TestCommand, ComparisonWithABaselineFailsWhenFlightsGetWorse) {
   EXPECT_THAT(Run({"compare", "baseline.csv", "part.csv"}).err,
               HasSubstr("part.csv lacks 1 flights of baseline.csv, which are not compared"));
   EXPECT_THAT(ErrorOf({"compare", "baseline.csv"}), HasSubstr("give two sweeps, or one sweep and --variants"));
-  EXPECT_THAT(ErrorOf({"compare", "before", "--variants", "old", "new"}), HasSubstr("has no flight of a variant old"));
+  EXPECT_THAT(ErrorOf({"compare", "before", "--variants", "old", "new"}),
+              HasSubstr("contains no flights of variant old"));
   EXPECT_THAT(ErrorOf({"compare", "baseline.csv", "none.csv"}), HasSubstr("none.csv: cannot be read"));
   EXPECT_THAT(ErrorOf({"compare", "baseline.csv", "before", "--margin", "pass_rate"}), HasSubstr("NAME=NUMBER"));
 }

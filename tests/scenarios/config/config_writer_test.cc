@@ -17,14 +17,14 @@ double Read(const std::string& text) {
   return value;
 }
 
-TEST(WriteNumber, IsWhatAPersonWouldWrite) {
+TEST(WriteNumber, UsesFewestDigits) {
   EXPECT_EQ(WriteNumber(4.0), "4");
   EXPECT_EQ(WriteNumber(-1.5), "-1.5");
   EXPECT_EQ(WriteNumber(0.1), "0.1");
   EXPECT_EQ(WriteNumber(0.0), "0");
 }
 
-TEST(WriteNumber, ReadsBackToTheSameBits) {
+TEST(WriteNumber, ReadsBackBitIdentical) {
   models::RandomStream random(7, "test.numbers");
   for (int i = 0; i < 20000; ++i) {
     const double value = random.Normal() * std::pow(10.0, random.UniformInt(-9, 9));
@@ -32,7 +32,7 @@ TEST(WriteNumber, ReadsBackToTheSameBits) {
   }
 }
 
-TEST(WriteText, EscapesWhatYamlWouldTakeForItsOwn) {
+TEST(WriteText, EscapesSpecialCharacters) {
   for (const std::string text : {"plain", "a: b", "\"quoted\" \\ back", "two\nlines", "", "#no", "tab\t", "Grüße"}) {
     const ConfigNode root = ParseConfig("key: " + WriteText(text) + "\n", "f", "");
     EXPECT_EQ(root.Find("key")->text, text);

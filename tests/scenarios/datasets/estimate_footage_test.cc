@@ -114,7 +114,7 @@ TEST_F(RecordedFlight, IsReplacedByTheNextRunUnlessItContainsOtherFiles) {
     Fly({std::string("time_limit_s=0.1")});
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("notes.txt is no file of an earlier run"));
+    EXPECT_THAT(error.what(), HasSubstr("notes.txt is not a file of an earlier run"));
   }
   EXPECT_EQ(folder_.Content("flight/recording/mav0/cam0/notes.txt"), "mine");
 }

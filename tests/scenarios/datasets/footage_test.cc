@@ -126,7 +126,8 @@ TEST_F(FootageTest, NamesInvalidFilesOfARecording) {
   folder_.Put("mav0/cam0/data.csv", "5,5.png\n");
   EXPECT_THAT(Reading(folder_.path()), ThrowsInputError(HasSubstr("5.png: not a readable image")));
   folder_.Put("mav0/imu0/data.csv", "5,1,2,3,4,5\n");
-  EXPECT_THAT(Reading(folder_.path()), ThrowsInputError(HasSubstr("imu0/data.csv:1: has 6 columns instead of 7")));
+  EXPECT_THAT(Reading(folder_.path()),
+              ThrowsInputError(HasSubstr("imu0/data.csv:1: has 6 columns; required: at least 7")));
 }
 
 }  // namespace

@@ -235,7 +235,7 @@ TEST(FlightPage, ThrowsNamingFileAndKeyForInvalidInput) {
   EXPECT_THAT(page_with([](FlightFiles& f) { f.flight_csv.replace(f.flight_csv.find("true_x_m"), 8, "true_u_m"); }),
               ThrowsInputError("flight/flight.csv:1: true_x_m: no such column"));
   EXPECT_THAT(page_with([](FlightFiles& f) { f.frames_csv.insert(f.frames_csv.find('\n') + 3, "x"); }),
-              ThrowsInputError("flight/frames.csv:2: t_s: 'x0' is no finite number"));
+              ThrowsInputError("flight/frames.csv:2: t_s: 'x0' is not a finite number"));
   EXPECT_THAT(page_with([](FlightFiles& f) { f.frame_timing_csv = "tick,render_ms,vision_ms\n"; }),
               ThrowsInputError("flight/frame_timing.csv:1: tick: must equal the column tick of frames.csv"));
   EXPECT_THAT(page_with([](FlightFiles& f) { f.result_json = "{\n\"log_sha256\""; }),

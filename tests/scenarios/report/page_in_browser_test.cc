@@ -124,9 +124,9 @@ TEST_F(PageInABrowser, SweepReportFitsWideAndNarrowWindows) {
 TEST_F(PageInABrowser, WindSweepReportMatchesDocs) {
   const fs::path root = TOUCHDOWN_SOURCE_DIR;
   const sweeper::SweepFile file = sweeper::LoadSweepFile(root / "scenarios/sweeps/wind.yaml");
-  sweeper::SweepOutcome sweep{.terms = sweeper::TermsOf(file),
+  sweeper::SweepOutcome sweep{.spec = sweeper::SpecOf(file),
                               .results = sweeper::ReadRowsCsv(root / "docs/sweeps/wind.csv").results};
-  sweep.planned = sweep.whole = sweep.results.size();
+  sweep.planned = sweep.total = sweep.results.size();
   for (sweeper::SweepResult& result : sweep.results)
     result.row.scenario = runner::ScenarioYaml(runner::LoadScenario(file.base));
   const fs::path page = folder_.Put("report.html", sweeper::SweepPage(sweep, sweeper::Summarize(sweep), "out/wind"));

@@ -1,4 +1,4 @@
-// Flights whose estimator and autopilot are calibrated a calibration.
+// Flights with a calibration that differs from the truth.
 #include <gtest/gtest.h>
 
 #include "models/angles.h"
@@ -7,7 +7,7 @@
 namespace touchdown::runner {
 namespace {
 
-/// A moment of a hover above the pad.
+/// Hover of 0.08 s above the pad.
 Scenario ShortHover() {
   Scenario scenario;
   scenario.start = {.airborne = true, .position_m = {0.0, 0.0, 1.0}};
@@ -16,12 +16,12 @@ Scenario ShortHover() {
   return scenario;
 }
 
-/// Vision's word on the first frame, which no autopilot has yet had a say in.
+/// Vision pose of the first frame, on which the controller has no influence yet.
 Eigen::Isometry3d FirstPose(const Scenario& scenario) {
   return FlyClosedLoop(scenario, {}, nullptr).frames.at(0).pose.value().X_WB;
 }
 
-TEST(CalibratedFlight, TakesACalibrationThatIsTheTruthForTheTruth) {
+TEST(CalibratedFlight, IsIdenticalWithTrueCalibration) {
   Scenario scenario = ShortHover();
   const FlightLog plain = FlyClosedLoop(scenario, {}, nullptr);
   scenario.calibration = {scenario.camera.model, scenario.vehicle.camera, scenario.vehicle.imu};
@@ -31,20 +31,20 @@ TEST(CalibratedFlight, TakesACalibrationThatIsTheTruthForTheTruth) {
   EXPECT_EQ(calibrated.frames.back().pose.value().X_WB.matrix(), plain.frames.back().pose.value().X_WB.matrix());
 }
 
-TEST(CalibratedFlight, IsWrongByWhatTheCamerasAssumedMountingIs) {
+TEST(CalibratedFlight, HasErrorOfAssumedCameraMounting) {
   Scenario scenario = ShortHover();
   const Eigen::Isometry3d X_WB = FirstPose(scenario), X_BC = scenario.vehicle.X_BC();
   scenario.calibration.camera = models::Mounting{.position_m = {0.03, 0.0, -0.05}, .misalignment_deg = {.roll = 1.0}};
   const Eigen::Isometry3d wrong = FirstPose(scenario);
   EXPECT_TRUE(wrong.isApprox(X_WB * X_BC * scenario.assumed_vehicle().X_BC().inverse(), 1e-9))
-      << "the camera is where it was seen; the body is not";
+      << "the camera pose is correct, but the body pose is not";
   EXPECT_NEAR((wrong.translation() - X_WB.translation()).x(), -0.03, 0.003);
   const double roll_deg = models::RadToDeg(models::TaitBryanFromRotation(wrong.linear()).roll -
                                            models::TaitBryanFromRotation(X_WB.linear()).roll);
   EXPECT_NEAR(roll_deg, -1.0, 0.02);
 }
 
-TEST(CalibratedFlight, SeesThePadFartherThroughALensThatItTakesForALongerOne) {
+TEST(CalibratedFlight, OverestimatesDistanceWithTooLargeFocalLength) {
   Scenario scenario = ShortHover();
   const double height_m = FirstPose(scenario).translation().z() + 0.05;
   scenario.calibration.camera_model = scenario.camera.model;

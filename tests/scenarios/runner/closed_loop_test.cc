@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The largest angle between the true vertical and the estimated one, rad.
+/// Largest angle between the true and the estimated vertical, rad.
 double LargestLevelError(const FlightLog& log) {
   double largest = 0.0;
   for (const TickRecord& tick : log.ticks) {
@@ -26,14 +26,14 @@ double LargestLevelError(const FlightLog& log) {
   return largest;
 }
 
-TEST(ClosedLoop, StartsInTheAirKnowingTheBiasesOfItsImu) {
+TEST(ClosedLoop, KnowsImuBiasesAtAirborneStart) {
   for (const std::uint64_t seed : {1u, 2u}) {
     Scenario scenario;
     scenario.seed = seed;
     scenario.start = {.airborne = true, .position_m = {0.2, -0.1, 1.0}, .yaw_deg = 17.0};
     scenario.script = {{.kind = controller::ManeuverKind::kHover, .position_m = {0.0, 0.0, 1.0}, .duration_s = 60.0}};
     scenario.time_limit_s = 0.25;
-    scenario.world.paint_textures = false;  // The pad is not needed: level is the IMU's.
+    scenario.world.paint_textures = false;  // Roll and pitch do not depend on the pad.
     scenario.vehicle.imu.misalignment_deg = {.roll = 1.7, .pitch = -1.1, .yaw = 2.3};
     const FlightLog log = FlyClosedLoop(scenario, {}, nullptr);
     ASSERT_GT(log.ticks.size(), 45u);
@@ -50,28 +50,28 @@ Scenario HandHeld(std::uint64_t seed) {
   return scenario;
 }
 
-TEST(ClosedLoop, FollowsAVehicleThatAHandCarries) {
+TEST(ClosedLoop, TracksHandHeldVehicle) {
   for (const std::uint64_t seed : {1u, 2u}) {
     const FlightLog log = FlyClosedLoop(HandHeld(seed), {}, nullptr);
     EXPECT_EQ(log.outcome, Outcome::kHovered) << log.reason;
-    EXPECT_LT(LargestLevelError(log), models::DegToRad(4.0)) << seed;  // The hand's own acceleration misleads it.
-    int seen = 0, in_view = 0;
+    EXPECT_LT(LargestLevelError(log), models::DegToRad(4.0)) << seed;  // The hand accelerates.
+    int detected = 0, in_view = 0;
     for (const FrameRecord& frame : log.frames) {
       in_view += frame.ring_in_view ? 1 : 0;
       if (frame.status != estimator::FrameStatus::kOk) continue;
-      // Where the H is strongly foreshortened its yaw is off, and turns the position about the pad with it.
+      // If the H is strongly foreshortened, the yaw error also rotates the position about the pad.
       const Vector3d found = frame.pose->X_WB.translation(), truth = frame.X_WB.translation();
       EXPECT_NEAR(found.z(), truth.z(), 0.03);
       EXPECT_NEAR(found.head<2>().norm(), truth.head<2>().norm(), 0.10);
-      ++seen;
+      ++detected;
     }
-    EXPECT_GT(in_view, 40) << seed;  // So tilted, so soon: the pad leaves the view now and then.
-    EXPECT_GT(seen, 0.9 * in_view) << seed;
+    EXPECT_GT(in_view, 40) << seed;  // The pad leaves the view occasionally, because of the tilt.
+    EXPECT_GT(detected, 0.9 * in_view) << seed;
     for (const TickRecord& tick : log.ticks) EXPECT_EQ(tick.control.rotors.speed_rad_s[0], 0.0);
   }
 }
 
-/// Keeps what the IMU measured before the flight.
+/// Stores the IMU samples before the flight.
 class StandingImu final : public FlightObserver {
  public:
   void OnImu(const models::ImuSample& sample, bool /*at_rest*/) override {
@@ -86,7 +86,7 @@ class StandingImu final : public FlightObserver {
   int count_ = 0;
 };
 
-TEST(ClosedLoop, StandsOnTheSlopeHeadingAsItStartsBeforeAFlightFromTheAir) {
+TEST(ClosedLoop, RestsOnSlopeWithInitialHeadingBeforeAirborneStart) {
   Scenario scenario;
   scenario.start = {.airborne = true, .yaw_deg = 90.0};
   scenario.script = {{.kind = controller::ManeuverKind::kHover, .position_m = {0.0, 0.0, 1.0}, .duration_s = 60.0}};
@@ -101,7 +101,7 @@ TEST(ClosedLoop, StandsOnTheSlopeHeadingAsItStartsBeforeAFlightFromTheAir) {
   EXPECT_LT((imu.mean() - expected).norm(), 0.01) << imu.mean().transpose();
 }
 
-/// Takes its time.
+/// Observer that sleeps in each call.
 class SlowObserver final : public FlightObserver {
  public:
   void OnStart(const sim::World& world) override { started_ = world.state().tick == 0; }
@@ -117,7 +117,7 @@ class SlowObserver final : public FlightObserver {
   int count_ = 0;
 };
 
-TEST(ClosedLoop, DoesNotCountTheTimeThatItsObserversTake) {
+TEST(ClosedLoop, ExcludesObserversFromWallTime) {
   Scenario scenario;
   scenario.script = {{.kind = controller::ManeuverKind::kTakeoff}};
   scenario.time_limit_s = 0.5;

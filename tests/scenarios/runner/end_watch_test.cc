@@ -13,7 +13,7 @@ class EndWatchTest : public ::testing::Test {
     control_.phase = Phase::kHover;
     truth_.X_WB.translation() << 0.0, 0.0, 1.0;
   }
-  /// The ending within a time in the same state.
+  /// Ending within a duration in the same state.
   std::optional<Ending> Within(double seconds) {
     for (const models::Tick end = truth_.tick + scenario_.time.FromSeconds(seconds); truth_.tick < end; ++truth_.tick) {
       if (const auto ending = watch_.Judge(truth_, control_)) return ending;
@@ -38,19 +38,19 @@ class EndWatchTest : public ::testing::Test {
   EndWatch watch_{scenario_};
 };
 
-TEST_F(EndWatchTest, LetsAFlightGoOn) { EXPECT_FALSE(Within(5.0)); }
+TEST_F(EndWatchTest, ContinuesFlight) { EXPECT_FALSE(Within(5.0)); }
 
-TEST_F(EndWatchTest, EndsAFlightThatIsOverTime) {
+TEST_F(EndWatchTest, EndsFlightAtTimeLimit) {
   EXPECT_FALSE(Within(10.0));
   EXPECT_EQ(OutcomeWithin(0.1), Outcome::kGaveUp);
 }
 
-TEST_F(EndWatchTest, EndsWithTheScriptInTheAir) {
+TEST_F(EndWatchTest, EndsWithScriptInTheAir) {
   control_.script_done = true;
   EXPECT_EQ(OutcomeWithin(0.1), Outcome::kHovered);
 }
 
-TEST_F(EndWatchTest, EndsWithTheHandInTheAir) {
+TEST_F(EndWatchTest, EndsWithHandMotion) {
   Scenario scenario;
   scenario.hand = {.carries = true, .duration_s = 10.0};
   watch_ = EndWatch(scenario);
@@ -59,7 +59,7 @@ TEST_F(EndWatchTest, EndsWithTheHandInTheAir) {
   EXPECT_EQ(OutcomeWithin(0.1), Outcome::kHovered);
 }
 
-TEST_F(EndWatchTest, CallsItLandedASecondAfterTheVehicleCameToRest) {
+TEST_F(EndWatchTest, ReportsLandedAfterOneSecondAtRest) {
   control_.phase = Phase::kTouchdown;
   control_.script_done = true;
   EXPECT_FALSE(Within(0.2));
@@ -71,18 +71,18 @@ TEST_F(EndWatchTest, CallsItLandedASecondAfterTheVehicleCameToRest) {
   EXPECT_EQ(OutcomeWithin(0.01), Outcome::kLanded);
 }
 
-TEST_F(EndWatchTest, CallsItACrashWhenTheVehicleDoesNotComeToRest) {
+TEST_F(EndWatchTest, ReportsCrashIfVehicleDoesNotComeToRest) {
   control_.phase = Phase::kTouchdown;
   truth_.v_WB.x() = 0.1;
   EXPECT_EQ(OutcomeWithin(6.0), Outcome::kCrashed);
 }
 
-TEST_F(EndWatchTest, SeesThatControlWasHandedOver) {
+TEST_F(EndWatchTest, ReportsGaveUpWhenGuidanceGivesUp) {
   control_.phase = Phase::kGaveUp;
   EXPECT_EQ(OutcomeWithin(0.1), Outcome::kGaveUp);
 }
 
-TEST_F(EndWatchTest, SeesCrashes) {
+TEST_F(EndWatchTest, DetectsCrashes) {
   const sim::TrueState fine = truth_;
   truth_.body_in_contact = true;
   EXPECT_EQ(OutcomeWithin(0.1), Outcome::kCrashed);
@@ -92,7 +92,7 @@ TEST_F(EndWatchTest, SeesCrashes) {
   truth_ = fine;
 }
 
-TEST_F(EndWatchTest, SeesThatTheVehicleLeftTheRoom) {
+TEST_F(EndWatchTest, DetectsThatVehicleLeftRoom) {
   const double half_m = scenario_.scene.floor_size_m / 2.0;
   for (const Eigen::Vector3d& inside :
        {Eigen::Vector3d(-half_m, half_m, 1.0), Eigen::Vector3d(0.0, 0.0, scenario_.ceiling_m())}) {

@@ -11,7 +11,7 @@ using controller::Phase;
 
 class FlightRecorderTest : public ::testing::Test {
  protected:
-  /// Passes ticks with the vehicle at a height that falls by 1 mm a tick.
+  /// Records ticks in which the vehicle sinks by 1 mm each.
   void Pass(int ticks, Phase phase, bool contact = false, bool covered = false) {
     for (int i = 0; i < ticks; ++i) {
       truth_.X_WB.translation() << 0.0, 0.0, 1.0 - 0.001 * static_cast<double>(truth_.tick);
@@ -31,7 +31,7 @@ class FlightRecorderTest : public ::testing::Test {
   FlightRecorder recorder_{Scenario()};
 };
 
-TEST_F(FlightRecorderTest, TakesAFramesTruthAtItsMidExposure) {
+TEST_F(FlightRecorderTest, RecordsTruthAtMidExposure) {
   Pass(101, Phase::kHover);
   const FrameRecord& record = recorder_.OnFrame(Estimate(76), 1.0, {.total_ms = 2.0, .geometry_ms = 0.5});
   EXPECT_DOUBLE_EQ(record.X_WB.translation().z(), 1.0 - 0.076);
@@ -41,7 +41,7 @@ TEST_F(FlightRecorderTest, TakesAFramesTruthAtItsMidExposure) {
   EXPECT_NEAR(record.true_pad_px->x(), 319.5, 1e-9);
 }
 
-TEST_F(FlightRecorderTest, SeesNoPadWhereItIsCovered) {
+TEST_F(FlightRecorderTest, RecordsNoTruePadWhileItIsCovered) {
   Pass(50, Phase::kHover, false, true);
   Pass(10, Phase::kHover, false, false);
   const FrameRecord record = recorder_.OnFrame(Estimate(49), 0.0, {});
@@ -51,12 +51,12 @@ TEST_F(FlightRecorderTest, SeesNoPadWhereItIsCovered) {
   EXPECT_TRUE(recorder_.OnFrame(Estimate(50), 0.0, {}).ring_in_view);
 }
 
-TEST_F(FlightRecorderTest, RefusesAFrameOlderThanItsHistory) {
+TEST_F(FlightRecorderTest, RejectsFrameOlderThanHistory) {
   Pass(200, Phase::kHover);
   EXPECT_THROW(recorder_.OnFrame(Estimate(100), 0.0, {}), std::logic_error);
 }
 
-TEST_F(FlightRecorderTest, TakesTheFirstContactOfALandingOnly) {
+TEST_F(FlightRecorderTest, RecordsFirstContactOfLandingOnly) {
   Pass(10, Phase::kStandby, true);
   Pass(10, Phase::kHover);
   Pass(10, Phase::kBlindDescent);
@@ -70,7 +70,7 @@ TEST_F(FlightRecorderTest, TakesTheFirstContactOfALandingOnly) {
   EXPECT_EQ(log.end, 42);
 }
 
-TEST_F(FlightRecorderTest, KnowsNoTouchdownOfAVehicleThatNeverLeftTheGround) {
+TEST_F(FlightRecorderTest, RecordsNoTouchdownWithoutTakeoff) {
   Pass(10, Phase::kStandby, true);
   Pass(10, Phase::kTouchdown, true);
   EXPECT_FALSE(recorder_.Finish(Outcome::kLanded, "").touchdown.has_value());

@@ -27,7 +27,7 @@ std::vector<std::string> Cells(const std::string& line) {
   return cells;
 }
 
-/// The rows of a table by column name. Fails when a row has not as many cells as the header.
+/// Rows of a table by column name. Fails if a row and the header have different numbers of cells.
 std::vector<Row> Read(const std::string& csv) {
   std::istringstream lines(csv);
   std::string line;
@@ -71,7 +71,7 @@ FlightLog SmallLog() {
   return log;
 }
 
-TEST(FlightCsv, HasARowForEveryTickThatReadsBackExactly) {
+TEST(FlightCsv, HasRowPerTickThatReadsBackExactly) {
   const std::vector<Row> rows = Read(FlightCsv(SmallLog()));
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[1].at("tick"), "6");
@@ -85,7 +85,7 @@ TEST(FlightCsv, HasARowForEveryTickThatReadsBackExactly) {
   EXPECT_EQ(rows[1].at("pad_seen_tick"), "4");
 }
 
-TEST(FramesCsv, LeavesCellsEmptyWhereThereIsNoPose) {
+TEST(FramesCsv, LeavesCellsEmptyWithoutPose) {
   const std::vector<Row> rows = Read(FramesCsv(SmallLog()));
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0].at("status"), "not_found");
@@ -97,15 +97,15 @@ TEST(FramesCsv, LeavesCellsEmptyWhereThereIsNoPose) {
   EXPECT_EQ(rows[1].at("true_pad_u_px"), "");
 }
 
-TEST(FramesCsv, KeepsTheWallClockOut) {
+TEST(FramesCsv, ContainsNoWallClockTime) {
   EXPECT_EQ(FramesCsv(SmallLog()).find("3.5"), std::string::npos);
   EXPECT_EQ(Read(FrameTimingCsv(SmallLog()))[1].at("vision_ms"), "3.5");
   EXPECT_EQ(Read(FrameTimingCsv(SmallLog()))[1].at("geometry_ms"), "1.25");
 }
 
-TEST(TrackingCsv, HasARowForEveryPose) { EXPECT_EQ(Read(TrackingCsv(SmallLog())).size(), 1u); }
+TEST(TrackingCsv, HasRowPerPose) { EXPECT_EQ(Read(TrackingCsv(SmallLog())).size(), 1u); }
 
-TEST(JudgeFlight, HashesFlightAndFramesButNotTheWallClock) {
+TEST(JudgeFlight, HashesFlightAndFramesWithoutWallClockTimes) {
   Scenario scenario;
   scenario.expect = Outcome::kHovered;
   FlightLog log = SmallLog();
@@ -119,20 +119,20 @@ TEST(JudgeFlight, HashesFlightAndFramesButNotTheWallClock) {
   EXPECT_NE(JudgeFlight(scenario, log).log_sha256, result.log_sha256);
 }
 
-TEST(LogDigest, IsThatOfTheFilesAlsoOfALogThatIsHashedInPieces) {
+TEST(LogDigest, EqualsDigestOfFilesEvenForLongLog) {
   FlightLog log = SmallLog();
   log.ticks.resize(5000, log.ticks.front());
   EXPECT_GT(FlightCsv(log).size(), 4u << 16);
   EXPECT_EQ(LogDigest(log), util::Sha256(FlightCsv(log) + FramesCsv(log)));
 }
 
-TEST(JudgeFlight, CallsASimulationThatWentWrongAnError) {
+TEST(JudgeFlight, ReportsErrorForFailedSimulation) {
   FlightLog log = SmallLog();
   log.outcome = Outcome::kError;
   EXPECT_EQ(JudgeFlight(Scenario(), log).verdict, Verdict::kError);
 }
 
-TEST(ResultJson, HasTheKeysOfItsSchemaInOrder) {
+TEST(ResultJson, HasKeysOfSchemaInOrder) {
   const Scenario scenario;
   const std::string json = ResultJson(scenario, JudgeFlight(scenario, SmallLog()));
   std::size_t last = 0;

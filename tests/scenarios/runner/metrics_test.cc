@@ -23,7 +23,7 @@ Eigen::Isometry3d Pose(double x, double y, double z, const models::TaitBryan& an
   return X_WB;
 }
 
-/// 200 Hz of IMU ticks, one after the other.
+/// Consecutive IMU ticks at 200 Hz.
 void AddTicks(FlightLog& log, int count, Phase phase, const Eigen::Isometry3d& X_WB) {
   for (int i = 0; i < count; ++i) {
     TickRecord record;
@@ -45,7 +45,7 @@ FrameRecord Frame(const Eigen::Isometry3d& truth, const Eigen::Isometry3d& estim
   return frame;
 }
 
-TEST(Metrics, LeavesOutWhatAFlightDoesNotHave) {
+TEST(Metrics, OmitUndefinedMetrics) {
   const Metrics metrics = ComputeMetrics(FlightLog());
   EXPECT_FALSE(metrics.contains("flight.touchdown_xy_error_m"));
   EXPECT_FALSE(metrics.contains("flight.hover_xyz_rmse_m"));
@@ -54,7 +54,7 @@ TEST(Metrics, LeavesOutWhatAFlightDoesNotHave) {
   EXPECT_TRUE(metrics.contains("flight.sim_time_s"));
 }
 
-TEST(Metrics, HaveNamesThatAreKnownOnceEach) {
+TEST(Metrics, HaveUniqueNames) {
   std::set<std::string_view> names;
   for (const MetricInfo& info : AllMetrics()) {
     EXPECT_TRUE(names.insert(info.name).second) << info.name;
@@ -63,7 +63,7 @@ TEST(Metrics, HaveNamesThatAreKnownOnceEach) {
   EXPECT_EQ(FindMetric("flight.beauty"), nullptr);
 }
 
-TEST(Metrics, TakeTheVisionErrorAgainstTheTruth) {
+TEST(Metrics, CompareVisionWithTruth) {
   FlightLog log;
   log.frames.push_back(Frame(Pose(0.1, 0.2, 1.0), Pose(0.13, 0.24, 1.0, {DegToRad(1), DegToRad(-2), DegToRad(3)})));
   log.frames.push_back(Frame(Pose(0, 0, 1.0), Pose(0, 0, 1.02)));
@@ -78,7 +78,7 @@ TEST(Metrics, TakeTheVisionErrorAgainstTheTruth) {
   EXPECT_NEAR(metrics.at("estimate.tilt_rmse_deg"), models::RadToDeg(tilt) / std::sqrt(2.0), 1e-9);
 }
 
-TEST(Metrics, TakeAPoseTurnedByHalfATurnForTheSame) {
+TEST(Metrics, IgnoreRotationBy180Degrees) {
   const models::TaitBryan truth{DegToRad(5), DegToRad(-3), DegToRad(88)};
   const models::TaitBryan turned{DegToRad(5), DegToRad(-3), DegToRad(-90)};
   FlightLog log;
@@ -89,7 +89,7 @@ TEST(Metrics, TakeAPoseTurnedByHalfATurnForTheSame) {
   EXPECT_NEAR(metrics.at("estimate.yaw_rmse_deg"), 2.0, 1e-9);
 }
 
-TEST(Metrics, TakeNoErrorOfAFrameThatIsNotOk) {
+TEST(Metrics, IgnorePoseErrorsOfFramesThatAreNotOk) {
   FlightLog log;
   log.frames.push_back(Frame(Pose(0, 0, 1), Pose(0, 0, 1.01)));
   log.frames.push_back(Frame(Pose(0, 0, 1), Pose(5, 5, 5)));
@@ -97,7 +97,7 @@ TEST(Metrics, TakeNoErrorOfAFrameThatIsNotOk) {
   EXPECT_NEAR(ComputeMetrics(log).at("estimate.xyz_rmse_m"), 0.01, 1e-12);
 }
 
-TEST(Metrics, CountAvailabilityOverFramesWithTheWholeRing) {
+TEST(Metrics, ComputeAvailabilityFromFramesWithWholeRing) {
   FlightLog log;
   for (int i = 0; i < 3; ++i) log.frames.push_back(Frame(Pose(0, 0, 1), Pose(0, 0, 1)));
   log.frames.push_back(Frame(Pose(0, 0, 1), Pose(0, 0, 1)));
@@ -110,7 +110,7 @@ TEST(Metrics, CountAvailabilityOverFramesWithTheWholeRing) {
   EXPECT_EQ(metrics.at("estimate.ring_frames"), 4.0);
 }
 
-TEST(Metrics, CallAPadFalseBeyondThirtyPixels) {
+TEST(Metrics, CountFalsePadsBeyondThirtyPixels) {
   FlightLog log;
   const auto add = [&log](std::optional<Eigen::Vector2d> seen, std::optional<Eigen::Vector2d> truth) {
     FrameRecord frame;
@@ -118,14 +118,14 @@ TEST(Metrics, CallAPadFalseBeyondThirtyPixels) {
     frame.true_pad_px = truth;
     log.frames.push_back(frame);
   };
-  add(Eigen::Vector2d(100, 100), Eigen::Vector2d(118, 124));  // 30 px: not over.
+  add(Eigen::Vector2d(100, 100), Eigen::Vector2d(118, 124));  // Exactly 30 px, so not a false pad.
   add(std::nullopt, Eigen::Vector2d(300, 300));
   add(Eigen::Vector2d(100, 100), Eigen::Vector2d(118, 125));
-  add(Eigen::Vector2d(100, 100), std::nullopt);  // There is none to be seen.
+  add(Eigen::Vector2d(100, 100), std::nullopt);  // No pad is visible.
   EXPECT_EQ(ComputeMetrics(log).at("estimate.false_pads"), 2.0);
 }
 
-TEST(Metrics, MeasureTheHoverAgainstItsSetPoint) {
+TEST(Metrics, CompareHoverWithSetPoint) {
   FlightLog log;
   AddTicks(log, 10, Phase::kRamp, Pose(9, 9, 9));
   AddTicks(log, 100, Phase::kHover, Pose(0.3, 0.4, 1.0));
@@ -136,13 +136,13 @@ TEST(Metrics, MeasureTheHoverAgainstItsSetPoint) {
   EXPECT_NEAR(metrics.at("flight.hover_time_s"), 1.0, 1e-9);
 }
 
-TEST(Metrics, CountAnExcursionOnceUntilTheVehicleIsBack) {
+TEST(Metrics, CountExcursionOnceUntilVehicleReturns) {
   FlightLog log;
   for (const double x : {0.0, 0.31, 0.29, 0.32, 0.14, 0.35, 0.0, 0.299}) AddTicks(log, 3, Phase::kHover, Pose(x, 0, 1));
   EXPECT_EQ(ComputeMetrics(log).at("flight.excursions"), 2.0);
 }
 
-TEST(Metrics, TimeThePhases) {
+TEST(Metrics, MeasureDurationsOfPhases) {
   FlightLog log;
   AddTicks(log, 200, Phase::kStandby, Pose(0, 0, 0.14));
   AddTicks(log, 400, Phase::kBlindClimb, Pose(0, 0, 0.3));
@@ -157,7 +157,7 @@ TEST(Metrics, TimeThePhases) {
   EXPECT_NEAR(metrics.at("flight.max_tilt_deg"), 4.0, 1e-9);
 }
 
-TEST(Metrics, TakeTheTouchdownAtFirstContact) {
+TEST(Metrics, MeasureTouchdownAtFirstContact) {
   FlightLog log;
   AddTicks(log, 10, Phase::kTouchdown, Pose(0.05, 0, 0.14));
   log.outcome = Outcome::kLanded;
@@ -174,7 +174,7 @@ TEST(Metrics, TakeTheTouchdownAtFirstContact) {
   EXPECT_NEAR(metrics.at("flight.rest_xy_error_m"), 0.05, 1e-12);
 }
 
-TEST(Judge, FailsAMetricThatTheFlightDoesNotHave) {
+TEST(Judge, FailsUndefinedMetric) {
   Scenario scenario;
   scenario.expect = Outcome::kLanded;
   scenario.criteria.push_back({.metric = "flight.touchdown_xy_error_m", .min = {}, .max = 0.06});
@@ -185,7 +185,7 @@ TEST(Judge, FailsAMetricThatTheFlightDoesNotHave) {
   EXPECT_FALSE(checks[1].value.has_value());
 }
 
-TEST(Judge, TakesBoundsAsIncluded) {
+TEST(Judge, IncludesBounds) {
   Scenario scenario;
   scenario.criteria.push_back({.metric = "flight.sim_time_s", .min = 2.0, .max = 3.0});
   const auto passes = [&scenario](double value) {
@@ -197,7 +197,7 @@ TEST(Judge, TakesBoundsAsIncluded) {
   EXPECT_FALSE(passes(3.001));
 }
 
-TEST(Judge, HoldsTheOutcomeAgainstTheExpectedOne) {
+TEST(Judge, ComparesOutcomeWithExpectedOne) {
   Scenario scenario;
   scenario.expect = Outcome::kGaveUp;
   EXPECT_TRUE(Judge(scenario, Outcome::kGaveUp, {})[0].pass);

@@ -1,4 +1,4 @@
-// What a scenario says in place or by the name of a file: camera, pad, vehicle, calibration.
+// Sections of a scenario that are keys or the name of a file: camera, pad, vehicle, calibration.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ constexpr const char* kMarks = R"(pad:
     - {shape: bar, x_m: -0.02, y_m: 0.05, length_m: 0.02, width_m: 0.004, angle_deg: 30}
 )";
 
-TEST(Scenario, ReadsThePadsMarks) {
+TEST(Scenario, ReadsPadMarks) {
   const models::PadMarking disc{
       .shape = models::PadMarking::Shape::kDisc, .center_m = {0.02, 0.05}, .diameter_m = 0.01};
   const models::PadMarking bar{.shape = models::PadMarking::Shape::kBar,
@@ -43,8 +43,8 @@ TEST(Scenario, ReadsThePadsMarks) {
   EXPECT_EQ(Parse(With(kMarks), {"pad.marks.0.x_m=0.03"}).pad.marks[0].center_m.x(), 0.03);
 }
 
-TEST(Scenario, RefusesAMarkThatIsNoneAndNamesItsLineAndKey) {
-  // What of the marks is replaced, by what, and what the error must say.
+TEST(Scenario, RejectsInvalidPadMarkWithLineAndKey) {
+  // Text of the marks, its replacement, and the expected error.
   const struct {
     std::string written, instead, error;
   } cases[] = {
@@ -107,7 +107,7 @@ rectification_matrix: {rows: 3, cols: 3, data: [1, 0, 0, 0, 1, 0, 0, 0, 1]}
 projection_matrix: {rows: 3, cols: 4, data: [458, 0, 367, 0, 0, 457, 248, 0, 0, 0, 1, 0]}
 )";
 
-TEST_F(ScenarioWithFiles, ReadsARosCalibrationBesideIt) {
+TEST_F(ScenarioWithFiles, ReadsRosCalibrationFromFile) {
   Put("camera.yaml", kCameraInfo);
   for (const char* lines : {"camera: camera.yaml\n", "camera: {model: camera.yaml, rate_hz: 30}\n"}) {
     const models::CameraModel model = Load(lines).camera.model;
@@ -123,7 +123,7 @@ TEST_F(ScenarioWithFiles, ReadsARosCalibrationBesideIt) {
   }
 }
 
-TEST_F(ScenarioWithFiles, ReadsAllFiveDistortionTermsAndWritesThemBack) {
+TEST_F(ScenarioWithFiles, ReadsAndWritesFiveDistortionCoefficients) {
   std::string text = kCameraInfo;
   text.replace(text.find("0.0, 0, 0]"), 10, "1e-4, -2e-4, 0.003]");
   Put("camera.yaml", text);
@@ -135,8 +135,8 @@ TEST_F(ScenarioWithFiles, ReadsAllFiveDistortionTermsAndWritesThemBack) {
   EXPECT_EQ(LoadCameraModel(folder_ / "again.yaml"), model);
 }
 
-TEST_F(ScenarioWithFiles, RefusesACalibrationThatIsNotOneAndNamesItsLineAndKey) {
-  // What of the calibration is replaced, by what, and what the error must say of the calibration's file.
+TEST_F(ScenarioWithFiles, RejectsInvalidRosCalibrationWithLineAndKey) {
+  // Text of the calibration, its replacement, and the expected error in the calibration file.
   const struct {
     std::string written, instead, error;
   } cases[] = {
@@ -144,7 +144,7 @@ TEST_F(ScenarioWithFiles, RefusesACalibrationThatIsNotOneAndNamesItsLineAndKey) 
       {"camera_name: cam0", "camera_nmae: cam0", "camera.yaml:3: camera_nmae: unknown key, did you mean camera_name?"},
       {"rows: 3, cols: 3, data: [458", "rows: 3, skew: 0, cols: 3, data: [458",
        "camera.yaml:4: camera_matrix.skew: unknown key"},
-      {"image_width: 752", "image_width: 752.5", "camera.yaml:1: image_width: must be a whole number"},
+      {"image_width: 752", "image_width: 752.5", "camera.yaml:1: image_width: must be an integer"},
       {"image_width: 752", "image_width: 0", "camera.yaml:1: image_width: must be from 1 to 16384"},
       {"image_width: 752", "", "image_width: must be given"},
       {"data: [458.654", "data: [wide", "camera.yaml:4: camera_matrix.data.0: must be a number, is 'wide'"},
@@ -172,7 +172,7 @@ TEST_F(ScenarioWithFiles, RefusesACalibrationThatIsNotOneAndNamesItsLineAndKey) 
   }
 }
 
-TEST_F(ScenarioWithFiles, ReadsPadAndVehicleBesideItAndResolvesThemInPlace) {
+TEST_F(ScenarioWithFiles, ReadsPadAndVehicleFromFilesAndWritesTheirKeys) {
   Put("pad.yaml", "outer_radius_m: 0.08\n");
   Put("heavy.yaml", "mass_kg: 1.5\n");
   const Scenario scenario = Load("pad: pad.yaml\nvehicle: heavy.yaml\n");
@@ -182,7 +182,7 @@ TEST_F(ScenarioWithFiles, ReadsPadAndVehicleBesideItAndResolvesThemInPlace) {
   EXPECT_EQ(ParseScenario(ScenarioYaml(scenario), "f", "/nowhere").pad, scenario.pad);
 }
 
-TEST_F(ScenarioWithFiles, WritesAPadsMarksAsItReadsThem) {
+TEST_F(ScenarioWithFiles, WritesPadMarksThatReadBack) {
   const models::LandingPad pad = Parse(With(kMarks), {"pad.marks.1.angle_deg=-12.345678901234567"}).pad;
   Put("pad.yaml", PadYaml(pad));
   EXPECT_EQ(LoadPad(folder_ / "pad.yaml"), pad);
@@ -191,7 +191,7 @@ TEST_F(ScenarioWithFiles, WritesAPadsMarksAsItReadsThem) {
   EXPECT_EQ(ParseScenario(ScenarioYaml(scenario), "f", "/nowhere").pad, pad);
 }
 
-TEST(ScenariosCalibration, IsTheTruthWhereItIsLeftOut) {
+TEST(ScenarioCalibration, EqualsTruthIfAbsent) {
   const Scenario plain = Parse(With("vehicle: {camera: {misalignment_deg: [1, 2, 3]}}\n"));
   EXPECT_EQ(plain.assumed_camera(), plain.camera.model);
   EXPECT_EQ(plain.assumed_vehicle().X_BC().matrix(), plain.vehicle.X_BC().matrix());
@@ -209,7 +209,7 @@ TEST(ScenariosCalibration, IsTheTruthWhereItIsLeftOut) {
   EXPECT_FALSE(partly.calibration.imu);
 }
 
-TEST(ScenariosCalibration, IsReadAgainFromItsOwnYamlToTheLastBit) {
+TEST(ScenarioCalibration, ReadsBackBitIdentical) {
   const Scenario scenario =
       Parse(With("calibration: {camera: {misalignment_deg: [1.2345678901234567, 0.1, 3]}, imu: {misalignment_deg: "
                  "[0.3, 0.7, 1]}}\n"),
@@ -223,17 +223,17 @@ TEST(ScenariosCalibration, IsReadAgainFromItsOwnYamlToTheLastBit) {
   EXPECT_EQ(again.calibration.imu->misalignment_deg.yaw, -1.1);
 }
 
-TEST(ScenariosCalibration, NamesWhatIsWrong) {
+TEST(ScenarioCalibration, ReportsErrors) {
   EXPECT_THAT(ErrorOf(With("calibration: {lens: 3}\n")), StartsWith("f.yaml:4: calibration.lens: unknown key"));
   EXPECT_THAT(ErrorOf(With("calibration: {imu: {yaw: 3}}\n")), HasSubstr("calibration.imu.yaw: unknown key"));
   EXPECT_THAT(ErrorOf(With("calibration: {camera_model: {width_px: 320}}\n")),
-              StartsWith("f.yaml:4: calibration.camera_model: is for 320 x 480 px, but the camera's images have"));
+              StartsWith("f.yaml:4: calibration.camera_model: is for 320 x 480 px, but the camera has"));
   EXPECT_THAT(
       ErrorOf(With("calibration: {camera: {position_m: [0, 0, -1]}}\n")),
       StartsWith("f.yaml:4: calibration.camera: the vehicle's camera must be above the landing gear contact points"));
 }
 
-TEST_F(ScenarioWithFiles, ReadsACalibrationBesideItAndARosOneWithinIt) {
+TEST_F(ScenarioWithFiles, ReadsCalibrationFileWithRosCameraModel) {
   std::string camera = kCameraInfo;
   Put("camera.yaml", camera);
   Put("calibration.yaml", "camera_model: camera.yaml\nimu: {misalignment_deg: [1, 0, 0]}\n");
@@ -246,7 +246,7 @@ TEST_F(ScenarioWithFiles, ReadsACalibrationBesideItAndARosOneWithinIt) {
             CalibrationYaml(LoadCalibration(folder_ / "calibration.yaml")));
 }
 
-TEST_F(ScenarioWithFiles, NamesTheFileAndTheKeyThatNamedIt) {
+TEST_F(ScenarioWithFiles, ReportsFileAndKeyThatRefersToIt) {
   EXPECT_THAT(LoadError("pad: none.yaml\n"),
               AllOf(HasSubstr("flight.yaml:4: pad: "), HasSubstr("none.yaml: no such file")));
   Put("pad.yaml", "\nradius: 1\n");

@@ -10,28 +10,28 @@
 namespace touchdown::runner {
 namespace {
 
-/// Stands for a field of any type in an aggregate's braces.
+/// Converts to the type of any field in the initializer of an aggregate.
 struct AnyField {
   template <typename T>
   operator T() const;  // NOLINT: it must convert silently. Never called.
 };
 
 template <typename T, std::size_t... I>
-constexpr bool TakesFields(std::index_sequence<I...>) {
+constexpr bool HasFields(std::index_sequence<I...>) {
   return requires { T{((void)I, AnyField{})...}; };
 }
 
-/// How many fields a struct has: the most that its braces take.
+/// Number of fields of a struct, which is the largest number of initializers that it accepts.
 template <typename T, std::size_t N = 48>
 constexpr std::size_t FieldCount() {
-  if constexpr (TakesFields<T>(std::make_index_sequence<N>())) {
+  if constexpr (HasFields<T>(std::make_index_sequence<N>())) {
     return N;
   } else {
     return FieldCount<T, N - 1>();
   }
 }
 
-/// Counts the keys of one struct, those of its sections as one each.
+/// Counts the keys of a struct. A section counts as one key.
 class KeyCounter : public models::ConfigVisitor {
  public:
   std::size_t count = 0;
@@ -78,21 +78,21 @@ using Structs =
                      controller::AttitudeControllerConfig, controller::FlightControllerConfig, Criterion>;
 TYPED_TEST_SUITE(SchemaOf, Structs);
 
-TYPED_TEST(SchemaOf, HasAKeyForEveryField) { EXPECT_EQ(KeyCount<TypeParam>(), FieldCount<TypeParam>()); }
+TYPED_TEST(SchemaOf, HasKeyForEveryField) { EXPECT_EQ(KeyCount<TypeParam>(), FieldCount<TypeParam>()); }
 
-TEST(SchemaOfScenario, HasTheTwoFiltersOfTheEstimatorAsKeysOfItsOwn) {
+TEST(SchemaOfScenario, HasSeparateKeysForTheFiltersOfTheEstimator) {
   EXPECT_EQ(KeyCount<Scenario>(), FieldCount<Scenario>() + 2);
   EXPECT_EQ(KeyCount<estimator::EstimatorConfig>() + 1, FieldCount<estimator::EstimatorConfig>());
 }
 
-TEST(SchemaOfCalibration, HasAKeyForEveryField) {
+TEST(SchemaOfCalibration, HasKeyForEveryField) {
   Calibration all{.camera_model = models::CameraModel(), .camera = models::Mounting(), .imu = models::Mounting()};
   KeyCounter counter;
   Describe(counter, all);
   EXPECT_EQ(counter.count, FieldCount<Calibration>());
 }
 
-TEST(SchemaOfWorld, LeavesOutOnlyWhetherTexturesArePainted) {
+TEST(SchemaOfWorld, OmitsOnlyPaintTextures) {
   EXPECT_EQ(KeyCount<sim::WorldConfig>() + 1, FieldCount<sim::WorldConfig>());
 }
 

@@ -39,7 +39,7 @@ Eigen::Isometry3d Turned(double height) {
   return X_WB;
 }
 
-/// IMU ticks 0 and 6, frames at 0, 20 and 40 (without a pose, good, an outlier), the tracking system at 12.
+/// Log with IMU ticks 0 and 6, frames at 0 (no pose), 20 (ok) and 40 (outlier), and a tracked pose at 12.
 FlightLog TurningLog() {
   FlightLog log;
   for (const models::Tick tick : {0, 6}) log.ticks.emplace_back().truth.tick = tick;
@@ -59,7 +59,7 @@ FlightLog TurningLog() {
   return log;
 }
 
-TEST(TumTrajectory, ReadsBackToTheSamePoses) {
+TEST(TumTrajectory, ReadsBackToSamePoses) {
   const std::vector<Line> estimate = ReadTum(TumText(EstimatedTrajectory(TurningLog()), {}));
   ASSERT_EQ(estimate.size(), 1u);
   EXPECT_EQ(estimate[0].t_s, 20.0 / 1200.0);
@@ -71,7 +71,7 @@ TEST(TumTrajectory, ReadsBackToTheSamePoses) {
   EXPECT_EQ(tracked[0].p.z(), 1.6);
 }
 
-TEST(TumTrajectory, HasTheTruthAtEveryTimeOfTheOthersOnceAndInOrder) {
+TEST(TumTrajectory, HasOneTruePoseAtEachTimeOfTheOtherTrajectories) {
   const std::vector<Line> truth = ReadTum(TumText(TrueTrajectory(TurningLog()), {}));
   std::vector<double> heights;
   std::set<double> times;

@@ -8,7 +8,7 @@
 namespace touchdown::util {
 namespace {
 
-TEST(Base64, IsThatOfRfc4648) {
+TEST(Base64, MatchesRfc4648) {
   const std::pair<std::string, std::string> vectors[] = {{"", ""},
                                                          {"f", "Zg=="},
                                                          {"fo", "Zm8="},
@@ -22,13 +22,13 @@ TEST(Base64, IsThatOfRfc4648) {
   }
 }
 
-TEST(Base64, BringsEveryByteBack) {
+TEST(Base64, DecodesEveryByte) {
   std::string bytes;
   for (int i = 0; i < 1021; ++i) bytes += static_cast<char>(i * 7);
   EXPECT_EQ(FromBase64(Base64(bytes)), bytes);
 }
 
-TEST(Base64, RefusesOtherText) { EXPECT_THROW(FromBase64("no base64!"), std::invalid_argument); }
+TEST(Base64, RejectsInvalidText) { EXPECT_THROW(FromBase64("not base64!"), std::invalid_argument); }
 
 }  // namespace
 }  // namespace touchdown::util

@@ -21,7 +21,7 @@ TEST(CsvReader, ReadsQuotedCells) {
   EXPECT_FALSE(reader.Next());
 }
 
-TEST(CsvReader, EndsALineWithLfOrCrlf) {
+TEST(CsvReader, AcceptsLfAndCrlf) {
   const std::string text = "a,b\r\n\"c\",\r\n\nd";
   CsvReader reader(text);
   EXPECT_THAT(reader.Next()->cells, ElementsAre("a", "b"));
@@ -32,7 +32,7 @@ TEST(CsvReader, EndsALineWithLfOrCrlf) {
   EXPECT_FALSE(last->is_terminated);
 }
 
-TEST(CsvReader, CallsATextThatEndsWithinQuotesUnterminated) {
+TEST(CsvReader, ReportsUnterminatedQuotedCell) {
   const std::string text = "a,\"b\n";
   CsvReader reader(text);
   const auto row = reader.Next();
@@ -40,7 +40,7 @@ TEST(CsvReader, CallsATextThatEndsWithinQuotesUnterminated) {
   EXPECT_FALSE(row->is_terminated);
 }
 
-TEST(CsvReader, SkipsCommentsAndBlanksOnDemand) {
+TEST(CsvReader, SkipsCommentsAndBlanksOnRequest) {
   const std::string text = "# \"a\n\n 1 ,\t2\r\n#";
   CsvReader reader(text, {.skips_comments = true, .trims = true});
   const auto row = reader.Next();
@@ -49,7 +49,7 @@ TEST(CsvReader, SkipsCommentsAndBlanksOnDemand) {
   EXPECT_FALSE(reader.Next());
 }
 
-TEST(CsvReader, ReadsBackWhatTheWriterWrote) {
+TEST(CsvReader, ReadsOutputOfCsvWriter) {
   const std::vector<std::string> cells{"", "plain", "a,b", "\"", "two\nlines", "\r\n", "\"\"", " x "};
   const std::string text = CsvLine(cells);
   CsvReader reader(text);
@@ -59,7 +59,7 @@ TEST(CsvReader, ReadsBackWhatTheWriterWrote) {
   EXPECT_FALSE(reader.Next());
 }
 
-TEST(CsvWriter, GivesASinkTheTextThatItKeepsWithoutOne) {
+TEST(CsvWriter, PassesSameTextToSink) {
   const auto fill = [](CsvWriter& table) {
     for (int i = 0; i < 20000; ++i) {
       table << i << 0.5 << "hover";

@@ -21,14 +21,14 @@ TEST(ReadTextFile, ReadsEveryByte) {
   EXPECT_EQ(ReadTextFile(folder.Put("empty", "")), "");
 }
 
-TEST(ReadTextFile, NamesTheFileAndTheCauseWhenItCannot) {
+TEST(ReadTextFile, ReportsFileAndCauseOnFailure) {
   const tests::TemporaryFolder folder;
   EXPECT_THAT([&] { ReadTextFile(folder / "none"); },
               ThrowsInputError(HasSubstr("none: cannot be read: No such file")));
   EXPECT_THAT([&] { ReadTextFile(folder.path()); }, ThrowsInputError(HasSubstr(": cannot be read: Is a directory")));
 }
 
-TEST(ReadTextFileIfPresent, IsNulloptOnlyForAFileThatIsNotThere) {
+TEST(ReadTextFileIfPresent, ReturnsNulloptOnlyForMissingFile) {
   const tests::TemporaryFolder folder;
   EXPECT_EQ(ReadTextFileIfPresent(folder.Put("file", "text")), "text");
   EXPECT_EQ(ReadTextFileIfPresent(folder / "none"), std::nullopt);

@@ -8,7 +8,7 @@
 namespace touchdown::util {
 namespace {
 
-TEST(FiniteNumber, ReadsAWholeToken) {
+TEST(FiniteNumber, ReadsWholeToken) {
   EXPECT_EQ(FiniteNumber("-1.5e3"), -1500.0);
   EXPECT_EQ(FiniteNumber<int>("-7"), -7);
   EXPECT_EQ(FiniteNumber<std::int64_t>("1403636579763555584"), 1403636579763555584);
@@ -25,7 +25,7 @@ TEST(FiniteNumber, ReadsSubnormalNumbersExactly) {
   EXPECT_EQ(FiniteNumber("5e-324"), std::numeric_limits<double>::denorm_min());
 }
 
-TEST(ReadNumber, TellsWhatIsTooLargeFromWhatIsNotANumber) {
+TEST(ReadNumber, DistinguishesTooLargeNumbersFromOtherText) {
   EXPECT_TRUE(ReadNumber<double>("1e999").is_out_of_range);
   EXPECT_TRUE(ReadNumber<std::int64_t>("9223372036854775808").is_out_of_range);
   EXPECT_FALSE(ReadNumber<double>("one").is_out_of_range);

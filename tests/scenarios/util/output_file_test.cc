@@ -36,20 +36,20 @@ class OutputFile : public ::testing::Test {
       ("output_file_test_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
-TEST_F(OutputFile, IsWrittenWithTheFoldersAboveIt) {
+TEST_F(OutputFile, IsWrittenWithParentFolders) {
   WriteOutputFile(folder_ / "a" / "b.txt", "mark 1", "mark");
   EXPECT_EQ(Content(folder_ / "a" / "b.txt"), "mark 1");
   EXPECT_EQ(Files(folder_ / "a"), 1);
 }
 
-TEST_F(OutputFile, ReplacesOneOfItsKind) {
+TEST_F(OutputFile, ReplacesFileWithSameSignature) {
   WriteOutputFile(folder_ / "b.txt", "mark 1", "mark");
   WriteOutputFile(folder_ / "b.txt", "mark 2", "mark");
   EXPECT_EQ(Content(folder_ / "b.txt"), "mark 2");
   EXPECT_EQ(Files(folder_), 1);
 }
 
-TEST_F(OutputFile, LeavesWhatIsNotOfItsKind) {
+TEST_F(OutputFile, KeepsFileWithoutSignature) {
   std::ofstream(folder_ / "b.txt") << "a user's";
   fs::create_directories(folder_ / "folder.txt");
   for (const char* name : {"b.txt", "folder.txt"}) {
@@ -60,7 +60,7 @@ TEST_F(OutputFile, LeavesWhatIsNotOfItsKind) {
   EXPECT_EQ(Files(folder_), 2);
 }
 
-TEST_F(OutputFile, RefusesAPlaceThatCannotBe) {
+TEST_F(OutputFile, RejectsInvalidPath) {
   std::ofstream(folder_ / "file") << "a user's";
   EXPECT_THROW(WriteOutputFile(folder_ / "file" / "b.txt", "mark", "mark"), InputError);
   EXPECT_THROW(WriteOutputFile(folder_ / "", "mark", "mark"), InputError);
@@ -68,7 +68,7 @@ TEST_F(OutputFile, RefusesAPlaceThatCannotBe) {
   EXPECT_EQ(Files(folder_), 1);
 }
 
-TEST_F(OutputFile, MustHoldItsOwnMark) {
+TEST_F(OutputFile, MustContainItsSignature) {
   EXPECT_THROW(WriteOutputFile(folder_ / "b.txt", "1", "mark"), std::logic_error);
 }
 

@@ -20,7 +20,7 @@ using ::testing::Not;
 using ::testing::StartsWith;
 using ::testing::UnorderedElementsAre;
 
-const FolderKind kKind = {.files = {"result.json", "log.csv"}, .mark = "\"schema\""};
+const FolderKind kKind = {.files = {"result.json", "log.csv"}, .signature = "\"schema\""};
 
 class OutputFolderTest : public ::testing::Test {
  protected:
@@ -52,13 +52,13 @@ class OutputFolderTest : public ::testing::Test {
       ("output_folder_test_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
-TEST_F(OutputFolderTest, AppearsWithItsParentsWhenCommitted) {
+TEST_F(OutputFolderTest, AppearsWithParentsOnCommit) {
   Fill(root_ / "a" / "b", "1");
   EXPECT_THAT(Names(root_ / "a" / "b"), UnorderedElementsAre("result.json", "log.csv"));
   EXPECT_THAT(Names(root_ / "a"), ElementsAre("b"));
 }
 
-TEST_F(OutputFolderTest, LeavesNothingWhenNotCommitted) {
+TEST_F(OutputFolderTest, LeavesNothingWithoutCommit) {
   {
     OutputFolder folder(root_ / "a" / "b", kKind);
     folder.Write("result.json", "{}");
@@ -67,7 +67,7 @@ TEST_F(OutputFolderTest, LeavesNothingWhenNotCommitted) {
   EXPECT_THAT(Names(root_), IsEmpty());
 }
 
-TEST_F(OutputFolderTest, ReplacesItsOwnFilesAndKeepsOthers) {
+TEST_F(OutputFolderTest, ReplacesOwnFilesAndKeepsOthers) {
   const fs::path place = root_ / "a";
   Fill(place, "old");
   Put(place / "notes.txt", "mine");
@@ -80,7 +80,7 @@ TEST_F(OutputFolderTest, ReplacesItsOwnFilesAndKeepsOthers) {
   EXPECT_THAT(Names(root_), ElementsAre("a"));
 }
 
-TEST_F(OutputFolderTest, TouchesNoFileOfOthersWhenItCannotReplaceItsOwn) {
+TEST_F(OutputFolderTest, KeepsOtherFilesIfReplacementFails) {
   const fs::path place = root_ / "a";
   Fill(place, "old");
   Put(place / "notes.txt", "mine");
@@ -97,7 +97,7 @@ TEST_F(OutputFolderTest, TouchesNoFileOfOthersWhenItCannotReplaceItsOwn) {
   EXPECT_THAT(Names(place), Not(Contains(StartsWith("."))));
 }
 
-TEST_F(OutputFolderTest, KeepsTheOldOneWhenTheNewOneIsNotCommitted) {
+TEST_F(OutputFolderTest, KeepsOldFolderWithoutCommit) {
   const fs::path place = root_ / "a";
   Fill(place, "old");
   { OutputFolder(place, kKind).Write("log.csv", "new"); }
@@ -105,37 +105,37 @@ TEST_F(OutputFolderTest, KeepsTheOldOneWhenTheNewOneIsNotCommitted) {
   EXPECT_THAT(Names(root_), ElementsAre("a"));
 }
 
-TEST_F(OutputFolderTest, RefusesAFolderWithAnythingElse) {
+TEST_F(OutputFolderTest, RejectsFolderWithOtherFiles) {
   Put(root_ / "thesis.tex", "years of work");
   EXPECT_THROW(OutputFolder(root_, kKind), InputError);
   EXPECT_THAT(Names(root_), ElementsAre("thesis.tex"));
 }
 
-TEST_F(OutputFolderTest, RefusesAFolderWithAFileOfTheSameNameThatIsNotItsOwn) {
+TEST_F(OutputFolderTest, RejectsFolderWithForeignFileOfSameName) {
   Put(root_ / "result.json", "{\"my own\": true}");
   EXPECT_THROW(OutputFolder(root_, kKind), InputError);
   EXPECT_EQ(Content(root_ / "result.json"), "{\"my own\": true}");
 }
 
-TEST_F(OutputFolderTest, TakesAnEmptyFolder) {
+TEST_F(OutputFolderTest, AcceptsEmptyFolder) {
   fs::create_directories(root_ / "a");
   Fill(root_ / "a", "1");
   EXPECT_EQ(Content(root_ / "a" / "log.csv"), "1");
 }
 
-TEST_F(OutputFolderTest, TakesAPathWithASlashAtItsEnd) {
+TEST_F(OutputFolderTest, AcceptsPathWithTrailingSlash) {
   Fill(root_ / "a" / "", "1");
   EXPECT_EQ(Content(root_ / "a" / "log.csv"), "1");
 }
 
-TEST_F(OutputFolderTest, FollowsALinkToAFolder) {
+TEST_F(OutputFolderTest, FollowsLinkToFolder) {
   fs::create_directories(root_ / "disk");
   fs::create_directory_symlink(root_ / "disk", root_ / "link");
   Fill(root_ / "link" / "a", "1");
   EXPECT_EQ(Content(root_ / "disk" / "a" / "log.csv"), "1");
 }
 
-TEST_F(OutputFolderTest, RefusesAPlaceThatCannotBeAFolder) {
+TEST_F(OutputFolderTest, RejectsPathThatCannotBeAFolder) {
   Put(root_ / "file", "1");
   EXPECT_THROW(OutputFolder(root_ / "file", kKind), InputError);
   EXPECT_THROW(OutputFolder(root_ / "file" / "a", kKind), InputError);

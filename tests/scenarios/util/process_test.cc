@@ -5,7 +5,7 @@
 namespace touchdown::util {
 namespace {
 
-TEST(RunProcess, GivesWhatTheProgramWroteAndWhetherItSucceeded) {
+TEST(RunProcess, ReturnsOutputAndSuccess) {
   const auto good = RunProcess({"sh", "-c", "echo out; echo err >&2"});
   EXPECT_TRUE(good.value().succeeded);
   EXPECT_EQ(good->out, "out\n");
@@ -14,7 +14,7 @@ TEST(RunProcess, GivesWhatTheProgramWroteAndWhetherItSucceeded) {
   EXPECT_FALSE(RunProcess({"sh", "-c", "kill -9 $$"}).value().succeeded);
 }
 
-TEST(RunProcess, IsNulloptWithoutSuchAProgram) { EXPECT_EQ(RunProcess({"no_such_program_at_all"}), std::nullopt); }
+TEST(RunProcess, ReturnsNulloptForMissingProgram) { EXPECT_EQ(RunProcess({"no_such_program_at_all"}), std::nullopt); }
 
 }  // namespace
 }  // namespace touchdown::util

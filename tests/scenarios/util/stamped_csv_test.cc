@@ -31,17 +31,19 @@ TEST_F(StampedCsvTest, ReadsTimesAndCellsAndSkipsComments) {
   EXPECT_EQ(rows[1].Number(1), 3.0);
 }
 
-TEST_F(StampedCsvTest, NamesFileAndLineOfWhatIsWrong) {
-  EXPECT_THAT([&] { Read("1,2\n2\n"); }, ThrowsInputError(HasSubstr("data.csv:2: has 1 columns instead of 2")));
+TEST_F(StampedCsvTest, ReportsFileAndLineOfErrors) {
+  EXPECT_THAT([&] { Read("1,2\n2\n"); },
+              ThrowsInputError(HasSubstr("data.csv:2: has 1 columns; required: at least 2")));
   EXPECT_THAT([&] { Read("1,2\n1.5,2\n"); },
-              ThrowsInputError(HasSubstr("data.csv:2: '1.5' is no time in nanoseconds")));
-  EXPECT_THAT([&] { Read("2,2\n2,2\n"); }, ThrowsInputError(HasSubstr("data.csv:2: its time does not come after")));
+              ThrowsInputError(HasSubstr("data.csv:2: '1.5' is not a time in nanoseconds")));
+  EXPECT_THAT([&] { Read("2,2\n2,2\n"); }, ThrowsInputError(HasSubstr("data.csv:2: the time is not after")));
   EXPECT_THAT([&] { Read("# nothing\n"); }, ThrowsInputError(HasSubstr("data.csv: has no rows")));
   EXPECT_THAT([&] { ReadStampedCsv(folder_ / "none.csv", 1); },
               ThrowsInputError(HasSubstr("none.csv: cannot be read")));
   EXPECT_THAT([&] { Read("1,2,x\n", 2)[0].Number(1); },
-              ThrowsInputError(HasSubstr("data.csv:1: column 3: 'x' is no number")));
-  EXPECT_THAT([&] { Read("1,nan\n")[0].Number(0); }, ThrowsInputError(HasSubstr("column 2: 'nan' is no number")));
+              ThrowsInputError(HasSubstr("data.csv:1: column 3: 'x' is not a finite number")));
+  EXPECT_THAT([&] { Read("1,nan\n")[0].Number(0); },
+              ThrowsInputError(HasSubstr("column 2: 'nan' is not a finite number")));
 }
 
 }  // namespace

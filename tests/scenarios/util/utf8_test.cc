@@ -9,7 +9,7 @@
 namespace touchdown::util {
 namespace {
 
-TEST(Utf8, CountsWhatComesBeforeTheFirstOtherByte) {
+TEST(Utf8, CountsBytesBeforeFirstInvalidByte) {
   EXPECT_EQ(Utf8Bytes(""), 0u);
   EXPECT_EQ(Utf8Bytes("plain"), 5u);
   EXPECT_EQ(Utf8Bytes("caf\u00e9 \u20ac \U0001f681"), 14u);
@@ -20,9 +20,9 @@ TEST(Utf8, CountsWhatComesBeforeTheFirstOtherByte) {
   EXPECT_EQ(Utf8Bytes("\xf4\x90\x80\x80"), 0u) << "past Unicode's end";
 }
 
-TEST(Utf8, IsWhatAnotherLibraryTakesForIt) {
+TEST(Utf8, AgreesWithJsonLibrary) {
   std::mt19937 random(1);
-  // Characters fail at their edges.
+  // Bytes at the limits of the valid ranges.
   const std::string bytes =
       "a\x7f\x80\x8f\x90\x9f\xa0\xbf\xc0\xc1\xc2\xdf\xe0\xe1\xec\xed\xee\xef\xf0\xf1\xf3\xf4\xf5\xff";
   int valid = 0;

@@ -8,14 +8,14 @@
 namespace touchdown::sweeper {
 namespace {
 
-/// Flights at a value, of which the first ones pass.
+/// Adds `flown` flights at a value, of which the first `passed` pass.
 void Add(std::vector<PassTrial>& trials, double value, int passed, int flown) {
   for (int i = 0; i < flown; ++i) trials.push_back({value, static_cast<std::uint64_t>(i), i < passed});
 }
 
-/// Flights with a touchdown error of 1, 2, ... mm.
+/// Sweep of `flown` flights with a touchdown error of 1, 2, ... mm, of which the first `passed` pass.
 SweepOutcome Landings(int passed, int flown, std::vector<SweepCriterion> criteria) {
-  SweepOutcome sweep{.terms = {.criteria = std::move(criteria)}, .planned = static_cast<std::size_t>(flown)};
+  SweepOutcome sweep{.spec = {.criteria = std::move(criteria)}, .planned = static_cast<std::size_t>(flown)};
   for (int i = 0; i < flown; ++i) {
     sweep.results.push_back({.seed = static_cast<std::uint64_t>(i),
                              .row = {.verdict = i < passed ? runner::Verdict::kPass : runner::Verdict::kFail,
@@ -28,29 +28,29 @@ SweepCheck Judged(int passed, int flown, const SweepCriterion& criterion) {
   return Summarize(Landings(passed, flown, {criterion})).criteria.at(0);
 }
 
-TEST(PassBoundaryOver, LiesBetweenWhatPassesAndWhatFails) {
+TEST(PassBoundaryOver, IsBetweenPassingAndFailingValues) {
   std::vector<PassTrial> trials;
   for (const double value : {0.0, 2.0, 4.0}) Add(trials, value, 10, 10);
   for (const double value : {6.0, 8.0, 10.0}) Add(trials, value, 0, 10);
-  const util::Interval edge = PassBoundaryOver(trials).value();
-  EXPECT_GT(edge.low, 3.5);
-  EXPECT_NEAR(edge.value, 5.0, 0.3);
-  EXPECT_LT(edge.high, 6.5);
+  const util::Interval boundary = PassBoundaryOver(trials).value();
+  EXPECT_GT(boundary.low, 3.5);
+  EXPECT_NEAR(boundary.value, 5.0, 0.3);
+  EXPECT_LT(boundary.high, 6.5);
   for (PassTrial& trial : trials) trial.passed = !trial.passed;
   EXPECT_NEAR(PassBoundaryOver(trials)->value, 5.0, 0.3) << "from failure to success";
 }
 
-TEST(PassBoundaryOver, IsNoneWhereNoValueClearlyFails) {
+TEST(PassBoundaryOver, IsNulloptWithoutAClearlyFailingValue) {
   std::vector<PassTrial> trials;
   for (const double value : {0.0, 1.0}) Add(trials, value, 10, 10);
   EXPECT_EQ(PassBoundaryOver(trials), std::nullopt);
   Add(trials, 2.0, 3, 10);
-  EXPECT_EQ(PassBoundaryOver(trials), std::nullopt) << "3 of 10: from 11 to 60 %";
+  EXPECT_EQ(PassBoundaryOver(trials), std::nullopt) << "3 of 10: 11 to 60 %";
   Add(trials, 3.0, 1, 10);
-  EXPECT_NE(PassBoundaryOver(trials), std::nullopt) << "1 of 10: from 2 to 40 %";
+  EXPECT_NE(PassBoundaryOver(trials), std::nullopt) << "1 of 10: 2 to 40 %";
 }
 
-TEST(PassBoundaryOver, IsNoneWhenFlightsPassOnlyInTheMiddle) {
+TEST(PassBoundaryOver, IsNulloptIfFlightsPassOnlyInTheMiddle) {
   std::vector<PassTrial> trials;
   Add(trials, 0.0, 0, 10);
   Add(trials, 1.0, 10, 10);
@@ -58,61 +58,61 @@ TEST(PassBoundaryOver, IsNoneWhenFlightsPassOnlyInTheMiddle) {
   EXPECT_EQ(PassBoundaryOver(trials), std::nullopt);
 }
 
-TEST(SweepSummary, JudgesByTheMeasuredValueOrByItsWholeInterval) {
-  // Wilson's interval of 15 in 20: 0.5313 to 0.8881 (Newcombe 1998, method 3).
+TEST(SweepSummary, JudgesByTheValueOrByTheInterval) {
+  // Wilson interval of 15 of 20: 0.5313 to 0.8881 (Newcombe 1998, method 3).
   const SweepCheck by_value = Judged(15, 20, {.metric = "pass_rate", .min = 0.7});
   EXPECT_TRUE(by_value.check.pass);
   EXPECT_EQ(by_value.check.limit, ">= 0.7");
   EXPECT_NEAR(by_value.interval->low, 0.5313, 1e-4);
   const SweepCheck by_interval = Judged(15, 20, {.metric = "pass_rate", .min = 0.7, .by = JudgedBy::kInterval});
   EXPECT_FALSE(by_interval.check.pass);
-  EXPECT_EQ(by_interval.check.limit, ">= 0.7, by its interval");
+  EXPECT_EQ(by_interval.check.limit, ">= 0.7, by interval");
   EXPECT_TRUE(Judged(15, 20, {.metric = "pass_rate", .min = 0.53, .by = JudgedBy::kInterval}).check.pass);
   EXPECT_FALSE(Judged(15, 20, {.metric = "pass_rate", .max = 0.88, .by = JudgedBy::kInterval}).check.pass);
 }
 
-TEST(SweepSummary, JudgesAQuantileByTheOrderStatisticsAroundIt) {
+TEST(SweepSummary, JudgesAQuantileByOrderStatistics) {
   const std::string metric = "flight.touchdown_xy_error_m";
-  // The median of 1 to 10 mm lies between the second and the ninth.
+  // The 95 % interval of the median of 1 to 10 mm is from the second to the ninth value.
   const SweepCriterion median{.metric = metric, .quantile = 0.5, .max = 0.006};
   EXPECT_TRUE(Judged(10, 10, median).check.pass);
-  SweepCriterion proven = median;
-  proven.by = JudgedBy::kInterval;
-  EXPECT_FALSE(Judged(10, 10, proven).check.pass);
-  proven.max = 0.009;
-  EXPECT_TRUE(Judged(10, 10, proven).check.pass);
-  // So few flights prove no upper limit of the 95 % quantile, however large.
+  SweepCriterion median_by_interval = median;
+  median_by_interval.by = JudgedBy::kInterval;
+  EXPECT_FALSE(Judged(10, 10, median_by_interval).check.pass);
+  median_by_interval.max = 0.009;
+  EXPECT_TRUE(Judged(10, 10, median_by_interval).check.pass);
+  // Ten flights are too few for an upper bound of the 95 % quantile.
   const SweepCheck upper = Judged(10, 10, {.metric = metric, .quantile = 0.95, .max = 1e9, .by = JudgedBy::kInterval});
   EXPECT_FALSE(upper.check.pass);
   EXPECT_TRUE(std::isinf(upper.interval->high));
-  EXPECT_EQ(upper.check.limit, "<= 1000000000, by its interval, which takes 72 seeds");
+  EXPECT_EQ(upper.check.limit, "<= 1000000000, by interval, needs at least 72 seeds");
 }
 
-TEST(SweepSummary, DoesNotKeepACriterionOnWhatNoFlightHas) {
+TEST(SweepSummary, DoesNotMeetACriterionOnAMetricThatNoFlightHas) {
   const SweepCheck check = Judged(3, 3, {.metric = "estimate.xy_rmse_m", .quantile = 0.5, .max = 1.0});
   EXPECT_FALSE(check.check.pass);
   EXPECT_EQ(check.interval, std::nullopt);
 }
 
-TEST(SweepSummary, TellsAndJudgesWhatTheSequentialTestDecided) {
+TEST(SweepSummary, JudgesTheDecisionOfTheSequentialTest) {
   SweepOutcome sweep = Landings(4, 4, {});
-  // Each pass weighs ln(0.5/0.9); ln(0.1/0.9) takes four of them.
-  sweep.terms.stop_when = {.good_pass_rate = 0.9, .bad_pass_rate = 0.5, .good_refused = 0.1, .bad_accepted = 0.1};
+  // Each pass adds ln(0.5/0.9) to the log-likelihood ratio, so four of them reach ln(0.1/0.9).
+  sweep.spec.stop_when = {.good_pass_rate = 0.9, .bad_pass_rate = 0.5, .good_refused = 0.1, .bad_accepted = 0.1};
   EXPECT_EQ(Summarize(sweep).criteria.at(0).check.text, "good");
-  EXPECT_TRUE(Summarize(sweep).keeps_criteria());
+  EXPECT_TRUE(Summarize(sweep).meets_criteria());
   sweep.results.pop_back();
   EXPECT_EQ(Summarize(sweep).criteria.at(0).check.text, "undecided") << "a flight is missing";
   sweep.planned = 3;
   EXPECT_EQ(Summarize(sweep).criteria.at(0).check.text, "undecided") << "there are no more seeds";
-  EXPECT_FALSE(Summarize(sweep).keeps_criteria());
+  EXPECT_FALSE(Summarize(sweep).meets_criteria());
   for (SweepResult& result : sweep.results) result.row.verdict = runner::Verdict::kFail;
   EXPECT_EQ(Summarize(sweep).criteria.at(0).check.text, "bad");
-  EXPECT_FALSE(Summarize(sweep).keeps_criteria());
+  EXPECT_FALSE(Summarize(sweep).meets_criteria());
 }
 
-TEST(SweepSummary, TellsTheEdgeOfEachVariantOverEachListedNumber) {
+TEST(SweepSummary, FindsTheBoundaryOfEachVariantOverEachListedNumber) {
   SweepOutcome sweep{
-      .terms = {.axes = {{"camera.noise_sigma", {"0", "10"}}, {"start.yaw_deg", {}}}, .variants = {"sturdy", "weak"}}};
+      .spec = {.axes = {{"camera.noise_sigma", {"0", "10"}}, {"start.yaw_deg", {}}}, .variants = {"sturdy", "weak"}}};
   for (const char* variant : {"sturdy", "weak"}) {
     for (const char* noise : {"0", "10"}) {
       const bool fails = variant == std::string("weak") && noise == std::string("10");
@@ -125,32 +125,32 @@ TEST(SweepSummary, TellsTheEdgeOfEachVariantOverEachListedNumber) {
     }
   }
   const SweepSummary summary = Summarize(sweep);
-  ASSERT_EQ(summary.edges.size(), 1u);
-  EXPECT_EQ(summary.edges[0].variant, "weak");
-  EXPECT_EQ(summary.edges[0].key, "camera.noise_sigma");
-  EXPECT_FALSE(summary.edges[0].may_lie_beyond);
+  ASSERT_EQ(summary.boundaries.size(), 1u);
+  EXPECT_EQ(summary.boundaries[0].variant, "weak");
+  EXPECT_EQ(summary.boundaries[0].key, "camera.noise_sigma");
+  EXPECT_FALSE(summary.boundaries[0].may_lie_beyond);
 }
 
-TEST(SweepSummary, TellsTheEdgeThatWasSoughtAlsoWhereItMayLieBeyond) {
-  SweepOutcome sweep{.terms = {.axes = {{"wind", {}}}, .search = SearchedBoundary{"wind", 0.0, 10.0, 0.6}}};
+TEST(SweepSummary, ReportsASearchedBoundaryThatMayBeBeyondTheRange) {
+  SweepOutcome sweep{.spec = {.axes = {{"wind", {}}}, .search = SearchedBoundary{"wind", 0.0, 10.0, 0.6}}};
   for (std::uint64_t i = 0; i < 12; ++i) {
     sweep.results.push_back(
         {.seed = i, .values = {std::to_string(i % 11)}, .row = {.verdict = runner::Verdict::kPass}});
   }
-  EXPECT_EQ(Summarize(sweep).edges.at(0).edge, std::nullopt) << "all pass: no boundary";
-  EXPECT_FALSE(Summarize(sweep).finds_edge());
+  EXPECT_EQ(Summarize(sweep).boundaries.at(0).boundary, std::nullopt) << "all pass: no boundary";
+  EXPECT_FALSE(Summarize(sweep).finds_boundary());
   sweep.results[5].row.verdict = runner::Verdict::kFail;
-  const PassBoundaryOf edge = Summarize(sweep).edges.at(0);
-  EXPECT_EQ(edge.pass_rate, 0.6);
-  EXPECT_TRUE(edge.edge);
-  EXPECT_TRUE(edge.may_lie_beyond);
+  const PassBoundaryOf boundary = Summarize(sweep).boundaries.at(0);
+  EXPECT_EQ(boundary.pass_rate, 0.6);
+  EXPECT_TRUE(boundary.boundary);
+  EXPECT_TRUE(boundary.may_lie_beyond);
   for (SweepResult& result : sweep.results) result.row.verdict = runner::Verdict::kFail;
-  EXPECT_FALSE(Summarize(sweep).finds_edge());
+  EXPECT_FALSE(Summarize(sweep).finds_boundary());
 }
 
-TEST(SweepSummary, CountsTheFlightsOfASeedAsOneForItsIntervals) {
-  SweepOutcome sweep{.terms = {.axes = {{"camera.noise_sigma", {"0", "10"}}},
-                               .criteria = {{.metric = "flight.touchdown_xy_error_m", .quantile = 0.5, .max = 1.0}}}};
+TEST(SweepSummary, CountsTheFlightsOfASeedAsOneForIntervals) {
+  SweepOutcome sweep{.spec = {.axes = {{"camera.noise_sigma", {"0", "10"}}},
+                              .criteria = {{.metric = "flight.touchdown_xy_error_m", .quantile = 0.5, .max = 1.0}}}};
   for (const char* noise : {"0", "10"}) {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
       sweep.results.push_back(
@@ -168,13 +168,13 @@ TEST(SweepSummary, CountsTheFlightsOfASeedAsOneForItsIntervals) {
   EXPECT_DOUBLE_EQ(summary.criteria.at(0).interval->high, 0.009);
 }
 
-TEST(SweepSummary, TellsHowManyProcessesWereLost) {
+TEST(SweepSummary, CountsFailedProcesses) {
   SweepOutcome sweep = Landings(3, 5, {});
   for (SweepResult& result : sweep.results) result.row.process = ProcessEnd::kFlown;
-  EXPECT_EQ(LostProcesses(sweep.results), "");
+  EXPECT_EQ(FailedProcesses(sweep.results), "");
   sweep.results[3].row.process = ProcessEnd::kHung;
   sweep.results[4].row.process = ProcessEnd::kOutOfMemory;
-  EXPECT_EQ(LostProcesses(sweep.results), "1 hung, 1 out of memory");
+  EXPECT_EQ(FailedProcesses(sweep.results), "1 hung, 1 out of memory");
 }
 
 }  // namespace

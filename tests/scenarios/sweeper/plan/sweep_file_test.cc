@@ -28,7 +28,7 @@ class SweepFileTest : public testing::Test {
   const tests::TemporaryFolder folder_;
 };
 
-TEST_F(SweepFileTest, ReadsEveryKindOfParameter) {
+TEST_F(SweepFileTest, ReadsAllKindsOfParameters) {
   const SweepFile file = Load(R"(
 description: All of them.
 seeds: {from: 11, count: 4}
@@ -68,30 +68,30 @@ criteria:
   EXPECT_EQ(file.criteria[1].by, JudgedBy::kValue);
 }
 
-TEST_F(SweepFileTest, EndsAtADecisionOnOnePassRateAlone) {
+TEST_F(SweepFileTest, AllowsStopWhenOnlyForASinglePassRate) {
   const std::string stop = "\nstop_when: {good_pass_rate: 0.9, bad_pass_rate: 0.8}";
   const SweepFile file = Load("parameters: {a: {uniform: {min: 0, max: 1}}, b: [3]}" + stop);
   EXPECT_EQ(file.stop_when.value().good_pass_rate, 0.9);
   EXPECT_THAT(Loading("parameters: {a: [1, 2]}" + stop),
-              ThrowsInputError(HasSubstr("s.yaml:3: stop_when: is of one pass rate")));
+              ThrowsInputError(HasSubstr("s.yaml:3: stop_when: requires a single pass rate")));
   EXPECT_THAT(Loading("variants: [{name: a}, {name: b}]" + stop),
-              ThrowsInputError(HasSubstr("stop_when: is of one pass rate")));
+              ThrowsInputError(HasSubstr("stop_when: requires a single pass rate")));
   EXPECT_THAT(Loading("criteria: [{metric: pass_rate, min: 0.9, by: interval}]" + stop),
-              ThrowsInputError(HasSubstr("stop_when: decides on the pass rate")));
+              ThrowsInputError(HasSubstr("stop_when: is not allowed with a criterion on the interval")));
 }
 
-TEST_F(SweepFileTest, KeepsTextThatIsNoPlainTextInOneLine) {
+TEST_F(SweepFileTest, QuotesTextInOneLine) {
   const SweepFile file = Load("set:\n  camera:\n    model: wide, 1.yaml\nparameters:\n  description:\n    - a [b]");
   EXPECT_EQ(file.set.at(0).assignment, "camera={model: \"wide, 1.yaml\"}");
   EXPECT_THAT(std::get<ListedValues>(file.parameters.at(0).values).yaml, ElementsAre("\"a [b]\""));
 }
 
-TEST_F(SweepFileTest, SetsBesideAParameterWhatItDoesNotGive) {
+TEST_F(SweepFileTest, AllowsSetForOtherKeysThanParameters) {
   EXPECT_EQ(Load("set: {camera: {rate_hz: 30}}\nparameters: {camera.noise_sigma: [1], camera.rate: [2]}").set.size(),
             1u);
 }
 
-TEST_F(SweepFileTest, HasOneNamelessVariantAndOneSeedWhenItTellsNone) {
+TEST_F(SweepFileTest, DefaultsToOneUnnamedVariantAndOneSeed) {
   const SweepFile file = Load("");
   ASSERT_EQ(file.variants.size(), 1u);
   EXPECT_EQ(file.variants[0].name, "");
@@ -99,41 +99,41 @@ TEST_F(SweepFileTest, HasOneNamelessVariantAndOneSeedWhenItTellsNone) {
   EXPECT_FALSE(file.stop_when);
 }
 
-TEST_F(SweepFileTest, NamesFileLineAndKeyOfWhatIsWrong) {
+TEST_F(SweepFileTest, ReportsErrorsWithFileLineAndKey) {
   const std::pair<const char*, const char*> cases[] = {
-      {"parameters: {camera.noise_sigma: []}", "s.yaml:2: parameters.camera.noise_sigma: needs at least one value"},
-      {"parameters: {a: [1, 2, 1]}", "s.yaml:2: parameters.a: 1 is there twice"},
+      {"parameters: {camera.noise_sigma: []}", "s.yaml:2: parameters.camera.noise_sigma: must have at least one value"},
+      {"parameters: {a: [1, 2, 1]}", "s.yaml:2: parameters.a: 1 is listed twice"},
       {"parameters: {a: 3}", "s.yaml:2: parameters.a: must be a list of values, or one of range"},
       {"parameters: {a: {normal: {mean: 0, sigma: -1}}}", "sigma: must be at least 0, is -1"},
       {"parameters: {a: {uniform: {min: 1, max: 1}}}", "max: must be above min"},
       {"parameters: {a: {uniform: {min: 1}}}", "max: must be given"},
       {"parameters: {a: {range: {from: 0, to: 1, count: 1}}}", "count: must be from 2"},
       {"parameters: {a: {poisson: {mean: 1}}}", "or one of range, uniform, normal, latin_hypercube"},
-      {"parameters: {seed: [1, 2]}", "parameters.seed: is given by seeds"},
-      {"parameters: 3", "s.yaml:2: parameters: must hold keys"},
-      {"variants: [{name: a}]", "s.yaml:2: variants: must be a list of two or more"},
-      {"variants: [{name: a}, {name: a}]", "variants.1.name: is there twice"},
-      {"variants: [{name: a}, {sett: {}}]", "variants.1.sett: known here: name (text), set"},
+      {"parameters: {seed: [1, 2]}", "parameters.seed: is not allowed; use the key seeds"},
+      {"parameters: 3", "s.yaml:2: parameters: must have keys"},
+      {"variants: [{name: a}]", "s.yaml:2: variants: must be a list of at least two variants"},
+      {"variants: [{name: a}, {name: a}]", "variants.1.name: is listed twice"},
+      {"variants: [{name: a}, {sett: {}}]", "variants.1.sett: is not allowed; allowed: name (text), set"},
       {"variants: [{name: a}, {set: {x: 1}}]", "variants.1.name: must be given"},
       {"seeds: {count: 0}", "s.yaml:2: seeds.count: must be from 1"},
       {"sedes: {count: 2}", "s.yaml:2: sedes: unknown key, did you mean seeds?"},
       {"parametrs: {a: [1]}", "s.yaml:2: parametrs: unknown key, did you mean parameters?"},
-      {"set: {a: 1}\nparameters: {a: [1, 2]}", "s.yaml:3: parameters.a: a is set as well"},
-      {"parameters: {a.b: [1, 2]}\nset: {a: {c: 1, b: {d: 2}}}", "s.yaml:2: parameters.a.b: a.b.d is set as well"},
-      {"variants: [{name: a}, {name: b, set: {x: 4}}]\nparameters: {x: [1]}", "parameters.x: x is set as well"},
-      {"parameters: {p: [[0, 0]], p.1: [2]}", "s.yaml:2: parameters.p.1: p is set as well"},
-      {"parameters: {a: [1, 1.0]}", "s.yaml:2: parameters.a: 1 is there twice"},
-      {"criteria: [{metric: pass_rate, min: 95}]", "criteria.0: a pass rate's limits are from 0 to 1"},
+      {"set: {a: 1}\nparameters: {a: [1, 2]}", "s.yaml:3: parameters.a: a is already set"},
+      {"parameters: {a.b: [1, 2]}\nset: {a: {c: 1, b: {d: 2}}}", "s.yaml:2: parameters.a.b: a.b.d is already set"},
+      {"variants: [{name: a}, {name: b, set: {x: 4}}]\nparameters: {x: [1]}", "parameters.x: x is already set"},
+      {"parameters: {p: [[0, 0]], p.1: [2]}", "s.yaml:2: parameters.p.1: p is already set"},
+      {"parameters: {a: [1, 1.0]}", "s.yaml:2: parameters.a: 1 is listed twice"},
+      {"criteria: [{metric: pass_rate, min: 95}]", "criteria.0: limits of pass_rate must be from 0 to 1"},
       {"stop_when: {good_pass_rate: 0.9}", "stop_when.bad_pass_rate: must be given"},
-      {"criteria: [{metric: flight.speed, quantile: 0.5, max: 1}]", "no metric of the name flight.speed"},
-      {"criteria: [{metric: pass_rate}]", "needs min or max"},
-      {"criteria: [{metric: pass_rate, min: 1, quantile: 0.5}]", "pass_rate has no quantile"},
-      {"criteria: [{metric: flight.sim_time_s, max: 1}]", "a flight's metric needs a quantile"},
+      {"criteria: [{metric: flight.speed, quantile: 0.5, max: 1}]", "unknown metric flight.speed"},
+      {"criteria: [{metric: pass_rate}]", "min or max must be given"},
+      {"criteria: [{metric: pass_rate, min: 1, quantile: 0.5}]", "quantile is not allowed for pass_rate"},
+      {"criteria: [{metric: flight.sim_time_s, max: 1}]", "quantile must be given for a metric of flights"},
       {"criteria: [{metric: pass_rate, min: 1, by: luck}]", "criteria.0.by: must be one of value, interval"},
       {"stop_when: {good_pass_rate: 0.8, bad_pass_rate: 0.9}", "bad_pass_rate: must be below good_pass_rate"},
-      {"set: {seed: 3}", "set.seed: is given by seeds"},
-      {"variants: [{name: a, set: {seed: 3}}, {name: b}]", "variants.0.set.seed: is given by seeds"},
-      {"parameters: {a: {range: {from: 1, to: 1, count: 3}}}", "to: must differ from from"},
+      {"set: {seed: 3}", "set.seed: is not allowed; use the key seeds"},
+      {"variants: [{name: a, set: {seed: 3}}, {name: b}]", "variants.0.set.seed: is not allowed; use the key seeds"},
+      {"parameters: {a: {range: {from: 1, to: 1, count: 3}}}", "to: must differ from `from`"},
       {"base: other.yaml", "s.yaml:2: base: duplicate key"},
   };
   for (const auto& [text, error] : cases) {
@@ -141,12 +141,12 @@ TEST_F(SweepFileTest, NamesFileLineAndKeyOfWhatIsWrong) {
   }
 }
 
-TEST_F(SweepFileTest, NamesAScenarioThatIsNotThere) {
+TEST_F(SweepFileTest, RejectsAMissingScenario) {
   try {
     LoadSweepFile(folder_.Put("t.yaml", "seeds: {count: 2}\nbase: none.yaml\n"));
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("t.yaml:2: base: no file "));
+    EXPECT_THAT(error.what(), HasSubstr("t.yaml:2: base: no such file: "));
   }
 }
 

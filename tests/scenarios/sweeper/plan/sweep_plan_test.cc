@@ -34,7 +34,7 @@ class SweepPlanTest : public testing::Test {
     for (const PlannedFlight& flight : plan.flights) ids.push_back(flight.id);
     return ids;
   }
-  /// Of the first parameter.
+  /// Values of the first parameter.
   static std::vector<double> Values(const SweepPlan& plan) {
     std::vector<double> values;
     for (const PlannedFlight& flight : plan.flights) values.push_back(std::stod(flight.values.at(0)));
@@ -44,14 +44,14 @@ class SweepPlanTest : public testing::Test {
   const tests::TemporaryFolder folder_;
 };
 
-TEST_F(SweepPlanTest, SpacesARangeOfSubnormalNumbers) {
+TEST_F(SweepPlanTest, SpacesSubnormalNumbersEvenly) {
   const SweepPlan plan = Plan("parameters: {world.wind_m_s.0: {range: {from: 0, to: 1e-310, count: 3}}}\n");
   std::vector<std::string> values;
   for (const PlannedFlight& flight : plan.flights) values.push_back(flight.values.at(0));
   EXPECT_THAT(values, ElementsAre("0", "5e-311", "1e-310"));
 }
 
-TEST_F(SweepPlanTest, CrossesSeedsValuesAndVariantsSeedBySeed) {
+TEST_F(SweepPlanTest, CrossesSeedsValuesAndVariants) {
   const SweepPlan plan = Plan(R"(
 seeds: {from: 5, count: 2}
 parameters:
@@ -78,19 +78,19 @@ variants: [{name: a}, {name: b, set: {estimator.paper.contour_points: integer}}]
     EXPECT_EQ(plan.flights[i].position, static_cast<std::int64_t>(i));
 }
 
-TEST_F(SweepPlanTest, IdentifiesAFlightByAllThatDecidesIt) {
+TEST_F(SweepPlanTest, FlightIdDependsOnAllInputs) {
   const std::string id = Ids(Plan("")).at(0);
   EXPECT_EQ(id.size(), 16u);
   EXPECT_EQ(Ids(Plan("name: another\n")).at(0), id);
-  EXPECT_EQ(Ids(Plan("parameters: {camera.noise_sigma: [3]}\n")).at(0), id) << "the default";
+  EXPECT_EQ(Ids(Plan("parameters: {camera.noise_sigma: [3]}\n")).at(0), id) << "the value is the default";
   EXPECT_NE(Ids(Plan("parameters: {camera.noise_sigma: [4]}\n")).at(0), id);
   EXPECT_NE(Ids(Plan("seeds: {from: 2}\n")).at(0), id);
   EXPECT_NE(Ids(Plan("", "another build")).at(0), id);
   folder_.Put("lens.yaml", "k1: -0.11\n");
-  EXPECT_NE(Ids(Plan("")).at(0), id) << "a file that the scenario names";
+  EXPECT_NE(Ids(Plan("")).at(0), id) << "a referenced file changed";
 }
 
-TEST_F(SweepPlanTest, KeepsItsFlightsWhenItGrows) {
+TEST_F(SweepPlanTest, KeepsFlightsWhenSeedsAreAdded) {
   const std::string parameters =
       "parameters: {camera.noise_sigma: {uniform: {min: 0, max: 5}}, camera.exposure_ms: {normal: {mean: 4, sigma: "
       "0.1}}}\n";
@@ -101,7 +101,7 @@ TEST_F(SweepPlanTest, KeepsItsFlightsWhenItGrows) {
             Values(Plan("seeds: {count: 3}\nparameters: {camera.noise_sigma: {uniform: {min: 0, max: 5}}}\n")));
 }
 
-TEST_F(SweepPlanTest, SharesASeedsDrawsAmongItsVariants) {
+TEST_F(SweepPlanTest, DrawsTheSameValuesForAllVariantsOfASeed) {
   const SweepPlan plan = Plan(
       "seeds: {count: 4}\nparameters: {camera.noise_sigma: {uniform: {min: 0, max: 5}}}\n"
       "variants: [{name: a}, {name: b, set: {camera.exposure_ms: 8}}]\n");
@@ -110,7 +110,7 @@ TEST_F(SweepPlanTest, SharesASeedsDrawsAmongItsVariants) {
   }
 }
 
-TEST_F(SweepPlanTest, DrawsFromTheDistributionsThatItNames) {
+TEST_F(SweepPlanTest, DrawsFromTheGivenDistributions) {
   const std::vector<double> uniform =
       Values(Plan("seeds: {count: 400}\nparameters: {camera.noise_sigma: {uniform: {min: 1, max: 3}}}\n"));
   const auto [least, most] = std::minmax_element(uniform.begin(), uniform.end());
@@ -129,7 +129,7 @@ TEST_F(SweepPlanTest, DrawsFromTheDistributionsThatItNames) {
   EXPECT_NEAR(std::sqrt(squares / 400.0), 0.2, 0.03);
 }
 
-TEST_F(SweepPlanTest, MeetsEveryPartOfALatinHypercubeOnce) {
+TEST_F(SweepPlanTest, DrawsOneValuePerLatinHypercubeInterval) {
   const SweepPlan plan = Plan(
       "seeds: {count: 50}\nparameters: {camera.noise_sigma: {latin_hypercube: {min: 0, max: 5}}, "
       "camera.exposure_ms: {latin_hypercube: {min: 0, max: 5}}}\n");
@@ -144,10 +144,10 @@ TEST_F(SweepPlanTest, MeetsEveryPartOfALatinHypercubeOnce) {
     same +=
         static_cast<int>(std::stod(flight.values[0]) * 10.0) == static_cast<int>(std::stod(flight.values[1]) * 10.0);
   }
-  EXPECT_LT(same, 10) << "each key has an order of its own";
+  EXPECT_LT(same, 10) << "each key has its own order";
 }
 
-TEST_F(SweepPlanTest, NamesFileLineAndKeyOfAParameterThatIsNoScenarios) {
+TEST_F(SweepPlanTest, ReportsInvalidScenarioKeysWithFileAndLine) {
   for (const auto& [text, error] :
        {std::pair("parameters:\n  camera.noise_sigm: [1]\n",
                   "s.yaml:3: camera.noise_sigm: unknown key, did you mean noise_sigma?"),
@@ -158,13 +158,13 @@ TEST_F(SweepPlanTest, NamesFileLineAndKeyOfAParameterThatIsNoScenarios) {
     try {
       Plan(text);
       ADD_FAILURE() << text;
-    } catch (const InputError& said) {
-      EXPECT_THAT(said.what(), HasSubstr(error));
+    } catch (const InputError& thrown) {
+      EXPECT_THAT(thrown.what(), HasSubstr(error));
     }
   }
 }
 
-TEST(ShippedSweeps, CanAllBeFlown) {
+TEST(ShippedSweeps, CanAllBePlanned) {
   int sweeps = 0;
   for (const auto& entry :
        std::filesystem::directory_iterator(std::filesystem::path(TOUCHDOWN_SOURCE_DIR) / "scenarios" / "sweeps")) {
@@ -177,12 +177,12 @@ TEST(ShippedSweeps, CanAllBeFlown) {
   EXPECT_GE(sweeps, 8);
 }
 
-TEST_F(SweepPlanTest, RefusesWhatIsTheSameFlightTwice) {
+TEST_F(SweepPlanTest, RejectsDuplicateFlightsAndTooMany) {
   const auto error = [&](const std::string& text) -> std::string {
     try {
       Plan(text);
-    } catch (const InputError& said) {
-      return said.what();
+    } catch (const InputError& thrown) {
+      return thrown.what();
     }
     return "";
   };
@@ -193,10 +193,10 @@ TEST_F(SweepPlanTest, RefusesWhatIsTheSameFlightTwice) {
       error("parameters: {camera.noise_sigma: [4]}\nvariants: [{name: a}, {name: b}]"),
       HasSubstr("s.yaml:3: variants: (variant a, camera.noise_sigma=4) and (variant b, camera.noise_sigma=4) are"));
   EXPECT_THAT(error("seeds: {count: 1000}\nparameters: {camera.noise_sigma: {range: {from: 0, to: 1, count: 101}}}"),
-              HasSubstr("s.yaml: plans 101000 flights, more than 100000"));
+              HasSubstr("s.yaml: the sweep has 101000 flights; allowed: at most 100000"));
 }
 
-TEST_F(SweepPlanTest, MeansFilesFromTheSweepsFolder) {
+TEST_F(SweepPlanTest, ResolvesFilesRelativeToTheSweepFile) {
   folder_.Put("wide.yaml", "k1: -0.05\n");
   const auto file =
       folder_.Put("sweeps/s.yaml", "base: ../base.yaml\nparameters: {camera.model: [../lens.yaml, ../wide.yaml]}\n");

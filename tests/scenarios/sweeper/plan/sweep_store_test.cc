@@ -27,7 +27,7 @@ SweepPlan PlanOf(const std::vector<std::string>& ids) {
   return plan;
 }
 
-SweepSpec Terms() {
+SweepSpec Spec() {
   return {.name = "sweep",
           .description = "For people: \"so\".",
           .axes = {{"camera.noise_sigma", {"3", "4.5"}}, {"start.yaw_deg", {}}},
@@ -69,10 +69,10 @@ class SweepStoreTest : public testing::Test {
   const tests::TemporaryFolder folder_;
 };
 
-TEST_F(SweepStoreTest, GivesBackWhatItWasGiven) {
+TEST_F(SweepStoreTest, ReadsBackStoredRows) {
   {
     SweepStore store = Open();
-    store.SetPlan(Terms(), PlanOf({"a", "b"}), "this");
+    store.SetPlan(Spec(), PlanOf({"a", "b"}), "this");
     store.Put(Row("a", runner::Verdict::kFail));
   }
   const SweepStore store = Open(SweepStore::Access::kRead);
@@ -86,60 +86,60 @@ TEST_F(SweepStoreTest, GivesBackWhatItWasGiven) {
   EXPECT_EQ(results[0].row.metrics.at("flight.sim_time_s"), 0.1 + 0.2) << "to the last bit";
 }
 
-TEST_F(SweepStoreTest, KeepsWhatTheResultsAreJudgedBy) {
-  EXPECT_THAT(Open().terms().keys(), testing::IsEmpty()) << "no plan yet";
-  Open().SetPlan(Terms(), PlanOf({"a"}), "this");
-  const SweepSpec terms = Open(SweepStore::Access::kRead).terms();
-  EXPECT_EQ(terms.name, "sweep");
-  EXPECT_EQ(terms.description, "For people: \"so\".");
-  EXPECT_THAT(terms.keys(), ElementsAre("camera.noise_sigma", "start.yaw_deg"));
-  EXPECT_THAT(terms.axes[0].listed, ElementsAre("3", "4.5"));
-  EXPECT_THAT(terms.axes[1].listed, testing::IsEmpty());
-  EXPECT_THAT(terms.variants, ElementsAre("a", "b"));
-  ASSERT_EQ(terms.criteria.size(), 2u);
-  EXPECT_EQ(terms.criteria[0].quantile, std::nullopt);
-  EXPECT_EQ(terms.criteria[0].min, 0.9);
-  EXPECT_EQ(terms.criteria[0].max, 1.0);
-  EXPECT_EQ(terms.criteria[1].metric, "flight.sim_time_s");
-  EXPECT_EQ(terms.criteria[1].quantile, 0.25);
-  EXPECT_EQ(terms.criteria[1].min, std::nullopt);
-  EXPECT_EQ(terms.criteria[1].max, 0.1 + 0.2) << "to the last bit";
-  EXPECT_EQ(terms.criteria[0].by, JudgedBy::kValue);
-  EXPECT_EQ(terms.criteria[1].by, JudgedBy::kInterval);
-  ASSERT_TRUE(terms.stop_when);
-  EXPECT_EQ(terms.stop_when->bad_pass_rate, 0.8);
-  ASSERT_TRUE(terms.search);
-  EXPECT_EQ(terms.search->key, "camera.noise_sigma");
-  EXPECT_EQ(terms.search->max, 4.5);
-  EXPECT_EQ(terms.search->pass_rate, 0.9);
+TEST_F(SweepStoreTest, StoresTheSpecification) {
+  EXPECT_THAT(Open().spec().keys(), testing::IsEmpty()) << "no plan yet";
+  Open().SetPlan(Spec(), PlanOf({"a"}), "this");
+  const SweepSpec spec = Open(SweepStore::Access::kRead).spec();
+  EXPECT_EQ(spec.name, "sweep");
+  EXPECT_EQ(spec.description, "For people: \"so\".");
+  EXPECT_THAT(spec.keys(), ElementsAre("camera.noise_sigma", "start.yaw_deg"));
+  EXPECT_THAT(spec.axes[0].listed, ElementsAre("3", "4.5"));
+  EXPECT_THAT(spec.axes[1].listed, testing::IsEmpty());
+  EXPECT_THAT(spec.variants, ElementsAre("a", "b"));
+  ASSERT_EQ(spec.criteria.size(), 2u);
+  EXPECT_EQ(spec.criteria[0].quantile, std::nullopt);
+  EXPECT_EQ(spec.criteria[0].min, 0.9);
+  EXPECT_EQ(spec.criteria[0].max, 1.0);
+  EXPECT_EQ(spec.criteria[1].metric, "flight.sim_time_s");
+  EXPECT_EQ(spec.criteria[1].quantile, 0.25);
+  EXPECT_EQ(spec.criteria[1].min, std::nullopt);
+  EXPECT_EQ(spec.criteria[1].max, 0.1 + 0.2) << "to the last bit";
+  EXPECT_EQ(spec.criteria[0].by, JudgedBy::kValue);
+  EXPECT_EQ(spec.criteria[1].by, JudgedBy::kInterval);
+  ASSERT_TRUE(spec.stop_when);
+  EXPECT_EQ(spec.stop_when->bad_pass_rate, 0.8);
+  ASSERT_TRUE(spec.search);
+  EXPECT_EQ(spec.search->key, "camera.noise_sigma");
+  EXPECT_EQ(spec.search->max, 4.5);
+  EXPECT_EQ(spec.search->pass_rate, 0.9);
 }
 
-TEST(SweepSpec, AreOfASweepsFile) {
+TEST(SweepSpec, ReadsASweepFileAndRoundTripsJson) {
   const SweepFile file{
       .name = "n",
       .description = "d",
       .parameters = {{.key = "a", .values = ListedValues{{"1", "2"}}}, {.key = "b", .values = UniformValues{}}},
       .variants = {{.name = "v"}, {.name = "w"}},
       .criteria = {{.metric = "pass_rate", .min = 0.5}}};
-  const SweepSpec terms = TermsOf(file);
-  EXPECT_THAT(terms.axes[0].listed, ElementsAre("1", "2"));
-  EXPECT_THAT(terms.axes[1].listed, testing::IsEmpty());
-  EXPECT_THAT(terms.variants, ElementsAre("v", "w"));
-  EXPECT_THAT(TermsOf({.variants = std::vector<SweepVariant>(1)}).variants, testing::IsEmpty());
-  EXPECT_EQ(TermsJson(TermsFromJson(TermsJson(terms))), TermsJson(terms));
-  EXPECT_THROW(TermsFromJson("{}"), InputError);
-  EXPECT_THROW(TermsFromJson("no json"), InputError);
+  const SweepSpec spec = SpecOf(file);
+  EXPECT_THAT(spec.axes[0].listed, ElementsAre("1", "2"));
+  EXPECT_THAT(spec.axes[1].listed, testing::IsEmpty());
+  EXPECT_THAT(spec.variants, ElementsAre("v", "w"));
+  EXPECT_THAT(SpecOf({.variants = std::vector<SweepVariant>(1)}).variants, testing::IsEmpty());
+  EXPECT_EQ(SpecJson(SpecFromJson(SpecJson(spec))), SpecJson(spec));
+  EXPECT_THROW(SpecFromJson("{}"), InputError);
+  EXPECT_THROW(SpecFromJson("no json"), InputError);
 }
 
-TEST_F(SweepStoreTest, CountsAFlightThatWasFlownTwiceOnce) {
+TEST_F(SweepStoreTest, CountsARepeatedFlightOnce) {
   SweepStore store = Open();
-  store.SetPlan(Terms(), PlanOf({"a"}), "this");
+  store.SetPlan(Spec(), PlanOf({"a"}), "this");
   store.Put(Row("a"));
   store.Put(Row("a"));
   EXPECT_EQ(store.Results().size(), 1u);
 }
 
-TEST_F(SweepStoreTest, KeepsAFlownRowWhenAnotherProcessOfTheSameFlightFails) {
+TEST_F(SweepStoreTest, KeepsAFlownRowWhenARepetitionFails) {
   SweepStore store = Open();
   FlightRow crashed = Row("a", runner::Verdict::kError);
   crashed.process = ProcessEnd::kCrashed;
@@ -147,27 +147,27 @@ TEST_F(SweepStoreTest, KeepsAFlownRowWhenAnotherProcessOfTheSameFlightFails) {
   store.Put(crashed);
   EXPECT_EQ(store.Find("a")->process, ProcessEnd::kCrashed);
   store.Put(Row("a"));
-  EXPECT_EQ(store.Find("a")->process, ProcessEnd::kFlown) << "it was flown after all";
+  EXPECT_EQ(store.Find("a")->process, ProcessEnd::kFlown) << "a flown row replaces a failed process";
   store.Put(crashed);
   EXPECT_EQ(RowJson(store.Find("a").value()), RowJson(Row("a")));
 }
 
-TEST_F(SweepStoreTest, TakesRowsAllOrNone) {
+TEST_F(SweepStoreTest, StoresAllRowsOrNone) {
   SweepStore store = Open();
   FlightRow crashed = Row("a", runner::Verdict::kError);
   crashed.process = ProcessEnd::kCrashed;
-  FlightRow numberless = Row("c");
-  numberless.metrics["flight.sim_time_s"] = std::nan("");
-  EXPECT_THROW(store.Put(std::vector{Row("b"), numberless}), InputError) << "SQLite takes it for NULL";
+  FlightRow not_a_number = Row("c");
+  not_a_number.metrics["flight.sim_time_s"] = std::nan("");
+  EXPECT_THROW(store.Put(std::vector{Row("b"), not_a_number}), InputError) << "SQLite converts it to NULL";
   EXPECT_FALSE(store.Find("b"));
   store.Put(std::vector{Row("a"), crashed, Row("b")});
   EXPECT_EQ(store.Find("a")->process, ProcessEnd::kFlown);
   EXPECT_TRUE(store.Find("b"));
 }
 
-TEST_F(SweepStoreTest, LeavesARowForLaterWhileAnotherProgramReads) {
+TEST_F(SweepStoreTest, TryPutReturnsFalseWhileAnotherProgramReads) {
   SweepStore store = Open();
-  store.SetPlan(Terms(), PlanOf({"a", "b"}), "this");
+  store.SetPlan(Spec(), PlanOf({"a", "b"}), "this");
   {
     SQLite::Database reader((folder_ / "sweep.db").string(), SQLite::OPEN_READONLY);
     SQLite::Statement query(reader, "SELECT * FROM plan");
@@ -178,15 +178,15 @@ TEST_F(SweepStoreTest, LeavesARowForLaterWhileAnotherProgramReads) {
   EXPECT_TRUE(store.Find("a"));
 }
 
-TEST_F(SweepStoreTest, UndoesWhatAKilledProgramLeftHalfWrittenAlsoToRead) {
+TEST_F(SweepStoreTest, RollsBackAnIncompleteTransactionOnReading) {
   {
     SweepStore store = Open();
-    store.SetPlan(Terms(), PlanOf({"a"}), "this");
+    store.SetPlan(Spec(), PlanOf({"a"}), "this");
     for (int i = 0; i < 200; ++i) store.Put(Row("row " + std::to_string(i)));
   }
   {
     SQLite::Database writer((folder_ / "sweep.db").string(), SQLite::OPEN_READWRITE);
-    writer.exec("PRAGMA cache_size = 1");  // So that it writes into the file before it commits.
+    writer.exec("PRAGMA cache_size = 1");  // Forces writes to the file before the commit.
     SQLite::Transaction transaction(writer);
     writer.exec("UPDATE flights SET verdict = 'half written'");
     for (const char* name : {"sweep.db", "sweep.db-journal"})
@@ -197,73 +197,74 @@ TEST_F(SweepStoreTest, UndoesWhatAKilledProgramLeftHalfWrittenAlsoToRead) {
   EXPECT_EQ(store.Find("row 7")->verdict, runner::Verdict::kPass);
 }
 
-TEST_F(SweepStoreTest, KeepsAndDoesNotCountWhatIsNotOfThePlanOrOfAnotherBuild) {
+TEST_F(SweepStoreTest, KeepsButDoesNotCountOtherRows) {
   SweepStore store = Open();
-  store.SetPlan(Terms(), PlanOf({"a", "b"}), "old");
+  store.SetPlan(Spec(), PlanOf({"a", "b"}), "old");
   store.Put(Row("a", runner::Verdict::kPass, "old"));
-  store.SetPlan(Terms(), PlanOf({"c"}), "this");
+  store.SetPlan(Spec(), PlanOf({"c"}), "this");
   store.Put(Row("c"));
   EXPECT_EQ(store.Results().size(), 1u);
   EXPECT_EQ(store.stale(), 1u);
   EXPECT_EQ(store.unplanned(), 0u);
-  store.SetPlan(Terms(), PlanOf({"d"}), "this");
+  store.SetPlan(Spec(), PlanOf({"d"}), "this");
   EXPECT_EQ(store.unplanned(), 1u);
   EXPECT_TRUE(store.Find("a"));
 }
 
-TEST_F(SweepStoreTest, RefusesWhatIsNoSweeps) {
+TEST_F(SweepStoreTest, RejectsOtherFiles) {
   EXPECT_THAT(ErrorOnOpening(SweepStore::Access::kRead), HasSubstr("sweep.db: no such file"));
-  folder_.Put("sweep.db", "a text of somebody's");
+  folder_.Put("sweep.db", "someone's text");
   EXPECT_THAT(ErrorOnOpening(SweepStore::Access::kWrite), HasSubstr("sweep.db: file is not a database"));
-  EXPECT_EQ(folder_.Content("sweep.db"), "a text of somebody's");
+  EXPECT_EQ(folder_.Content("sweep.db"), "someone's text");
 }
 
-TEST_F(SweepStoreTest, RefusesAnotherVersionAndADamagedFile) {
+TEST_F(SweepStoreTest, RejectsAnotherVersionAndADamagedFile) {
   {
     SweepStore store = Open();
-    store.SetPlan(Terms(), PlanOf({"a"}), "this");
+    store.SetPlan(Spec(), PlanOf({"a"}), "this");
     for (int i = 0; i < 200; ++i) store.Put(Row("row " + std::to_string(i)));
   }
-  const std::string whole = folder_.Content("sweep.db");
-  std::string other = whole;
+  const std::string content = folder_.Content("sweep.db");
+  std::string other = content;
   other[63] = 9;  // The last byte of the file's user_version.
   folder_.Put("sweep.db", other);
-  EXPECT_THAT(ErrorOnOpening(SweepStore::Access::kWrite), HasSubstr("sweep.db: is of version 9, this program's is 2"));
-  folder_.Put("sweep.db", whole.substr(0, whole.size() / 2));
+  EXPECT_THAT(ErrorOnOpening(SweepStore::Access::kWrite),
+              HasSubstr("sweep.db: sweep database of version 9; this program supports version 2"));
+  folder_.Put("sweep.db", content.substr(0, content.size() / 2));
   EXPECT_THAT(ErrorOnOpening(SweepStore::Access::kWrite), HasSubstr("sweep.db: "));
   EXPECT_THAT(ErrorOnOpening(SweepStore::Access::kRead), HasSubstr("sweep.db: "));
-  EXPECT_EQ(folder_.Content("sweep.db").size(), whole.size() / 2) << "as it was";
+  EXPECT_EQ(folder_.Content("sweep.db").size(), content.size() / 2) << "unchanged";
 }
 
-TEST_F(SweepStoreTest, RefusesARowOfAnEndThatItDoesNotKnow) {
+TEST_F(SweepStoreTest, RejectsAnUnknownProcessEnd) {
   SweepStore store = Open();
-  store.SetPlan(Terms(), PlanOf({"a"}), "this");
+  store.SetPlan(Spec(), PlanOf({"a"}), "this");
   store.Put(Row("a"));
   SQLite::Database((folder_ / "sweep.db").string(), SQLite::OPEN_READWRITE).exec("UPDATE flights SET process = 'flow'");
   try {
     store.Results();
     ADD_FAILURE() << "no InputError";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("sweep.db: is damaged: flight a: process is 'flow'"));
+    EXPECT_THAT(error.what(), HasSubstr("sweep.db: damaged: flight a: process is 'flow'"));
   }
 }
 
-TEST_F(SweepStoreTest, CallsParametersThatAreNoJsonDamaged) {
+TEST_F(SweepStoreTest, ReportsInvalidParametersAsDamage) {
   SweepStore store = Open();
-  store.SetPlan(Terms(), PlanOf({"a"}), "this");
+  store.SetPlan(Spec(), PlanOf({"a"}), "this");
   store.Put(Row("a"));
   SQLite::Database((folder_ / "sweep.db").string(), SQLite::OPEN_READWRITE).exec("UPDATE plan SET parameters = 'x'");
   try {
     store.Results();
     ADD_FAILURE() << "no InputError";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("sweep.db: is damaged: flight a: its parameters"));
+    EXPECT_THAT(error.what(), HasSubstr("sweep.db: damaged: flight a: invalid parameters"));
   }
 }
 
-TEST_F(SweepStoreTest, GivesEachFlightItsOwnMetrics) {
+TEST_F(SweepStoreTest, ReturnsTheMetricsOfEachFlight) {
   SweepStore store = Open();
-  store.SetPlan(Terms(), PlanOf({"a", "b", "c"}), "this");
+  store.SetPlan(Spec(), PlanOf({"a", "b", "c"}), "this");
   FlightRow b = Row("b"), c = Row("c");
   b.metrics = {{"flight.sim_time_s", 7.0}};
   c.metrics = {};
@@ -275,7 +276,7 @@ TEST_F(SweepStoreTest, GivesEachFlightItsOwnMetrics) {
   EXPECT_TRUE(results[2].row.metrics.empty());
 }
 
-TEST(FlightRow, HasTheSameNamesInItsFileAsInTheDatabase) {
+TEST(FlightRow, HasTheSameNamesInFileAndDatabase) {
   const nlohmann::json json = nlohmann::json::parse(RowJson(Row("a")));
   const tests::TemporaryFolder folder;
   SweepStore(folder.path(), SweepStore::Access::kWrite).Put(Row("a"));
@@ -283,10 +284,10 @@ TEST(FlightRow, HasTheSameNamesInItsFileAsInTheDatabase) {
   SQLite::Statement columns(db, "SELECT name FROM pragma_table_info('flights')");
   std::size_t count = 0;
   for (; columns.executeStep(); ++count) EXPECT_TRUE(json.contains(columns.getColumn(0).getString()));
-  EXPECT_EQ(json.size(), count + 2) << "and schema and metrics";
+  EXPECT_EQ(json.size(), count + 2) << "plus schema and metrics";
 }
 
-TEST(RowsCsv, IsSortedByIdAndQuotesWhatMustBe) {
+TEST(RowsCsv, IsSortedByIdAndQuoted) {
   SweepResult b{.seed = 2, .variant = "", .values = {"[0, 1]"}, .row = Row("b")};
   SweepResult a{.seed = 1, .variant = "", .values = {"[2, \"x\"]"}, .row = Row("a", runner::Verdict::kFail)};
   const std::string csv = RowsCsv({"start.position_m"}, {b, a});
@@ -299,23 +300,23 @@ TEST(RowsCsv, IsSortedByIdAndQuotesWhatMustBe) {
   EXPECT_THAT(csv, testing::Not(HasSubstr(",h,"))) << "no host";
 }
 
-TEST_F(SweepStoreTest, GivesBackItsPlan) {
+TEST_F(SweepStoreTest, ReadsBackThePlan) {
   SweepStore store = Open();
   SweepPlan plan = PlanOf({"a", "b"});
-  plan.whole = 6;
+  plan.total = 6;
   plan.flights[1].position = 5;
   plan.flights[1].variant = "windy";
-  store.SetPlan(Terms(), plan, "this");
-  const SweepPlan kept = store.Plan();
+  store.SetPlan(Spec(), plan, "this");
+  const SweepPlan read = store.Plan();
   EXPECT_EQ(store.program(), "this");
-  EXPECT_EQ(kept.whole, 6u);
-  EXPECT_EQ(kept.keys, plan.keys);
-  ASSERT_EQ(kept.flights.size(), 2u);
-  EXPECT_EQ(kept.flights[1].position, 5);
-  EXPECT_EQ(kept.flights[1].id, "b");
-  EXPECT_EQ(kept.flights[1].seed, 7u);
-  EXPECT_EQ(kept.flights[1].variant, "windy");
-  EXPECT_THAT(kept.flights[1].values, ElementsAre("3", "1.5"));
+  EXPECT_EQ(read.total, 6u);
+  EXPECT_EQ(read.keys, plan.keys);
+  ASSERT_EQ(read.flights.size(), 2u);
+  EXPECT_EQ(read.flights[1].position, 5);
+  EXPECT_EQ(read.flights[1].id, "b");
+  EXPECT_EQ(read.flights[1].seed, 7u);
+  EXPECT_EQ(read.flights[1].variant, "windy");
+  EXPECT_THAT(read.flights[1].values, ElementsAre("3", "1.5"));
 }
 
 }  // namespace

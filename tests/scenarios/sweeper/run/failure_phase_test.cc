@@ -7,7 +7,8 @@ namespace {
 
 using controller::Phase;
 
-runner::FlightLog Through(const std::vector<Phase>& phases) {
+/// Log with one tick in each phase.
+runner::FlightLog LogOf(const std::vector<Phase>& phases) {
   runner::FlightLog log;
   for (const Phase phase : phases) {
     log.ticks.emplace_back();
@@ -16,7 +17,7 @@ runner::FlightLog Through(const std::vector<Phase>& phases) {
   return log;
 }
 
-/// A frame in which the pad lay in the picture, and was found or not.
+/// Frame with the whole ring in view.
 runner::FrameRecord Frame(Phase phase, bool is_found) {
   runner::FrameRecord frame;
   frame.phase = phase;
@@ -26,21 +27,21 @@ runner::FrameRecord Frame(Phase phase, bool is_found) {
   return frame;
 }
 
-TEST(FailurePhase, IsTheLastThatWasFlown) {
+TEST(FailurePhase, IsTheLastPhaseBeforeGivingUp) {
   const runner::Check outcome{.name = "outcome"};
-  EXPECT_EQ(FailurePhase(outcome, Through({Phase::kHover, Phase::kLanding})), "landing");
-  EXPECT_EQ(FailurePhase(outcome, Through({Phase::kLanding, Phase::kSearchClimb, Phase::kGaveUp, Phase::kGaveUp})),
+  EXPECT_EQ(FailurePhase(outcome, LogOf({Phase::kHover, Phase::kLanding})), "landing");
+  EXPECT_EQ(FailurePhase(outcome, LogOf({Phase::kLanding, Phase::kSearchClimb, Phase::kGaveUp, Phase::kGaveUp})),
             "search_climb");
   EXPECT_EQ(FailurePhase(outcome, {}), "");
 }
 
-TEST(FailurePhase, IsTouchdownOfWhatIsMeasuredThere) {
-  EXPECT_EQ(FailurePhase({.name = "flight.touchdown_xy_error_m"}, Through({Phase::kLanding, Phase::kHover})),
+TEST(FailurePhase, IsTouchdownForTouchdownMetrics) {
+  EXPECT_EQ(FailurePhase({.name = "flight.touchdown_xy_error_m"}, LogOf({Phase::kLanding, Phase::kHover})),
             "touchdown");
 }
 
-TEST(FailurePhase, IsTheOneWithTheMostErrorsOfVision) {
-  runner::FlightLog log = Through({Phase::kTouchdown});
+TEST(FailurePhase, IsThePhaseWithMostVisionErrors) {
+  runner::FlightLog log = LogOf({Phase::kTouchdown});
   for (int i = 0; i < 20; ++i) log.frames.push_back(Frame(Phase::kHover, true));
   for (int i = 0; i < 10; ++i) log.frames.push_back(Frame(Phase::kLanding, i % 2 == 0));
   log.frames.push_back(Frame(Phase::kTouchdown, true));

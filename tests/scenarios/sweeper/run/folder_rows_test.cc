@@ -8,17 +8,17 @@
 namespace touchdown::sweeper {
 namespace {
 
-TEST(FolderRows, AreWhatTakingThemInWouldLeave) {
+TEST(FolderRows, MatchTheResultOfCollecting) {
   const tests::TemporaryFolder folder;
   SweepStore store(folder.path(), SweepStore::Access::kWrite);
-  const RowFolder left(folder.path());
+  const RowFolder row_files(folder.path());
   store.Put({.id = "stored", .process = ProcessEnd::kFlown});
   store.Put({.id = "flown before", .process = ProcessEnd::kFlown});
-  left.Leave({.id = "flown before", .process = ProcessEnd::kCrashed});
+  row_files.Write({.id = "flown before", .process = ProcessEnd::kCrashed});
   store.Put({.id = "flown now", .process = ProcessEnd::kCrashed});
-  left.Leave({.id = "flown now", .process = ProcessEnd::kFlown});
+  row_files.Write({.id = "flown now", .process = ProcessEnd::kFlown});
   store.Put({.id = "not flown", .process = ProcessEnd::kCrashed});
-  left.Leave({.id = "not flown", .process = ProcessEnd::kHung});
+  row_files.Write({.id = "not flown", .process = ProcessEnd::kHung});
 
   const FolderRows rows(folder.path(), &store);
   for (const char* id : {"stored", "flown before", "flown now"})

@@ -22,11 +22,11 @@ FlightRow FlownRow(const std::string& id) {
   return {.id = id, .process = ProcessEnd::kFlown, .verdict = runner::Verdict::kPass};
 }
 
-class TakeInRowsTest : public testing::Test {
+class CollectRowsTest : public testing::Test {
  protected:
-  void TakeIn() {
+  void Collect() {
     SweepStore store(folder_.path(), SweepStore::Access::kWrite);
-    TakeInRows(folder_.path(), store);
+    CollectRows(folder_.path(), store);
   }
   std::vector<std::string> RowFiles() const {
     std::vector<std::string> names;
@@ -42,8 +42,8 @@ class TakeInRowsTest : public testing::Test {
   const tests::TemporaryFolder folder_;
 };
 
-TEST_F(TakeInRowsTest, TakesWholeRowsAndSetsDamagedOnesAside) {
-  RowFolder(folder_.path()).Leave(FlownRow("whole"));
+TEST_F(CollectRowsTest, CollectsRowsAndRenamesDamagedFiles) {
+  RowFolder(folder_.path()).Write(FlownRow("complete"));
   folder_.Put("rows/empty.json", "");
   folder_.Put("rows/half.json", RowJson(FlownRow("half")).substr(0, 40));
   nlohmann::json other = nlohmann::json::parse(RowJson(FlownRow("end")));
@@ -56,45 +56,45 @@ TEST_F(TakeInRowsTest, TakesWholeRowsAndSetsDamagedOnesAside) {
   other["schema"] = "one";
   folder_.Put("rows/schema.json", other.dump());
   folder_.Put("rows/.new.json.partial-1", "being written");
-  folder_.Put("rows/.old.json.partial-2", "left by a program that was ended");
+  folder_.Put("rows/.old.json.partial-2", "from a killed program");
   for (const char* name : {"rows/half.json", "rows/.old.json.partial-2"}) MakeOld(name);
-  TakeIn();
+  Collect();
   EXPECT_THAT(RowFiles(), UnorderedElementsAre("empty.damaged", "half.damaged", "end.damaged", "verdict.damaged",
                                                "schema.damaged", ".new.json.partial-1"));
   const SweepStore store(folder_.path(), SweepStore::Access::kRead);
-  EXPECT_TRUE(store.Find("whole"));
+  EXPECT_TRUE(store.Find("complete"));
   EXPECT_FALSE(store.Find("half"));
 }
 
-TEST_F(TakeInRowsTest, KeepsWhatCannotBeRead) {
+TEST_F(CollectRowsTest, KeepsUnreadableFiles) {
   fs::create_directories(folder_ / "rows/unreadable.json");
-  EXPECT_THROW(TakeIn(), InputError);
+  EXPECT_THROW(Collect(), InputError);
   EXPECT_THAT(RowFiles(), UnorderedElementsAre("unreadable.json"));
 }
 
-TEST(ShardOf, GivesEachPartEveryCellAndAsMany) {
+TEST(ShardOf, DividesCellsAndFlightsEvenly) {
   constexpr int kSeeds = 6, kCells = 4;
   for (const int shards : {1, 2, 3, 4, 5}) {
-    SweepPlan plan{.keys = {"cell"}, .whole = kSeeds * kCells};
+    SweepPlan plan{.keys = {"cell"}, .total = kSeeds * kCells};
     for (int i = 0; i < kSeeds * kCells; ++i) {
       plan.flights.push_back({.position = i,
                               .id = std::to_string(i),
                               .seed = static_cast<std::uint64_t>(i / kCells),
                               .values = {std::to_string(i % kCells)}});
     }
-    std::set<std::int64_t> dealt;
+    std::set<std::int64_t> positions;
     for (int shard = 0; shard < shards; ++shard) {
       const SweepPlan part = ShardOf(plan, shard, shards);
-      EXPECT_EQ(part.whole, plan.whole);
+      EXPECT_EQ(part.total, plan.total);
       EXPECT_NEAR(static_cast<double>(part.flights.size()), 1.0 * kSeeds * kCells / shards, 1.0 + kCells);
       std::set<std::string> cells;
       for (const PlannedFlight& flight : part.flights) {
-        EXPECT_TRUE(dealt.insert(flight.position).second);
+        EXPECT_TRUE(positions.insert(flight.position).second);
         cells.insert(flight.values.front());
       }
       EXPECT_EQ(cells.size(), static_cast<std::size_t>(kCells)) << shard << " of " << shards;
     }
-    EXPECT_EQ(dealt.size(), plan.flights.size());
+    EXPECT_EQ(positions.size(), plan.flights.size());
   }
 }
 
