@@ -36,7 +36,7 @@ bench: all  ## Measure vision, rendering and the loop, and AprilTag 3 on the sam
 
 lint: deps  ## Run clang-tidy on all sources; a warning is an error
 	cmake --preset lint
-	run-clang-tidy -quiet -j $(JOBS) -p build/lint '^$(CURDIR)/(models|sim|estimator|controller|scenarios|tests)/.*\.cc$$'
+	run-clang-tidy -quiet -j $(JOBS) -p build/lint '\.(cc|cxx)$$'
 
 docs: deps  ## Write API pages to build/docs/html; a broken reference is an error
 	mkdir -p build/docs

@@ -110,7 +110,8 @@ Inliers FindInliers(const Ellipse& ellipse, const EdgeMap& map, double max_dista
         ellipse.center + from_axes * Vector2d(c * ellipse.semi_axes.x(), s * ellipse.semi_axes.y());
     std::optional<Vector2d> nearest;
     for (int k = 0; k <= 4 * static_cast<int>(max_distance_px) && !nearest; ++k) {
-      const double outward_px = (k % 2 == 0 ? -0.5 : 0.5) * ((k + 1) / 2);  // 0, 0.5, -0.5, 1, -1, ...
+      const int half_pixels = (k + 1) / 2;
+      const double outward_px = (k % 2 == 0 ? -0.5 : 0.5) * half_pixels;  // 0, 0.5, -0.5, 1, -1, ...
       const Vector2d p = on_ellipse + outward_px * outwards;
       const int u = static_cast<int>(std::lround(p.x())), v = static_cast<int>(std::lround(p.y()));
       if (!map.IsEdge(u, v)) continue;

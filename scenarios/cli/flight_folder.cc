@@ -1,6 +1,8 @@
 #include "scenarios/cli/flight_folder.h"
 
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "scenarios/datasets/flight_bag.h"
@@ -17,17 +19,22 @@ namespace {
 
 constexpr const char* kRecordingFolder = "recording";
 
+/// Files of a flight directory.
+std::vector<std::string> FileNames() {
+  std::vector<std::string> names{"result.json", "scenario.yaml", "timing.json", "frames.png",
+                                 "flight.mp4",  "flight.bag",    "report.html"};
+  for (auto& [name, text] : runner::WriteTables({})) names.push_back(std::move(name));
+  return names;
+}
+
 }  // namespace
 
 runner::FlightResult FlyIntoFolder(const runner::Scenario& scenario, const std::filesystem::path& place,
                                    const FlightExtras& extras, runner::FlightObservers observers,
                                    const util::StopRequested& stop_requested) {
-  util::OutputFolder folder(
-      place, {.files = {"result.json", "scenario.yaml", "flight.csv", "frames.csv", "tracking.csv", "truth.tum",
-                        "estimate.tum", "tracking.tum", "frame_timing.csv", "timing.json", "frames.png", "flight.mp4",
-                        "flight.bag", "report.html"},
-              .signature = report::kFlightSignature,
-              .subfolders = {{kRecordingFolder, datasets::IsFlightRecordingFile}}});
+  util::OutputFolder folder(place, {.files = FileNames(),
+                                    .signature = report::kFlightSignature,
+                                    .subfolders = {{kRecordingFolder, datasets::IsFlightRecordingFile}}});
   report::ContactSheet sheet(scenario.assumed_camera(), scenario.time);
   std::vector<runner::FlightObserver*> all(observers.begin(), observers.end());
   all.push_back(&sheet);

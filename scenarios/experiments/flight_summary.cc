@@ -33,16 +33,17 @@ Json ErrorsJson(std::span<const runner::FrameRecord> frames) {
   return json;
 }
 
+using TrackingRecord = runner::SensorRecord<sim::TrackingSystem>;
+
 /// Pose of the tracking system at a tick, interpolated between the poses before and after; nullopt in its gaps.
-std::optional<Eigen::Isometry3d> TrackedAt(std::span<const runner::TrackingRecord> tracking, models::Tick tick,
+std::optional<Eigen::Isometry3d> TrackedAt(std::span<const TrackingRecord> tracking, models::Tick tick,
                                            models::Tick period) {
-  const auto after =
-      std::lower_bound(tracking.begin(), tracking.end(), tick,
-                       [](const runner::TrackingRecord& r, models::Tick t) { return r.tracked.tick < t; });
+  const auto after = std::lower_bound(tracking.begin(), tracking.end(), tick,
+                                      [](const TrackingRecord& r, models::Tick t) { return r.reading.tick < t; });
   if (after == tracking.end()) return std::nullopt;
-  if (after->tracked.tick == tick) return after->tracked.X_WB;
+  if (after->reading.tick == tick) return after->reading.X_WB;
   if (after == tracking.begin()) return std::nullopt;
-  const models::TrackedPose &a = (after - 1)->tracked, &b = after->tracked;
+  const models::TrackedPose &a = (after - 1)->reading, &b = after->reading;
   if (b.tick - a.tick > period) return std::nullopt;
   const double fraction = static_cast<double>(tick - a.tick) / static_cast<double>(b.tick - a.tick);
   return models::InterpolatePose(a.X_WB, b.X_WB, fraction);
@@ -50,8 +51,7 @@ std::optional<Eigen::Isometry3d> TrackedAt(std::span<const runner::TrackingRecor
 
 /// The frames with the pose of the tracking system instead of the truth, without the frames in its gaps.
 std::vector<runner::FrameRecord> WithTrackingAsTruth(std::span<const runner::FrameRecord> frames,
-                                                     std::span<const runner::TrackingRecord> tracking,
-                                                     models::Tick period) {
+                                                     std::span<const TrackingRecord> tracking, models::Tick period) {
   std::vector<runner::FrameRecord> result;
   for (runner::FrameRecord frame : frames) {
     const auto tracked = TrackedAt(tracking, frame.mid_exposure, period);
@@ -83,7 +83,7 @@ Json SeriesJson(const runner::FlightLog& log, models::Tick tracking_period) {
     const runner::FrameRecord& frame = log.frames[i];
     Json row = Json::array({Rounded(log.time.ToSeconds(frame.mid_exposure), 1e-4)});
     AppendPose(row, frame.X_WB);
-    AppendPose(row, TrackedAt(log.tracking, frame.mid_exposure, tracking_period));
+    AppendPose(row, TrackedAt(log.Records<sim::TrackingSystem>(), frame.mid_exposure, tracking_period));
     std::optional<Eigen::Isometry3d> vision;
     if (frame.status == estimator::FrameStatus::kOk) {
       vision =
@@ -131,7 +131,8 @@ Json FlyAndSummarize(const runner::Scenario& scenario, const FlightSummaryOption
   const runner::FlightLog log = runner::FlyClosedLoop(scenario, observers, stop_requested);
   if (log.outcome == runner::Outcome::kError) throw std::runtime_error(scenario.name + ": " + log.reason);
 
-  const models::Tick tracking_period = scenario.time.PeriodOf(scenario.tracking.rate_hz);
+  const models::Tick tracking_period =
+      scenario.time.PeriodOf(std::get<sim::TrackingSystemConfig>(scenario.sensors).rate_hz);
   const runner::Metrics metrics = runner::ComputeMetrics(log);
   const std::vector<runner::Check> checks = runner::Judge(scenario, log.outcome, metrics);
   Json json{
@@ -140,7 +141,7 @@ Json FlyAndSummarize(const runner::Scenario& scenario, const FlightSummaryOption
       {"as_expected", log.outcome == scenario.expected_outcome()},
       {"passed", std::all_of(checks.begin(), checks.end(), [](const runner::Check& check) { return check.pass; })},
       {"truth", ErrorsJson(log.frames)},
-      {"tracking", ErrorsJson(WithTrackingAsTruth(log.frames, log.tracking, tracking_period))}};
+      {"tracking", ErrorsJson(WithTrackingAsTruth(log.frames, log.Records<sim::TrackingSystem>(), tracking_period))}};
   if (integer_points) json["integer"] = ErrorsJson(integer_points->frames());
   if (unverified) {
     json["unverified"] = ErrorsJson(unverified->frames());

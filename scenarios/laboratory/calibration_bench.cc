@@ -36,7 +36,8 @@ class TrackedObject {
  public:
   TrackedObject(const runner::Scenario& scenario, const std::string& name)
       : time_(scenario.time),
-        tracking_(scenario.tracking, scenario.time, CalibrationSeed(scenario, "tracking." + name)) {}
+        tracking_(std::get<sim::TrackingSystemConfig>(scenario.sensors), scenario.time,
+                  CalibrationSeed(scenario, "tracking." + name)) {}
 
   /// Mean measured pose over `rest_s` seconds at rest; nullopt when the object is occluded all the time.
   std::optional<Isometry3d> Measure(const Isometry3d& X_WB, double rest_s) {

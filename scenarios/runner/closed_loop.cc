@@ -5,6 +5,7 @@
 #include "scenarios/runner/end_watch.h"
 #include "scenarios/runner/event_player.h"
 #include "scenarios/runner/flight_recorder.h"
+#include "scenarios/runner/sensor_suite.h"
 #include "scenarios/runner/vision_timer.h"
 #include "scenarios/util/stopwatch.h"
 #include "sim/dynamics/hand.h"
@@ -13,7 +14,6 @@
 #include "sim/scene/scene.h"
 #include "sim/sensors/camera.h"
 #include "sim/sensors/imu.h"
-#include "sim/sensors/tracking_system.h"
 
 namespace touchdown::runner {
 namespace {
@@ -56,7 +56,7 @@ FlightLog FlyClosedLoop(const Scenario& s, FlightObservers observers, const util
   audience.OnStart(world);
   sim::Camera camera(s.camera, s.vehicle.X_BC(), world, s.time, s.seed);
   sim::Imu imu(s.imu, s.vehicle.X_BU(), s.time, s.seed, s.world.ground_tilt);
-  sim::TrackingSystem tracking_system(s.tracking, s.time, s.seed);
+  SensorSuite logged_sensors(s.sensors, world, s.time, s.seed);
 
   const models::Vehicle assumed = s.assumed_vehicle();
   VisionTimer vision_timer;
@@ -83,6 +83,7 @@ FlightLog FlyClosedLoop(const Scenario& s, FlightObservers observers, const util
   const double observers_before_s = audience.seconds();
   const auto finish = [&](const Ending& ending) {
     FlightLog log = recorder.Finish(ending.outcome, ending.reason);
+    log.sensors = logged_sensors.TakeRecords();
     log.wall_s = flight_clock.seconds() - (audience.seconds() - observers_before_s);
     return log;
   };
@@ -99,7 +100,7 @@ FlightLog FlyClosedLoop(const Scenario& s, FlightObservers observers, const util
         const FrameRecord& record = recorder.OnFrame(result, camera.render_ms(), vision_timer.Stop());
         audience.OnFrame(*frame, result, record);
       }
-      if (const auto tracked = tracking_system.Sample(truth)) recorder.OnTracking(*tracked);
+      logged_sensors.Sample(truth);
 
       if (const auto sample = imu.Sample(truth)) {
         const bool at_rest = hand ? hand->IsOnGround(truth.tick) : controller->phase() == controller::Phase::kStandby;

@@ -10,6 +10,7 @@
 #include "estimator/frame_result.h"
 #include "models/signals.h"
 #include "models/time.h"
+#include "scenarios/runner/logged_sensors.h"
 #include "scenarios/runner/scenario.h"
 #include "sim/dynamics/true_state.h"
 
@@ -45,18 +46,12 @@ struct FrameRecord {
   double geometry_ms = 0.0;  ///< Portion of vision_ms spent in FrameStage::kGeometry.
 };
 
-/// Record of a pose of the tracking system.
-struct TrackingRecord {
-  models::TrackedPose tracked;
-  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  ///< True pose.
-};
-
 /// Complete record of a flight, the source of its logs, metrics and figures.
 struct FlightLog {
   models::TimeBase time;
   std::vector<TickRecord> ticks;
   std::vector<FrameRecord> frames;
-  std::vector<TrackingRecord> tracking;
+  LoggedSensors::Records sensors;
   /// True state at the tick before the first ground contact of a landing, and at the tick of contact.
   struct FirstContact {
     sim::TrueState before;
@@ -68,6 +63,12 @@ struct FlightLog {
   Outcome outcome = Outcome::kError;
   std::string reason;   ///< Reason for the outcome, in a few words.
   double wall_s = 0.0;  ///< Wall-clock duration of the loop without its observers.
+
+  /// Records of one of the logged sensors.
+  template <typename Sensor>
+  const std::vector<SensorRecord<Sensor>>& Records() const {
+    return std::get<std::vector<SensorRecord<Sensor>>>(sensors);
+  }
 };
 
 }  // namespace touchdown::runner

@@ -64,10 +64,6 @@ const FrameRecord& FlightRecorder::OnFrame(const estimator::FrameResult& estimat
   return log_.frames.back();
 }
 
-void FlightRecorder::OnTracking(const models::TrackedPose& tracked) {
-  log_.tracking.push_back({tracked, history_.back().truth.X_WB});
-}
-
 void FlightRecorder::OnControl(const models::VehicleEstimate& estimate, const controller::ControlOutput& control) {
   log_.ticks.push_back({history_.back().truth, estimate, control});
 }

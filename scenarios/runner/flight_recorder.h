@@ -19,7 +19,6 @@ class FlightRecorder {
                controller::Phase phase);
   /// Records the estimate of a frame that is delivered at this tick. Returns the record of the frame.
   const FrameRecord& OnFrame(const estimator::FrameResult& estimate, double render_ms, const VisionTime& vision);
-  void OnTracking(const models::TrackedPose& tracked);
   void OnControl(const models::VehicleEstimate& estimate, const controller::ControlOutput& control);
 
   /// Closes the log.

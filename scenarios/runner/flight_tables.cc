@@ -1,6 +1,9 @@
 #include "scenarios/runner/flight_tables.h"
 
+#include <fmt/format.h>
+
 #include <string_view>
+#include <utility>
 
 #include "scenarios/runner/tum_trajectory.h"
 #include "scenarios/util/csv_writer.h"
@@ -73,6 +76,23 @@ void PutFrames(const FlightLog& log, util::CsvWriter& table) {
   }
 }
 
+template <typename Sensor>
+NamedText SensorTable(const FlightLog& log) {
+  util::CsvWriter table(fmt::format("tick,t_s,{},true_x_m,true_y_m,true_z_m,true_roll_deg,true_pitch_deg,true_yaw_deg",
+                                    Sensor::kColumns));
+  for (const SensorRecord<Sensor>& record : log.Records<Sensor>()) {
+    table << record.reading.tick << log.time.ToSeconds(record.reading.tick);
+    for (const double value : Sensor::Columns(record.reading)) table << value;
+    table.Pose(record.X_WB).EndLine();
+  }
+  return {std::string(Sensor::kName) + ".csv", table.Take()};
+}
+
+template <typename... Sensor>
+std::vector<NamedText> TablesOf(SensorList<Sensor...>, const FlightLog& log) {
+  return {SensorTable<Sensor>(log)...};
+}
+
 }  // namespace
 
 std::string FlightCsv(const FlightLog& log) {
@@ -87,16 +107,7 @@ std::string FramesCsv(const FlightLog& log) {
   return table.Take();
 }
 
-std::string TrackingCsv(const FlightLog& log) {
-  util::CsvWriter table(
-      "tick,t_s,x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg,"
-      "true_x_m,true_y_m,true_z_m,true_roll_deg,true_pitch_deg,true_yaw_deg");
-  for (const TrackingRecord& record : log.tracking) {
-    table << record.tracked.tick << log.time.ToSeconds(record.tracked.tick);
-    table.Pose(record.tracked.X_WB).Pose(record.X_WB).EndLine();
-  }
-  return table.Take();
-}
+std::vector<NamedText> SensorTables(const FlightLog& log) { return TablesOf(LoggedSensors(), log); }
 
 std::string FrameTimingCsv(const FlightLog& log) {
   util::CsvWriter table("tick,render_ms,vision_ms,geometry_ms");
@@ -108,13 +119,14 @@ std::string FrameTimingCsv(const FlightLog& log) {
 }
 
 std::vector<NamedText> WriteTables(const FlightLog& log) {
-  return {{"flight.csv", FlightCsv(log)},
-          {"frames.csv", FramesCsv(log)},
-          {"tracking.csv", TrackingCsv(log)},
-          {"frame_timing.csv", FrameTimingCsv(log)},
-          {"truth.tum", TumText(TrueTrajectory(log), log.time)},
-          {"estimate.tum", TumText(EstimatedTrajectory(log), log.time)},
-          {"tracking.tum", TumText(TrackedTrajectory(log), log.time)}};
+  std::vector<NamedText> tables{{"flight.csv", FlightCsv(log)},
+                                {"frames.csv", FramesCsv(log)},
+                                {"frame_timing.csv", FrameTimingCsv(log)},
+                                {"truth.tum", TumText(TrueTrajectory(log), log.time)},
+                                {"estimate.tum", TumText(EstimatedTrajectory(log), log.time)},
+                                {"tracking.tum", TumText(TrackedTrajectory(log), log.time)}};
+  for (NamedText& table : SensorTables(log)) tables.push_back(std::move(table));
+  return tables;
 }
 
 std::string LogDigest(const FlightLog& log) {

@@ -16,17 +16,17 @@ std::string FlightCsv(const FlightLog& log);
 /// m, rotation vector in W in rad); its upper triangle is listed row by row.
 std::string FramesCsv(const FlightLog& log);
 
-/// tracking.csv: one row for each pose of the tracking system, with the true pose.
-std::string TrackingCsv(const FlightLog& log);
-
 /// frame_timing.csv: one row for each delivered frame with its wall-clock times.
 std::string FrameTimingCsv(const FlightLog& log);
 
 /// Name and content of a file.
 using NamedText = std::pair<std::string, std::string>;
 
-/// All tables and trajectories of a flight: flight.csv, frames.csv, tracking.csv, frame_timing.csv, truth.tum,
-/// estimate.tum, tracking.tum.
+/// Table of each logged sensor, for example tracking.csv: one row for each reading, with the true pose.
+std::vector<NamedText> SensorTables(const FlightLog& log);
+
+/// All tables and trajectories of a flight: flight.csv, frames.csv, frame_timing.csv, truth.tum, estimate.tum,
+/// tracking.tum, and the tables of the logged sensors.
 std::vector<NamedText> WriteTables(const FlightLog& log);
 
 /// SHA-256, in hexadecimal, of flight.csv followed by frames.csv. The text is not built in memory.

@@ -21,12 +21,12 @@
 #include "models/vehicle.h"
 #include "scenarios/config/config_reference.h"
 #include "scenarios/runner/events/event.h"
+#include "scenarios/runner/logged_sensors.h"
 #include "sim/dynamics/hand.h"
 #include "sim/dynamics/world.h"
 #include "sim/scene/scene.h"
 #include "sim/sensors/camera.h"
 #include "sim/sensors/imu.h"
-#include "sim/sensors/tracking_system.h"
 
 namespace touchdown::runner {
 
@@ -82,7 +82,7 @@ struct Scenario {
   models::LandingPad pad;
   sim::CameraConfig camera;
   sim::ImuConfig imu;
-  sim::TrackingSystemConfig tracking;
+  LoggedSensors::Configs sensors;
   sim::SceneConfig scene;
   sim::WorldConfig world;
   Calibration calibration;

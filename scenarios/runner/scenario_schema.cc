@@ -64,6 +64,11 @@ void DescribeSensor(ConfigVisitor& v, const models::Key& key, Sensor& sensor, co
   });
 }
 
+template <typename... Sensor>
+void DescribeLoggedSensors(SensorList<Sensor...>, ConfigVisitor& v, Scenario& s) {
+  (DescribeSensor(v, {Sensor::kName, Sensor::kDoc}, std::get<typename Sensor::Config>(s.sensors), s.time), ...);
+}
+
 void DescribeSimulation(ConfigVisitor& v, Scenario& s) {
   v.Keys({"time", "Clock of the simulation."}, s.time);
   v.Keys({"vehicle", "Quadrotor, as keys or the name of a file."}, s.vehicle, models::kOrFile);
@@ -74,8 +79,7 @@ void DescribeSimulation(ConfigVisitor& v, Scenario& s) {
        "Downward camera, as keys or the name of a file. The file has these keys or is a ROS camera_info file."},
       s.camera, s.time, {.allowed = true, .format = models::kCameraModelFile.format, .format_key = "model"});
   DescribeSensor(v, {"imu", "Inertial measurement unit."}, s.imu, s.time);
-  DescribeSensor(v, {"tracking", "External tracking system, whose poses are written to tracking.csv."}, s.tracking,
-                 s.time);
+  DescribeLoggedSensors(LoggedSensors(), v, s);
   v.Keys({"scene", "Surroundings of the pad. The layout is random and depends on the seed."}, s.scene);
   v.Keys({"world", "Wind, tilt of the ground, and vibration."}, s.world);
 }

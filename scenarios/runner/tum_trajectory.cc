@@ -21,7 +21,7 @@ Trajectory TrueTrajectory(const FlightLog& log) {
   Trajectory truth;
   for (const TickRecord& record : log.ticks) truth.emplace(record.truth.tick, record.truth.X_WB);
   for (const FrameRecord& frame : log.frames) truth.emplace(frame.mid_exposure, frame.X_WB);
-  for (const TrackingRecord& record : log.tracking) truth.emplace(record.tracked.tick, record.X_WB);
+  for (const auto& record : log.Records<sim::TrackingSystem>()) truth.emplace(record.reading.tick, record.X_WB);
   return truth;
 }
 
@@ -36,7 +36,9 @@ Trajectory EstimatedTrajectory(const FlightLog& log) {
 
 Trajectory TrackedTrajectory(const FlightLog& log) {
   Trajectory tracked;
-  for (const TrackingRecord& record : log.tracking) tracked.emplace(record.tracked.tick, record.tracked.X_WB);
+  for (const auto& record : log.Records<sim::TrackingSystem>()) {
+    tracked.emplace(record.reading.tick, record.reading.X_WB);
+  }
   return tracked;
 }
 

@@ -18,9 +18,9 @@ constexpr double kMinRayCosine = 0.35;  ///< Cosine of the angle between the ray
 
 /// R_WC of a camera that looks down, rotated by `yaw`, then tilted by `tilt` about the horizontal axis at `direction`.
 Eigen::Matrix3d LookDown(double yaw, double tilt, double direction) {
-  const Eigen::Matrix3d R_down = Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();
+  const Eigen::Matrix3d R_WC_down = Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();
   const Eigen::Vector3d axis(std::cos(direction), std::sin(direction), 0.0);
-  return models::RotationExp(tilt * axis) * models::RotationExp(yaw * Eigen::Vector3d::UnitZ()) * R_down;
+  return models::RotationExp(tilt * axis) * models::RotationExp(yaw * Eigen::Vector3d::UnitZ()) * R_WC_down;
 }
 
 bool IsInsideSolid(const sim::Scene& scene, const Eigen::Vector3d& p_W) {

@@ -44,6 +44,17 @@ void TrackingSystemConfig::Validate(const models::TimeBase& time) const {
   time.PeriodOf(rate_hz);
 }
 
+std::array<double, 6> TrackingSystem::Columns(const Reading& reading) {
+  const Vector3d& p_WB = reading.X_WB.translation();
+  const models::TaitBryan angles = models::TaitBryanFromRotation(reading.X_WB.linear());
+  return {p_WB.x(),
+          p_WB.y(),
+          p_WB.z(),
+          models::RadToDeg(angles.roll),
+          models::RadToDeg(angles.pitch),
+          models::RadToDeg(angles.yaw)};
+}
+
 TrackingSystem::TrackingSystem(const TrackingSystemConfig& config, const models::TimeBase& time, std::uint64_t seed)
     : config_(config),
       time_(time),

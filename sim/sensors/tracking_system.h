@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -11,6 +12,8 @@
 #include "sim/dynamics/true_state.h"
 
 namespace touchdown::sim {
+
+class World;
 
 /// Parameters of the external tracking system (Sec. III-C): noise of a few millimeters and about a degree, and
 /// occlusions of its markers that cause outliers or gaps (Sec. VI-B.1).
@@ -35,8 +38,19 @@ void Describe(models::ConfigVisitor& v, TrackingSystemConfig& config);
 /// duration of an occlusion are exponentially distributed.
 class TrackingSystem {
  public:
+  using Config = TrackingSystemConfig;
+  using Reading = models::TrackedPose;
+  static constexpr const char* kName = "tracking";
+  static constexpr const char* kDoc = "External tracking system, whose poses are written to tracking.csv.";
+  static constexpr const char* kColumns = "x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg";
+  static std::array<double, 6> Columns(const Reading& reading);
+
   /// Draws noise from the stream "tracking.noise" and occlusions from "tracking.occlusion".
   TrackingSystem(const TrackingSystemConfig& config, const models::TimeBase& time, std::uint64_t seed);
+  /// The tracking system measures the pose directly, so the world is not used.
+  TrackingSystem(const TrackingSystemConfig& config, const World& /*world*/, const models::TimeBase& time,
+                 std::uint64_t seed)
+      : TrackingSystem(config, time, seed) {}
 
   /// Call once per tick, in order; returns a pose on the ticks of its rate, unless the markers are occluded.
   std::optional<models::TrackedPose> Sample(const TrueState& truth);

@@ -12,10 +12,10 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using models::kPi;
 
-constexpr int kSteps = 1600;
+constexpr int kSteps = 1600, kMiddle = kSteps / 2;
 constexpr double kStep = 0.005;
 
-double PositionAtIndex(double index) { return (index - kSteps / 2) * kStep; }
+double PositionAtIndex(double index) { return (index - kMiddle) * kStep; }
 
 }  // namespace
 
@@ -46,7 +46,7 @@ Vector3d PhotoPaper::Normal(const Vector2d& p_W) const {
 
 Vector2d PhotoPaper::SheetPoint(const Vector2d& p_W) const {
   const double q = Along(p_W);
-  const double index = std::clamp(q / kStep + kSteps / 2, 0.0, kSteps - 1.001);
+  const double index = std::clamp(q / kStep + kMiddle, 0.0, kSteps - 1.001);
   const auto i = static_cast<std::size_t>(index);
   const double length = lengths_[i] + (index - static_cast<double>(i)) * (lengths_[i + 1] - lengths_[i]);
   return p_W + across_ * (radius_m_ * (length - q));

@@ -64,7 +64,8 @@ TEST(CalibrationBench, EstimatesTheCameraWithinItsNoise) {
 TEST(CalibrationBench, HasSmallerErrorsWithoutNoise) {
   runner::Scenario scenario = MisalignedVehicle(2);
   scenario.camera.noise_sigma = 0.0;
-  scenario.tracking.position_noise_m = scenario.tracking.rotation_noise_deg = scenario.tracking.occlusions_per_s = 0.0;
+  auto& tracking = std::get<sim::TrackingSystemConfig>(scenario.sensors);
+  tracking.position_noise_m = tracking.rotation_noise_deg = tracking.occlusions_per_s = 0.0;
   CameraCalibrationConfig config;
   config.views = 9;
   const CameraCalibration camera = CalibrateCamera(scenario, config);
@@ -75,7 +76,7 @@ TEST(CalibrationBench, HasSmallerErrorsWithoutNoise) {
 
 TEST(CalibrationBench, IsReproducibleAndToleratesOcclusions) {
   runner::Scenario scenario = MisalignedVehicle(3);
-  scenario.tracking.occlusions_per_s = 1.0;
+  std::get<sim::TrackingSystemConfig>(scenario.sensors).occlusions_per_s = 1.0;
   CameraCalibrationConfig config;
   config.views = 9;
   const CameraCalibration first = CalibrateCamera(scenario, config), again = CalibrateCamera(scenario, config);

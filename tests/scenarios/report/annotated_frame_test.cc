@@ -24,7 +24,7 @@ enum Color { kBlue, kGreen, kRed };
 
 /// Dominant color of a pixel.
 Color ColorAt(const cv::Mat3b& image, const Vector2d& pixel) {
-  const cv::Vec3b bgr = image(static_cast<int>(std::lround(pixel.y())), static_cast<int>(std::lround(pixel.x())));
+  const cv::Vec3b& bgr = image(static_cast<int>(std::lround(pixel.y())), static_cast<int>(std::lround(pixel.x())));
   return static_cast<Color>(std::max_element(bgr.val, bgr.val + 3) - bgr.val);
 }
 
@@ -42,7 +42,7 @@ TEST(AnnotateFrame, DrawsBoxesInRoleColorsAndCrossOnPad) {
   EXPECT_EQ(ColorAt(image, {125, 100}), kGreen);
   EXPECT_EQ(ColorAt(image, {225, 100}), kBlue);
   EXPECT_EQ(ColorAt(image, {325, 100}), kRed);
-  const cv::Vec3b orange = image(300, 500);
+  const cv::Vec3b& orange = image(300, 500);
   EXPECT_GT(orange[2], orange[1]);
   EXPECT_GT(orange[1], orange[0]);
   EXPECT_TRUE(IsUntouched(image, {600, 400}));

@@ -65,7 +65,11 @@ FlightLog SmallLog() {
   seen.vision_ms = 3.5;
   seen.geometry_ms = 1.25;
   log.frames = {blind, seen};
-  log.tracking.emplace_back();
+  SensorRecord<sim::TrackingSystem> tracked;
+  tracked.reading.tick = 12;
+  tracked.reading.X_WB =
+      Eigen::Translation3d(0.5, 0.0, 1.0) * Eigen::AngleAxisd(models::kPi / 2, Eigen::Vector3d::UnitZ());
+  std::get<std::vector<SensorRecord<sim::TrackingSystem>>>(log.sensors).push_back(tracked);
   log.end = 6;
   log.outcome = Outcome::kHovered;
   return log;
@@ -103,7 +107,16 @@ TEST(FramesCsv, ContainsNoWallClockTime) {
   EXPECT_EQ(Read(FrameTimingCsv(SmallLog()))[1].at("geometry_ms"), "1.25");
 }
 
-TEST(TrackingCsv, HasRowPerPose) { EXPECT_EQ(Read(TrackingCsv(SmallLog())).size(), 1u); }
+TEST(SensorTables, HasRowPerReadingWithTruth) {
+  const NamedText table = SensorTables(SmallLog()).at(0);
+  EXPECT_EQ(table.first, "tracking.csv");
+  const std::vector<Row> rows = Read(table.second);
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].at("tick"), "12");
+  EXPECT_EQ(rows[0].at("x_m"), "0.5");
+  EXPECT_NEAR(std::stod(rows[0].at("yaw_deg")), 90.0, 1e-9);
+  EXPECT_EQ(rows[0].at("true_x_m"), "0");
+}
 
 TEST(JudgeFlight, HashesFlightAndFramesWithoutWallClockTimes) {
   Scenario scenario;

@@ -53,9 +53,8 @@ FlightLog TurningLog() {
   log.frames[2].X_WB = Turned(2.5);
   log.frames[2].status = estimator::FrameStatus::kRejected;
   log.frames[2].pose.emplace().X_WB = Turned(0.1);
-  log.tracking.emplace_back().tracked.tick = 12;
-  log.tracking[0].tracked.X_WB = Turned(1.6);
-  log.tracking[0].X_WB = Turned(1.5);
+  auto& tracking = std::get<std::vector<SensorRecord<sim::TrackingSystem>>>(log.sensors);
+  tracking.push_back({.reading = {.tick = 12, .X_WB = Turned(1.6)}, .X_WB = Turned(1.5)});
   return log;
 }
 
