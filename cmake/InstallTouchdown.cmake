@@ -3,8 +3,9 @@ include(CMakePackageConfigHelpers)
 
 set(TOUCHDOWN_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/Touchdown)
 
-install(TARGETS touchdown_models touchdown_estimator_base touchdown_estimator_pad touchdown_estimator_paper
-  touchdown_estimator_calibration touchdown_estimator touchdown_controller EXPORT TouchdownTargets
+get_property(libraries GLOBAL PROPERTY TOUCHDOWN_MODULES)
+list(FILTER libraries INCLUDE REGEX "^touchdown_(models|estimator|controller)")
+install(TARGETS ${libraries} EXPORT TouchdownTargets
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT TouchdownTargets NAMESPACE touchdown:: DESTINATION ${TOUCHDOWN_PACKAGE_DIR})
 install(CODE "execute_process(COMMAND ${CMAKE_COMMAND} -D SOURCE_DIR=${PROJECT_SOURCE_DIR}

@@ -41,6 +41,7 @@ function(touchdown_module name)
 
   add_library(touchdown_${name} STATIC ${ARG_SOURCES})
   add_library(touchdown::${name} ALIAS touchdown_${name})
+  set_property(GLOBAL APPEND PROPERTY TOUCHDOWN_MODULES touchdown_${name})
   target_compile_features(touchdown_${name} PUBLIC cxx_std_20)
   target_link_libraries(touchdown_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:touchdown_options>)
   set_target_properties(touchdown_${name} PROPERTIES EXPORT_NAME ${name})
