@@ -36,6 +36,7 @@ bench: all  ## Measure vision, rendering and the loop, and AprilTag 3 on the sam
 
 lint: deps  ## Run clang-tidy on all sources; a warning is an error
 	cmake --preset lint
+	cmake --build build/lint --target shipped_flights touchdown_page_assets
 	run-clang-tidy -quiet -j $(JOBS) -p build/lint '\.(cc|cxx)$$'
 
 docs: deps  ## Write API pages to build/docs/html; a broken reference is an error

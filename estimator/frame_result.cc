@@ -24,8 +24,8 @@ std::string_view Name(PoseChoice::Reason reason) {
   switch (reason) {
     case PoseChoice::Reason::kGravity:
       return "gravity";
-    case PoseChoice::Reason::kPrint:
-      return "print";
+    case PoseChoice::Reason::kArtwork:
+      return "artwork";
     case PoseChoice::Reason::kFrontal:
       return "frontal";
   }

@@ -35,17 +35,17 @@ struct VisionPose {
 struct PoseChoice {
   enum class Reason {
     kGravity,  ///< The vertical of the chosen pose is nearer to the IMU's (Eq. 14).
-    kPrint,    ///< No IMU: letter and inner ring edge match the pad description better at the chosen pose.
+    kArtwork,  ///< No IMU: letter and inner ring edge match the pad description better at the chosen pose.
     kFrontal,  ///< No IMU, and both poses match equally well: the chosen pose has the more frontal view of the pad.
   };
   Reason reason = Reason::kGravity;
-  /// Measure for the chosen pose. kGravity: angle between its vertical and the IMU's, rad. kPrint: RMS residual, m.
+  /// Measure for the chosen pose. kGravity: angle between its vertical and the IMU's, rad. kArtwork: RMS residual, m.
   /// kFrontal: angle between the pad normal and the optical axis, rad.
   double chosen = 0.0;
   double other = 0.0;  ///< The same measure for the pose that was not chosen.
 };
 
-/// Name of a reason in files: "gravity", "print" or "frontal".
+/// Name of a reason in files: "gravity", "artwork" or "frontal".
 std::string_view Name(PoseChoice::Reason reason);
 
 /// Result of an estimator for one frame.

@@ -8,9 +8,9 @@
 namespace touchdown::models {
 namespace {
 
-Eigen::Isometry3d Pose(const Mounting& mounting, const Eigen::Matrix3d& R_nominal) {
+Eigen::Isometry3d Pose(const Mounting& mounting, const Eigen::Matrix3d& R_BS_nominal) {
   Eigen::Isometry3d X_BS = Eigen::Isometry3d::Identity();
-  X_BS.linear() = RotationFromTaitBryan(ToRadians(mounting.misalignment_deg)) * R_nominal;
+  X_BS.linear() = RotationFromTaitBryan(ToRadians(mounting.misalignment_deg)) * R_BS_nominal;
   X_BS.translation() = mounting.position_m;
   return X_BS;
 }

@@ -43,8 +43,9 @@ Cells RenderTemplate(const models::LandingPad& pad, const models::PadOutline& ou
     for (int column = 0; column < kTexels; ++column) {
       int black = 0;
       for (int sample = 0; sample < kSamples * kSamples; ++sample) {
-        const Vector2d p_W(step * (kSamples * column + sample % kSamples + 0.5) - pad.inner_radius_m(),
-                           step * (kSamples * row + sample / kSamples + 0.5) - pad.inner_radius_m());
+        const int across = sample % kSamples, down = sample / kSamples;
+        const Vector2d p_W(step * (kSamples * column + across + 0.5) - pad.inner_radius_m(),
+                           step * (kSamples * row + down + 0.5) - pad.inner_radius_m());
         black += p_W.norm() < pad.inner_radius_m() && outline.IsBlack(p_W);
       }
       texture(row, column) = static_cast<float>(black) / (kSamples * kSamples);

@@ -117,8 +117,9 @@ std::optional<FoundPad> TemplateSearch::Measure(const DownsampledImage& input, c
   }
   const auto letter = FitEllipse(outline);
   if (!letter) return std::nullopt;
+  const auto ring_inner = FitEllipse(contours.ring_inner);
   return FoundPad{.ring_outer = *ring_outer,
-                  .ring_inner = FitEllipse(contours.ring_inner),
+                  .ring_inner = ring_inner,
                   .letter = *letter,
                   .stroke_angle = StrokeAngle(plane, warp),
                   .contours = std::move(contours),

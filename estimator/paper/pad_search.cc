@@ -103,8 +103,9 @@ std::optional<pad::FoundPad> PadSearch::Fit(const pad::DownsampledImage& input, 
   if (!is_the_letter) {
     return WithLetterDirection(template_->FindWithinRing(input, input, BoxOf(detected.ring), *ring_poses));
   }
+  const auto ring_inner = pad::FitEllipse(contours.ring_inner);
   return pad::FoundPad{.ring_outer = *ring_outer,
-                       .ring_inner = pad::FitEllipse(contours.ring_inner),
+                       .ring_inner = ring_inner,
                        .letter = *letter,
                        .stroke_angle = letter_.StrokeAngle(*normalized_letter),
                        .contours = std::move(contours),

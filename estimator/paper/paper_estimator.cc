@@ -136,7 +136,7 @@ PaperEstimator::Branch PaperEstimator::BranchByTemplate(const pad::FoundPad& pad
     residuals[i] = pad::ResidualOfTemplate(ring_inner, letter, setup_.pad, ring_poses[i]);
   std::size_t chosen = residuals[0].rms_m <= residuals[1].rms_m ? 0 : 1;
   const double wrong = pad::WrongBranchProbability(residuals[chosen], residuals[1 - chosen]);
-  PoseChoice choice{PoseChoice::Reason::kPrint, residuals[chosen].rms_m, residuals[1 - chosen].rms_m};
+  PoseChoice choice{PoseChoice::Reason::kArtwork, residuals[chosen].rms_m, residuals[1 - chosen].rms_m};
   if (wrong > kUndecided) {
     const Eigen::Vector3d frontal = -Eigen::Vector3d::UnitZ();
     chosen = ResolveByGravity(ring_poses, frontal);

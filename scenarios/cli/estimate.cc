@@ -116,7 +116,7 @@ void PrintStatuses(const std::vector<datasets::FootageEstimate>& estimates) {
 
 void PrintChoices(const std::vector<datasets::FootageEstimate>& estimates) {
   Counts<PoseChoice::Reason> counts = CountReasons(estimates);
-  const std::size_t by_residual = counts[PoseChoice::Reason::kPrint], frontal = counts[PoseChoice::Reason::kFrontal];
+  const std::size_t by_residual = counts[PoseChoice::Reason::kArtwork], frontal = counts[PoseChoice::Reason::kFrontal];
   if (by_residual + frontal == 0) return;
   fmt::print(
       "without an IMU, each frame has two pose hypotheses; choices.csv lists which one was chosen:\n"

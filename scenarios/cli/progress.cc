@@ -18,7 +18,7 @@ constexpr const char* kClearLine = "\r\033[K";
 std::string RemainingTime(double done, double left, double elapsed_s) {
   constexpr double kMinFraction = 0.01, kMinElapsed_s = 1.0;
   if (done < kMinFraction || elapsed_s < kMinElapsed_s) return "";
-  const int left_s = static_cast<int>(elapsed_s * left / done + 0.5);
+  const int left_s = static_cast<int>(std::lround(elapsed_s * left / done));
   constexpr int kMinute_s = 60;
   if (left_s < 2 * kMinute_s) return fmt::format(", {} s left", left_s);
   return fmt::format(", {} min {} s left", left_s / kMinute_s, left_s % kMinute_s);

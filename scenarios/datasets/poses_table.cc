@@ -56,7 +56,7 @@ std::string ChoicesCsv(std::span<const FootageEstimate> estimates) {
     if (!choice) continue;
     table << i;
     table << estimates[i].source << Name(choice->reason);
-    if (choice->reason == PoseChoice::Reason::kPrint) {
+    if (choice->reason == PoseChoice::Reason::kArtwork) {
       table.Empty(2) << kMillimetersPerMeter * choice->chosen << kMillimetersPerMeter * choice->other;
     } else {
       (table << models::RadToDeg(choice->chosen) << models::RadToDeg(choice->other)).Empty(2);

@@ -88,7 +88,8 @@ class FrontalView {
     constexpr int kSamples = 8;
     int hits = 0;
     for (int n = 0; n < kSamples * kSamples; ++n) {
-      const Vector2d within((n % kSamples + 0.5) / kSamples - 0.5, (n / kSamples + 0.5) / kSamples - 0.5);
+      const int across = n % kSamples, down = n / kSamples;
+      const Vector2d within((across + 0.5) / kSamples - 0.5, (down + 0.5) / kSamples - 0.5);
       hits += IsBlack(Vector2d(u, v) + within) ? 1 : 0;
     }
     return static_cast<double>(hits) / (kSamples * kSamples);

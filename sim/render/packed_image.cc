@@ -35,8 +35,8 @@ void Add(const std::uint32_t* __restrict words, std::int32_t stride, std::int32_
 TOUCHDOWN_CLONE_FOR_CPUS
 void Scale(const std::uint32_t* __restrict sums, std::size_t count, float factor, std::uint16_t* __restrict levels) {
   for (std::size_t i = 0; i < count; ++i) {
-    levels[i] = static_cast<std::uint16_t>(
-        static_cast<std::int32_t>(static_cast<float>(static_cast<std::int32_t>(sums[i])) * factor + 0.5f));
+    const float level = static_cast<float>(static_cast<std::int32_t>(sums[i])) * factor;  // At least 0.
+    levels[i] = static_cast<std::uint16_t>(static_cast<std::int32_t>(level + 0.5f));      // NOLINT: vectorized.
   }
 }
 

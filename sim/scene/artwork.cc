@@ -222,7 +222,8 @@ cv::Mat1b PaintPad(const models::LandingPad& pad, int width, int height) {
       if (corners % 4 != 0) {
         int hits = 0;
         for (int n = 0; n < kSide * kSide; ++n) {
-          hits += black(i + (n % kSide + 0.5) / kSide, j + (n / kSide + 0.5) / kSide) ? 1 : 0;
+          const int across = n % kSide, down = n / kSide;
+          hits += black(i + (across + 0.5) / kSide, j + (down + 0.5) / kSide) ? 1 : 0;
         }
         coverage = static_cast<double>(hits) / (kSide * kSide);
       }

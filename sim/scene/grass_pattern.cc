@@ -129,7 +129,7 @@ void GrassPattern::GrowBlades(double side_m, cv::Mat3b& texture) const {
     const double direction = Lean(root / texels_per_m, random.Uniform(-1.3, 1.3)), length = random.Uniform(0.02, 0.07);
     const Eigen::Vector2d tip =
         root + length * texels_per_m * Eigen::Vector2d(std::cos(direction), std::sin(direction));
-    const cv::Vec3b under = turf(static_cast<int>(root.y()), static_cast<int>(root.x()));
+    const cv::Vec3b& under = turf(static_cast<int>(root.y()), static_cast<int>(root.x()));
     const double light = random.Uniform(0.65, 1.5), dry = random.Bernoulli(0.05) ? 1.4 : 1.0;
     const auto fixed = [](const Eigen::Vector2d& p) {
       return cv::Point(static_cast<int>((1 << kFractionBits) * p.x()), static_cast<int>((1 << kFractionBits) * p.y()));

@@ -180,7 +180,8 @@ TextureSize PadTextureSize(const models::LandingPad& pad) {
   constexpr int kMultiple = 64;
   constexpr int kMaxTexels = 4096;
   const double longer_m = std::max(pad.sheet_length_m, pad.sheet_width_m);
-  const double cells = std::min(std::ceil(longer_m / (kMultiple * kLongestTexel_m)), double{kMaxTexels / kMultiple});
+  const double cells =
+      std::min(std::ceil(longer_m / (kMultiple * kLongestTexel_m)), static_cast<double>(kMaxTexels) / kMultiple);
   const double texel_m = longer_m / (kMultiple * cells);
   const auto texels = [texel_m](double extent_m) {
     return kMultiple * std::max(1, static_cast<int>(std::lround(extent_m / (kMultiple * texel_m))));

@@ -25,11 +25,12 @@ class PaperEstimatorFixture : public testing::Test {
     return CameraAbovePad(p_WC, yaw, tilt, direction) * setup_.X_BC.inverse();
   }
 
-  models::Image Render(const Eigen::Isometry3d& X_WB, PadAppearance appearance = {.noise_sigma = 3.0}) {
+  models::Image Render(const Eigen::Isometry3d& X_WB, const PadAppearance& appearance = {.noise_sigma = 3.0}) {
     return RenderPad(setup_.camera, setup_.pad, X_WB * setup_.X_BC, appearance, &random_);
   }
 
-  estimator::FrameResult EstimateView(const Eigen::Isometry3d& X_WB, PadAppearance appearance = {.noise_sigma = 3.0}) {
+  estimator::FrameResult EstimateView(const Eigen::Isometry3d& X_WB,
+                                      const PadAppearance& appearance = {.noise_sigma = 3.0}) {
     return estimator_->Estimate(Render(X_WB, std::move(appearance)).View(), tick_ += kFrame, GravityIn(X_WB));
   }
 

@@ -291,7 +291,7 @@ void PrintMarkings(const LandingPad& pad, const std::string& kind, RandomStream&
     art.FillRing(0.0, middle, radius, 0.0);
   } else if (kind == "text") {
     static const std::vector<std::string> kTexts = {"A1", "07", "PAD", "LAND", "12", "N", "B"};
-    const auto text = kTexts[static_cast<std::size_t>(random.UniformInt(0, 6))];
+    const auto& text = kTexts[static_cast<std::size_t>(random.UniformInt(0, 6))];
     art.Text(text, random.Uniform(-0.2, 0.2) * pad.h_height_m, random.Bernoulli(0.5) ? middle : -middle,
              random.Uniform(0.5, 0.9) * gap / static_cast<double>(text.size()), 0.16);
   } else if (kind == "arrow") {

@@ -49,7 +49,7 @@ FlightLog SyntheticFlight(const Scenario& scenario, double duration_s) {
     record.control.phase = PhaseAt(fraction(tick));
     record.control.set_point_m << 0.0, 0.0, 1.0;
     if (record.control.phase != Phase::kHover) continue;
-    record.estimate.motion.emplace();
+    record.estimate.motion = models::VehicleEstimate::Motion();
     record.estimate.motion->p_WB = record.truth.X_WB.translation();
   }
   const auto contact = std::find_if(log.ticks.begin(), log.ticks.end(),

@@ -12,7 +12,7 @@ using Eigen::Vector2d;
 
 class PadPlaneTest : public testing::Test {
  protected:
-  const models::CameraModel camera_;
+  const models::CameraModel camera_ = {};
   const UndistortTable undistort_{camera_};
   const Eigen::Isometry3d X_CW_ = tests::CameraAbovePad({0.05, -0.02, 0.6}, 0.4, models::DegToRad(25.0), 1.0).inverse();
   const CirclePose pose_{X_CW_.linear().col(2), X_CW_.translation()};

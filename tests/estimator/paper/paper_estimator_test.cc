@@ -105,7 +105,7 @@ TEST_F(PaperEstimatorTest, SelectsTheBranchByTheArtworkWithoutAnImu) {
       // Only the vertical is compared: the yaw is not rectified (Sec. IV-C.3) and has large errors at such tilts.
       const double off = models::AngleBetween(GravityIn(result.pose->X_WB), GravityIn(X_WB));
       EXPECT_LT(off, models::DegToRad(2.0)) << degrees << " " << direction;
-      EXPECT_EQ(result.choice->reason, PoseChoice::Reason::kPrint);
+      EXPECT_EQ(result.choice->reason, PoseChoice::Reason::kArtwork);
       EXPECT_LT(result.choice->chosen, result.choice->other);
     }
   }

@@ -100,7 +100,7 @@ TEST_F(ClusterTest, CollectsIntoTheFolderOfAKilledCollect) {
   }
   folder_.Put("empty/sweep.db", "");
   fs::create_directories(folder_ / "planless");
-  sweeper::SweepStore(folder_ / "planless", sweeper::SweepStore::Access::kWrite);
+  const sweeper::SweepStore planless(folder_ / "planless", sweeper::SweepStore::Access::kWrite);
   EXPECT_THAT(ErrorOf({"collect", "all", "part1", "planless"}), HasSubstr("planless: contains no plan of a sweep yet"));
   EXPECT_EQ(CollectedCsv({"empty", "part1", "part2"}), whole);
   EXPECT_EQ(CollectedCsv({"planless", "part1", "part2"}), whole);

@@ -127,19 +127,19 @@ TEST_F(RecordedFlight, GivesCameraPosesWithoutAMountingAndChoosesHypothesesWitho
   setup.mounting.reset();
   setup.imu.clear();
   const auto estimates = EstimateFootage(*footage, setup);
-  std::size_t chosen_by_print = 0, correct = 0;
+  std::size_t chosen_by_artwork = 0, correct = 0;
   std::map<models::Tick, Eigen::Isometry3d> truth;
   for (const TimedPose& pose : ReadTumFile(folder_ / "flight/truth.tum")) {
     truth[footage->metadata().time.FromSeconds(pose.t_s)] = pose.X_WB;
   }
   for (const FootageEstimate& estimate : estimates) {
-    if (!estimate.result.pose || estimate.result.choice->reason != estimator::PoseChoice::Reason::kPrint) continue;
-    ++chosen_by_print;
+    if (!estimate.result.pose || estimate.result.choice->reason != estimator::PoseChoice::Reason::kArtwork) continue;
+    ++chosen_by_artwork;
     const Eigen::Isometry3d X_WC = truth.at(*estimate.mid_exposure) * mounting.X_BC;
     correct += (estimate.result.pose->X_WB.translation() - X_WC.translation()).norm() < 0.1;
   }
-  EXPECT_GT(chosen_by_print, 40u);
-  EXPECT_GE(correct, chosen_by_print * 95 / 100);
+  EXPECT_GT(chosen_by_artwork, 40u);
+  EXPECT_GE(correct, chosen_by_artwork * 95 / 100);
   const std::string choices = ChoicesCsv(estimates);
   EXPECT_THAT(choices, HasSubstr(",print,,,"));
 }

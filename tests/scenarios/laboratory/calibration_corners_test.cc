@@ -85,7 +85,7 @@ class CameraFitTest : public ::testing::Test {
   }
   CameraFit Fit(LensTerms terms = LensTerms::kRadial) const { return FitCamera(views_, board_, 752, 480, terms); }
 
-  const Chessboard board_;
+  const Chessboard board_ = {};
   std::vector<Isometry3d> poses_;
   std::vector<ImageCorners> views_;
 };

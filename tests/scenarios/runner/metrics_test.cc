@@ -112,7 +112,7 @@ TEST(Metrics, ComputeAvailabilityFromFramesWithWholeRing) {
 
 TEST(Metrics, CountFalsePadsBeyondThirtyPixels) {
   FlightLog log;
-  const auto add = [&log](std::optional<Eigen::Vector2d> seen, std::optional<Eigen::Vector2d> truth) {
+  const auto add = [&log](const std::optional<Eigen::Vector2d>& seen, const std::optional<Eigen::Vector2d>& truth) {
     FrameRecord frame;
     frame.pad_px = seen;
     frame.true_pad_px = truth;

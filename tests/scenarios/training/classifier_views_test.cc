@@ -61,7 +61,7 @@ TEST(DrawView, TiltsRotatesMovesAndDefocusesOtherwise) {
   EXPECT_GT(max_tilt, models::DegToRad(45.0));
   EXPECT_GT(fastest, 0.7);
   EXPECT_NEAR(off_axis, models::DegToRad(22.5), models::DegToRad(4.0));
-  EXPECT_NEAR(defocused, kViews / 2, kViews / 8);
+  EXPECT_NEAR(defocused, 0.5 * kViews, kViews / 8.0);
 }
 
 TEST(DrawView, ShowsTheShapeWithinTheDistanceRange) {

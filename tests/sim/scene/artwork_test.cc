@@ -129,7 +129,8 @@ TEST(FloorPattern, IsTexturedForEveryKind) {
     double sum = 0.0, sum_of_squares = 0.0;
     constexpr int kSide = 60;
     for (int i = 0; i < kSide * kSide; ++i) {
-      const double level = pattern.At({0.02 * (i % kSide), 0.02 * (i / kSide)});
+      const int column = i % kSide, row = i / kSide;
+      const double level = pattern.At({0.02 * column, 0.02 * row});
       EXPECT_GE(level, 0.0);
       EXPECT_LE(level, 255.0);
       sum += level / (kSide * kSide);

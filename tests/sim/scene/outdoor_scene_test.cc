@@ -53,9 +53,9 @@ class MeadowTest : public ::testing::Test {
   }
 
   /// Gray level of the point p_W with the vehicle at p_WB, divided by the level with the vehicle far away.
-  double RelativeGray(const Vector3d& p_W, const Vector3d& p_WB) { return GrayOf(p_W, p_WB) / GrayOf(p_W, kFarAway); }
+  double RelativeGray(const Vector3d& p_W, const Vector3d& p_WB) { return GrayOf(p_W, p_WB) / GrayOf(p_W, far_away_); }
 
-  const Vector3d kFarAway = {3.0, 3.0, 1.0};
+  const Vector3d far_away_ = {3.0, 3.0, 1.0};
   Scene scene_;
   std::unique_ptr<World> world_;
   std::unique_ptr<Renderer> renderer_;
@@ -72,7 +72,7 @@ const Vector3d kOnPaper(0.03, 0.0, 0.0);
 
 TEST_F(MeadowTest, PaperInTheSunIsAsBrightAsIndoors) {
   Make(Meadow(kSun));
-  EXPECT_NEAR(GrayOf(kOnPaper, kFarAway), PaperLevel(scene_), 2.5);
+  EXPECT_NEAR(GrayOf(kOnPaper, far_away_), PaperLevel(scene_), 2.5);
 }
 
 TEST_F(MeadowTest, TheHullsShadowRemovesTheSunlight) {
@@ -120,12 +120,12 @@ TEST_F(MeadowTest, OverlappingShadowsOfObjectAndVehicleDarkenOnce) {
   const Vector3d away = -PositionShading(Vector3d::Zero(), 1.0, kSun);
   const Vector3d shaded = axis + Vector3d(away.x(), away.y(), 0.0).normalized() *
                                      (0.5 * tall.size_m.head<2>().minCoeff() + 0.35 * tall.size_m.z());
-  const double in_shade = GrayOf(shaded, kFarAway);
+  const double in_shade = GrayOf(shaded, far_away_);
   EXPECT_NEAR(RelativeGray(shaded, PositionShading(shaded, 1.5, kSun)), 1.0, 0.05);
   Sun overcast = kSun;
   overcast.to_sky = 0.0;
   Make(Meadow(overcast, 12));
-  EXPECT_NEAR(in_shade / GrayOf(shaded, kFarAway), kSun.Shade(), 0.06);
+  EXPECT_NEAR(in_shade / GrayOf(shaded, far_away_), kSun.Shade(), 0.06);
 }
 
 TEST_F(MeadowTest, AnObjectHidesTheVehiclesShadowBehindIt) {
