@@ -60,6 +60,12 @@ struct TrackedPose {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
 };
 
+/// Reading of the downward range finder.
+struct RangeReading {
+  Tick tick = 0;
+  double range_m = 0.0;  ///< Distance along -Z of B.
+};
+
 /// Estimated state of the vehicle, the input of the controller.
 struct VehicleEstimate {
   struct Motion {

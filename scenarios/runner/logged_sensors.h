@@ -4,6 +4,7 @@
 #include <tuple>
 #include <vector>
 
+#include "sim/sensors/range_finder.h"
 #include "sim/sensors/tracking_system.h"
 
 namespace touchdown::runner {
@@ -34,6 +35,6 @@ struct SensorList {
 ///     static std::array<double, N> Columns(const Reading& reading);
 ///     Sensor(const Config& config, const World& world, const models::TimeBase& time, std::uint64_t seed);
 ///     std::optional<Reading> Sample(const TrueState& truth);  // Called once per tick, in order.
-using LoggedSensors = SensorList<sim::TrackingSystem>;
+using LoggedSensors = SensorList<sim::TrackingSystem, sim::RangeFinder>;
 
 }  // namespace touchdown::runner

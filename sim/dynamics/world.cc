@@ -95,6 +95,16 @@ void World::CoverPad(bool covered) {
   if (pad_cover_ >= 0) model_->geom_rgba[4 * pad_cover_ + 3] = covered ? 1.0F : 0.0F;
 }
 
+std::optional<double> World::DistanceAlong(const Vector3d& p_W, const Vector3d& direction_W) const {
+  constexpr const mjtByte* kAllGroups = nullptr;
+  constexpr mjtByte kIncludeStatic = 1;
+  int geom = -1;
+  const double distance_m = mj_ray(model_.get(), data_.get(), p_W.data(), direction_W.data(), kAllGroups,
+                                   kIncludeStatic, vehicle_body_, &geom);
+  if (distance_m < 0.0) return std::nullopt;
+  return distance_m;
+}
+
 void World::Step(const models::RotorCommand& command) {
   for (const double speed : command.speed_rad_s) {
     if (!std::isfinite(speed)) throw SimulationError("the rotor command is not finite");

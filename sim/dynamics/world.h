@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "models/describe.h"
@@ -66,6 +67,10 @@ class World {
   void SetPush(const Eigen::Vector3d& force_n, const Eigen::Vector3d& torque_n_m);
   /// Shows or hides a plain sheet over the pad. It has no effect on the physics.
   void CoverPad(bool covered);
+
+  /// Distance from `p_W` along the unit vector `direction_W` to the nearest visible surface, m, without the vehicle;
+  /// nullopt if there is none.
+  std::optional<double> DistanceAlong(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W) const;
 
   /// For the renderer.
   const mjModel_& model() const { return *model_; }

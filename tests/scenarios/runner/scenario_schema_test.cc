@@ -72,16 +72,17 @@ class SchemaOf : public ::testing::Test {};
 using Structs =
     ::testing::Types<models::TimeBase, models::Vehicle, models::Rotor, models::Mounting, models::LandingGear,
                      models::CameraModel, models::LandingPad, sim::CameraConfig, sim::ImuConfig,
-                     sim::TrackingSystemConfig, sim::HandConfig, sim::SceneConfig, sim::Sun, sim::VibrationConfig,
-                     estimator::paper::PaperOptions, estimator::AttitudeEstimatorConfig, estimator::PoseFilterConfig,
-                     controller::GuidanceConfig, controller::PositionControllerConfig,
+                     sim::TrackingSystemConfig, sim::RangeFinderConfig, sim::HandConfig, sim::SceneConfig, sim::Sun,
+                     sim::VibrationConfig, estimator::paper::PaperOptions, estimator::AttitudeEstimatorConfig,
+                     estimator::PoseFilterConfig, controller::GuidanceConfig, controller::PositionControllerConfig,
                      controller::AttitudeControllerConfig, controller::FlightControllerConfig, Criterion>;
 TYPED_TEST_SUITE(SchemaOf, Structs);
 
 TYPED_TEST(SchemaOf, HasKeyForEveryField) { EXPECT_EQ(KeyCount<TypeParam>(), FieldCount<TypeParam>()); }
 
 TEST(SchemaOfScenario, HasSeparateKeysForTheFiltersOfTheEstimator) {
-  EXPECT_EQ(KeyCount<Scenario>(), FieldCount<Scenario>() + 2);
+  constexpr auto kSensors = std::tuple_size_v<LoggedSensors::Configs>;  // Keys of the field `sensors`.
+  EXPECT_EQ(KeyCount<Scenario>(), FieldCount<Scenario>() - 1 + kSensors + 2);
   EXPECT_EQ(KeyCount<estimator::EstimatorConfig>() + 1, FieldCount<estimator::EstimatorConfig>());
 }
 
