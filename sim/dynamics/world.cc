@@ -76,6 +76,7 @@ void World::Reset(const Eigen::Isometry3d& X_WB, bool rotors_at_hover) {
   PopMujocoWarning();
   rotors_.Reset(rotors_at_hover ? vehicle_.rotor.SpeedFor(vehicle_.HoverThrustPerRotor()) : 0.0);
   SetWind(config_.wind_m_s);
+  SetGust(Vector3d::Zero());
   SetPush(Vector3d::Zero(), Vector3d::Zero());
   CoverPad(false);
   state_ = TrueState{};
@@ -168,7 +169,7 @@ double World::FindContactCeiling() const {
 /// Wrench in B over the next tick, without push, gravity and contact.
 Wrench World::AppliedWrench(const models::RotorCommand& command) {
   Wrench wrench = rotors_.Step(command);
-  wrench.force_n += DragForce(vehicle_, state_.X_WB.linear().transpose() * (state_.v_WB - wind_m_s_));
+  wrench.force_n += DragForce(vehicle_, state_.X_WB.linear().transpose() * (state_.v_WB - wind_m_s_ - gust_m_s_));
   return wrench;
 }
 

@@ -44,7 +44,7 @@ class World {
   World& operator=(const World&) = delete;
 
   /// Sets the vehicle to a pose, at rest, at tick 0; `rotors_at_hover` starts the rotors at hover speed instead of
-  /// stopped. Also resets wind, push and pad cover.
+  /// stopped. Also resets wind, gust, push and pad cover.
   void Reset(const Eigen::Isometry3d& X_WB, bool rotors_at_hover);
 
   /// Pose at rest on the floor: upright on the landing gear, with the body's origin above (x, y), at the height at
@@ -63,6 +63,8 @@ class World {
 
   /// Sets the mean wind in W, m/s, until the next call or Reset.
   void SetWind(const Eigen::Vector3d& wind_m_s) { wind_m_s_ = wind_m_s; }
+  /// Sets the velocity in W, m/s, that is added to the mean wind until the next call or Reset.
+  void SetGust(const Eigen::Vector3d& gust_m_s) { gust_m_s_ = gust_m_s; }
   /// Sets the external force at the body's origin, N, and torque, Nm, both in W, until the next call or Reset.
   void SetPush(const Eigen::Vector3d& force_n, const Eigen::Vector3d& torque_n_m);
   /// Shows or hides a plain sheet over the pad. It has no effect on the physics.
@@ -98,6 +100,7 @@ class World {
   double resting_height_m_ = 0.0;
   double contact_ceiling_m_ = 0.0;  ///< Height of the body's origin above which contact is impossible.
   Eigen::Vector3d wind_m_s_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d gust_m_s_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d push_force_n_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d push_torque_n_m_ = Eigen::Vector3d::Zero();
   TrueState state_;

@@ -19,7 +19,7 @@ struct CoverPad {
   void Describe(models::ConfigVisitor& /*v*/) {}
   void Check(const Scenario& scenario, double duration_s) const;
   std::string Label() const { return "pad covered"; }
-  void Apply(bool /*begins*/, EventEffects& effects) const { effects.pad_is_covered = true; }
+  void Apply(const EventTime& /*time*/, EventEffects& effects) const { effects.pad_is_covered = true; }
 };
 
 }  // namespace touchdown::runner

@@ -18,7 +18,7 @@ namespace touchdown::runner {
 ///     void Describe(models::ConfigVisitor& v);        // Keys of its own.
 ///     void Check(const Scenario&, double duration_s) const;    // Throws InputError, e.g. for an event without effect.
 ///     std::string Label() const;                               // For the report.
-///     void Apply(bool begins, EventEffects& effects) const;    // At each tick at which it acts.
+///     void Apply(const EventTime& time, EventEffects& effects) const;  // At each tick at which it acts.
 using EventKind = std::variant<Push, Wind, CoverPad, LoseFrames>;
 
 /// Something that happens to the vehicle or its surroundings during a flight.

@@ -19,7 +19,7 @@ struct LoseFrames {
   void Describe(models::ConfigVisitor& /*v*/) {}
   void Check(const Scenario& scenario, double duration_s) const;
   std::string Label() const { return "frames lost"; }
-  void Apply(bool /*begins*/, EventEffects& effects) const { effects.frames_are_lost = true; }
+  void Apply(const EventTime& /*time*/, EventEffects& effects) const { effects.frames_are_lost = true; }
 };
 
 }  // namespace touchdown::runner

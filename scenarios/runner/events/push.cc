@@ -25,7 +25,7 @@ std::string Push::Label() const {
                           : fmt::format("push {:.3g} N", force_n.norm());
 }
 
-void Push::Apply(bool /*begins*/, EventEffects& effects) const {
+void Push::Apply(const EventTime& /*time*/, EventEffects& effects) const {
   effects.force_n += force_n;
   effects.torque_n_m += torque_n_m;
 }

@@ -11,8 +11,8 @@ void Wind::Describe(models::ConfigVisitor& v) {
 
 std::string Wind::Label() const { return fmt::format("wind {:.3g} m/s", velocity_m_s.norm()); }
 
-void Wind::Apply(bool begins, EventEffects& effects) const {
-  if (begins) effects.mean_wind_m_s = velocity_m_s;
+void Wind::Apply(const EventTime& time, EventEffects& effects) const {
+  if (time.begins) effects.mean_wind_m_s = velocity_m_s;
 }
 
 }  // namespace touchdown::runner

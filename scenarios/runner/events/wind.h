@@ -22,7 +22,7 @@ struct Wind {
   void Describe(models::ConfigVisitor& v);
   void Check(const Scenario& /*scenario*/, double /*duration_s*/) const {}
   std::string Label() const;
-  void Apply(bool begins, EventEffects& effects) const;
+  void Apply(const EventTime& time, EventEffects& effects) const;
 };
 
 }  // namespace touchdown::runner

@@ -141,7 +141,7 @@ TEST_F(RecordedFlight, GivesCameraPosesWithoutAMountingAndChoosesHypothesesWitho
   EXPECT_GT(chosen_by_artwork, 40u);
   EXPECT_GE(correct, chosen_by_artwork * 95 / 100);
   const std::string choices = ChoicesCsv(estimates);
-  EXPECT_THAT(choices, HasSubstr(",print,,,"));
+  EXPECT_THAT(choices, HasSubstr(",artwork,,,"));
 }
 
 /// Footage of `count` uniform frames of one size.

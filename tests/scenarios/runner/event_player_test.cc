@@ -56,7 +56,7 @@ TEST_F(EventPlayerTest, AddsPushesThatOverlap) {
   EXPECT_NEAR(world_.state().v_WB.x(), 0.2, 0.01);
 }
 
-TEST_F(EventPlayerTest, BlowsTheNewestWindForGood) {
+TEST_F(EventPlayerTest, KeepsTheNewestWind) {
   const Event wind{.kind = Wind{.velocity_m_s = {0.0, 5.0, 0.0}}, .at_s = 0.1};
   EventPlayer events({wind}, time_);
   FlyTo(events, 120);
