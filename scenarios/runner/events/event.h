@@ -5,6 +5,7 @@
 
 #include "models/describe.h"
 #include "scenarios/runner/events/cover_pad.h"
+#include "scenarios/runner/events/gust.h"
 #include "scenarios/runner/events/lose_frames.h"
 #include "scenarios/runner/events/push.h"
 #include "scenarios/runner/events/wind.h"
@@ -19,7 +20,7 @@ namespace touchdown::runner {
 ///     void Check(const Scenario&, double duration_s) const;    // Throws InputError, e.g. for an event without effect.
 ///     std::string Label() const;                               // For the report.
 ///     void Apply(const EventTime& time, EventEffects& effects) const;  // At each tick at which it acts.
-using EventKind = std::variant<Push, Wind, CoverPad, LoseFrames>;
+using EventKind = std::variant<Push, Wind, Gust, CoverPad, LoseFrames>;
 
 /// Something that happens to the vehicle or its surroundings during a flight.
 struct Event {

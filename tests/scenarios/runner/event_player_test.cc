@@ -65,6 +65,24 @@ TEST_F(EventPlayerTest, KeepsTheNewestWind) {
   EXPECT_GT(world_.state().v_WB.y(), 0.5);
 }
 
+TEST_F(EventPlayerTest, BlowsAGustOnTopOfTheMeanWind) {
+  // Still air before and after; a gust of 8 m/s along X with a mean wind of 4 m/s along Y.
+  const Event wind{.kind = Wind{.velocity_m_s = {0.0, 4.0, 0.0}}};
+  const Event gust{.kind = Gust{.peak_velocity_m_s = {8.0, 0.0, 0.0}}, .at_s = 0.1, .duration_s = 0.4};
+  EventPlayer events({wind, gust}, time_);
+  const auto acceleration_x = [&](models::Tick tick) {
+    FlyTo(events, tick);
+    world_.Step({});
+    return world_.state().a_WB.x();
+  };
+  EXPECT_DOUBLE_EQ(acceleration_x(119), 0.0);
+  const double quarter = acceleration_x(240), peak = acceleration_x(360), three_quarters = acceleration_x(480);
+  EXPECT_GT(peak, 1.5 * quarter);
+  EXPECT_NEAR(three_quarters, quarter, 0.2 * quarter) << "the profile is symmetric; the vehicle gains some speed";
+  EXPECT_LE(acceleration_x(600), 0.0) << "after the gust, drag slows the vehicle down";
+  EXPECT_GT(world_.state().v_WB.y(), 0.0) << "the mean wind is unchanged";
+}
+
 TEST_F(EventPlayerTest, CoversThePadAndLosesFramesForAWhile) {
   const Event cover{.kind = CoverPad{}, .at_s = 0.1, .duration_s = 0.1};
   const Event lose{.kind = LoseFrames{}, .at_s = 0.15, .duration_s = 0.1};

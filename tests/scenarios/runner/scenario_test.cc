@@ -186,6 +186,10 @@ TEST(Scenario, RejectsEventsWithoutEffect) {
   EXPECT_THAT(error_of("at_s: 1, do: push, duration_s: 1"),
               AllOf(StartsWith("f.yaml:5: events.0: "), HasSubstr("needs a force_n or a torque_n_m other than 0")));
   EXPECT_THAT(error_of("at_s: 1, do: push, force_n: [1, 0, 0], duration_s: 1e-4"), HasSubstr("less than a tick"));
+  EXPECT_THAT(error_of("at_s: 1, do: gust, peak_velocity_m_s: [0, 0, 0], duration_s: 1"),
+              StartsWith("f.yaml:5: events.0: a gust needs a peak_velocity_m_s other than 0"));
+  EXPECT_THAT(error_of("at_s: 1, do: gust, peak_velocity_m_s: [1, 0, 0], duration_s: 1e-3"),
+              HasSubstr("less than two ticks"));
   EXPECT_THAT(error_of("at_s: 1, do: lose_frames, duration_s: 0.01"),
               HasSubstr("shorter than the frame period of the camera"));
   EXPECT_THAT(error_of("at_s: 120, do: lose_frames, duration_s: 1"),
