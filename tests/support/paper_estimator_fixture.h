@@ -31,7 +31,7 @@ class PaperEstimatorFixture : public testing::Test {
 
   estimator::FrameResult EstimateView(const Eigen::Isometry3d& X_WB,
                                       const PadAppearance& appearance = {.noise_sigma = 3.0}) {
-    return estimator_->Estimate(Render(X_WB, std::move(appearance)).View(), tick_ += kFrame, GravityIn(X_WB));
+    return estimator_->Estimate(Render(X_WB, appearance).View(), tick_ += kFrame, GravityIn(X_WB));
   }
 
   estimator::FrameResult EstimateImage(const models::Image& image, const Eigen::Isometry3d& X_WB) {
