@@ -11,8 +11,8 @@ class PadWatch {
  public:
   struct Settings {
     models::Tick lost_after = 0;  ///< Time without a detection after which the pad is lost.
-    models::Tick found_after =
-        0;  ///< Duration of detections, with gaps of at most lost_after, after which the pad is found.
+    /// Duration of detections, with gaps of at most lost_after, after which the pad is found.
+    models::Tick found_after = 0;
     models::Tick fresh_for = 0;  ///< Largest age of a detection that is fresh.
   };
 

@@ -36,8 +36,7 @@ void Describe(models::ConfigVisitor& v, PositionControllerConfig& c) {
            c.z_velocity_gain_1_s, kPerSecond, kNotNegative);
   v.Number({"z_integral_gain_1_s2",
             "Integral gain on the vertical velocity error. It compensates an error of mass or thrust. Higher adapts "
-            "faster and "
-            "overshoots more."},
+            "faster and overshoots more."},
            c.z_integral_gain_1_s2, kPerSecond2, kNotNegative);
   v.Number({"max_xy_speed_m_s", "Limit of the commanded horizontal speed. The set-point's own speed is added to it."},
            c.max_xy_speed_m_s, kMeterPerSecond, kPositive);

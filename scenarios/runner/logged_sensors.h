@@ -33,8 +33,8 @@ struct SensorList {
 ///     static constexpr const char *kName, *kDoc;       // Name of section and table, and meaning of the section.
 ///     static constexpr const char* kColumns;           // Columns of the table, separated by commas.
 ///     static std::array<double, N> Columns(const Reading& reading);
-///     Sensor(const Config& config, const World& world, const models::TimeBase& time, std::uint64_t seed);
-///     std::optional<Reading> Sample(const TrueState& truth);  // Called once per tick, in order.
+///     Sensor(const Config& config, const models::TimeBase& time, std::uint64_t seed);  // Or (config, world, time,
+///     seed). std::optional<Reading> Sample(const TrueState& truth);  // Called once per tick, in order.
 using LoggedSensors = SensorList<sim::TrackingSystem, sim::RangeFinder>;
 
 }  // namespace touchdown::runner

@@ -1,14 +1,25 @@
 #include "scenarios/runner/sensor_suite.h"
 
 #include <tuple>
+#include <type_traits>
 
 namespace touchdown::runner {
 namespace {
 
+template <typename Sensor>
+Sensor MakeSensor(const typename Sensor::Config& config, const sim::World& world, const models::TimeBase& time,
+                  std::uint64_t seed) {
+  if constexpr (std::is_constructible_v<Sensor, decltype(config), decltype(world), decltype(time), std::uint64_t>) {
+    return Sensor(config, world, time, seed);
+  } else {
+    return Sensor(config, time, seed);
+  }
+}
+
 template <typename... Sensor>
 std::tuple<Sensor...> MakeSensors(SensorList<Sensor...>, const LoggedSensors::Configs& configs, const sim::World& world,
                                   const models::TimeBase& time, std::uint64_t seed) {
-  return {Sensor(std::get<typename Sensor::Config>(configs), world, time, seed)...};
+  return {MakeSensor<Sensor>(std::get<typename Sensor::Config>(configs), world, time, seed)...};
 }
 
 template <typename Sensor>

@@ -29,7 +29,7 @@ struct RangeFinderConfig {
 void Describe(models::ConfigVisitor& v, RangeFinderConfig& config);
 
 /// Simulated laser range finder with a beam of zero width and white noise. It measures the distance to the nearest
-/// surface of ground, objects and walls; sheets on the ground count.
+/// visible surface, see World::DistanceAlong.
 class RangeFinder {
  public:
   using Config = RangeFinderConfig;

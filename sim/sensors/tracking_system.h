@@ -13,8 +13,6 @@
 
 namespace touchdown::sim {
 
-class World;
-
 /// Parameters of the external tracking system (Sec. III-C): noise of a few millimeters and about a degree, and
 /// occlusions of its markers that cause outliers or gaps (Sec. VI-B.1).
 struct TrackingSystemConfig {
@@ -47,10 +45,6 @@ class TrackingSystem {
 
   /// Draws noise from the stream "tracking.noise" and occlusions from "tracking.occlusion".
   TrackingSystem(const TrackingSystemConfig& config, const models::TimeBase& time, std::uint64_t seed);
-  /// The tracking system measures the pose directly, so the world is not used.
-  TrackingSystem(const TrackingSystemConfig& config, const World& /*world*/, const models::TimeBase& time,
-                 std::uint64_t seed)
-      : TrackingSystem(config, time, seed) {}
 
   /// Call once per tick, in order; returns a pose on the ticks of its rate, unless the markers are occluded.
   std::optional<models::TrackedPose> Sample(const TrueState& truth);

@@ -174,7 +174,7 @@ TEST(ShippedSweeps, CanAllBePlanned) {
     EXPECT_FALSE(file.description.empty()) << entry.path();
     ++sweeps;
   }
-  EXPECT_GE(sweeps, 8);
+  EXPECT_GE(sweeps, 9);
 }
 
 TEST_F(SweepPlanTest, RejectsDuplicateFlightsAndTooMany) {
